@@ -1,0 +1,31 @@
+#pragma once
+// Cameras as glTF has them: at the origin of their own space, looking along -Z, +Y up.
+#include "core/math.hpp"
+
+#include <optional>
+#include <string>
+#include <variant>
+
+namespace sr::scene {
+
+struct Perspective {
+    float yfov = 0.8f;                 // full vertical angle [rad]
+    std::optional<float> aspect_ratio; // width / height, where the file fixes one
+    float znear = 0.01f;               // [m], > 0
+    std::optional<float> zfar;         // [m]; absent: infinitely far
+};
+
+struct Orthographic {
+    float xmag = 1.0f; // half the width [m]
+    float ymag = 1.0f; // half the height [m]
+    float znear = 0.0f;
+    float zfar = 100.0f;
+};
+
+struct Camera {
+    std::string name;
+    mat4 world_from_camera{1.0f}; // rotation and translation only
+    std::variant<Perspective, Orthographic> projection;
+};
+
+} // namespace sr::scene

@@ -1,0 +1,58 @@
+#pragma once
+// The Scene: plain data in SI units, world space, right-handed, +Y up. No GL and no glTF in sight.
+#include "scene/camera.hpp"
+#include "scene/light.hpp"
+#include "scene/material.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace sr::scene {
+
+/// Triangles of one material, in object space. Every non-empty vertex array has positions.size() elements.
+struct Mesh {
+    std::string name;
+    std::vector<vec3> positions;
+    std::vector<vec3> normals;       // unit; never empty (flat where the file had none)
+    std::vector<vec4> tangents;      // xyz unit, w = ±1: bitangent = w * cross(normal, tangent); empty where no normal map
+    std::vector<vec2> texcoords[2];  // either may be empty
+    std::vector<vec4> colors;        // linear RGBA, multiplies the base colour; may be empty
+    std::vector<std::uint32_t> indices; // three a triangle, counter-clockwise seen from the front; all in range
+    int material = 0;                // index into Scene::materials
+};
+
+/// A mesh placed in the world. The transform may mirror (negative determinant).
+struct Instance {
+    int mesh = 0;
+    mat4 world_from_object{1.0f};
+    std::string name;
+};
+
+struct Scene {
+    std::vector<TextureImage> images;
+    std::vector<Texture> textures;
+    std::vector<Material> materials; // never empty if there are meshes
+    std::vector<Mesh> meshes;
+    std::vector<Instance> instances;
+    std::vector<Light> lights;       // what the file calls lights; emissive surfaces: see emitters.hpp
+    std::vector<Camera> cameras;
+};
+
+/// An axis-aligned box in world space; empty while min > max.
+struct Bounds {
+    vec3 min{std::numeric_limits<float>::infinity()};
+    vec3 max{-std::numeric_limits<float>::infinity()};
+
+    bool is_empty() const { return !(min.x <= max.x && min.y <= max.y && min.z <= max.z); }
+    vec3 center() const { return 0.5f * (min + max); }
+    float radius() const { return 0.5f * glm::length(max - min); }
+    void extend(vec3 point);
+};
+
+/// The box around all vertices of all instances.
+Bounds bounds_of(const Scene& scene);
+
+std::size_t triangle_count(const Scene& scene);
+
+} // namespace sr::scene

@@ -1,0 +1,27 @@
+#include "support/models.hpp"
+
+#include <cstdlib>
+
+namespace sr::testing {
+
+namespace fs = std::filesystem;
+
+fs::path source_folder() { return STERADIAN_SOURCE_DIR; }
+
+fs::path assets_folder() { return source_folder() / "assets"; }
+
+std::optional<fs::path> models_folder() {
+    const char* variable = std::getenv("STERADIAN_MODELS");
+    const fs::path folder = variable ? fs::path(variable) : source_folder().parent_path() / "shared" / "models";
+    if (!fs::is_directory(folder)) return std::nullopt;
+    return folder;
+}
+
+fs::path scratch_folder(const std::string& name) {
+    const fs::path folder = fs::path(STERADIAN_BINARY_DIR) / "scratch" / name;
+    fs::remove_all(folder);
+    fs::create_directories(folder);
+    return folder;
+}
+
+} // namespace sr::testing

@@ -1,0 +1,21 @@
+#pragma once
+// Real glTF files that are not part of the project (several are not free enough to ship).
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace sr::testing {
+
+/// $STERADIAN_MODELS, or ../shared/models beside the source tree; absent if there is no such folder.
+std::optional<std::filesystem::path> models_folder();
+
+/// The bundled assets/ folder of the source tree.
+std::filesystem::path assets_folder();
+
+/// The source tree itself.
+std::filesystem::path source_folder();
+
+/// A fresh, empty folder for one test's files, under the build tree.
+std::filesystem::path scratch_folder(const std::string& name);
+
+} // namespace sr::testing
