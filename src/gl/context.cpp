@@ -40,8 +40,8 @@ const std::vector<std::string>& Context::debug_messages() const {
 void Context::require_silence() const {
     const auto& messages = debug_messages();
     if (messages.empty()) return;
-    throw Error(fmt::format("OpenGL says ({} message{}): {}", messages.size(), messages.size() == 1 ? "" : "s",
-                            messages.front()),
+    throw Error(fmt::format("OpenGL says ({} message{}): {}", messages.size(),
+                            messages.size() == 1 ? "" : "s", messages.front()),
                 "this is a bug in Steradian or in the driver, please report it");
 }
 

@@ -1,4 +1,5 @@
-// EGL without a window system: Mesa's surfaceless platform first, then EGL devices (the way to a GPU on a server).
+// EGL without a window system: Mesa's surfaceless platform first, then EGL devices (the way to a GPU on a
+// server).
 #include "gl/backend.hpp"
 
 #include "core/error.hpp"
@@ -33,12 +34,15 @@ struct Egl {
 
 Egl load_egl() {
     const auto library = SharedLibrary::open({"libEGL.so.1", "libEGL.so"});
-    if (!library) throw Error("EGL: libEGL.so.1 is not installed", "sudo apt-get install libegl1 libgl1-mesa-dri");
+    if (!library)
+        throw Error("EGL: libEGL.so.1 is not installed", "sudo apt-get install libegl1 libgl1-mesa-dri");
     Egl egl{};
-    egl.get_proc_address = library->function<std::remove_pointer_t<decltype(egl.get_proc_address)>>("eglGetProcAddress");
+    egl.get_proc_address =
+        library->function<std::remove_pointer_t<decltype(egl.get_proc_address)>>("eglGetProcAddress");
     if (!egl.get_proc_address) throw Error("EGL: the library has no eglGetProcAddress", "reinstall libegl1");
     const auto load = [&](auto& function, const char* name) {
-        function = library->function<std::remove_pointer_t<std::remove_reference_t<decltype(function)>>>(name);
+        function =
+            library->function<std::remove_pointer_t<std::remove_reference_t<decltype(function)>>>(name);
     };
     load(egl.initialize, "eglInitialize");
     load(egl.terminate, "eglTerminate");
@@ -64,7 +68,8 @@ bool lists(const char* extensions, const char* name) {
 
 class EglContext final : public Context {
 public:
-    EglContext(const Egl& egl, EGLDisplay display, const char* backend, bool debug) : egl_(egl), display_(display) {
+    EglContext(const Egl& egl, EGLDisplay display, const char* backend, bool debug)
+        : egl_(egl), display_(display) {
         if (display_ == EGL_NO_DISPLAY || !egl_.initialize(display_, nullptr, nullptr))
             throw Error(fmt::format("{}: no display", backend), "install its driver, e.g. libegl-mesa0");
         try {
@@ -83,18 +88,23 @@ private:
     void create(const char* backend, bool debug) {
         if (!lists(egl_.query_string(display_, EGL_EXTENSIONS), "EGL_KHR_surfaceless_context"))
             throw Error(fmt::format("{}: no surfaceless contexts", backend), "update the driver");
-        const std::array<EGLint, 5> wanted{EGL_SURFACE_TYPE, 0, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
+        const std::array<EGLint, 5> wanted{EGL_SURFACE_TYPE, 0, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT,
+                                           EGL_NONE};
         EGLConfig config = nullptr;
         EGLint count = 0;
         egl_.bind_api(EGL_OPENGL_API);
         if (!egl_.choose_config(display_, wanted.data(), &config, 1, &count) || count == 0)
-            throw Error(fmt::format("{}: no configuration for OpenGL", backend), "install a desktop OpenGL driver");
-        const std::array<EGLint, 9> attributes{
-            EGL_CONTEXT_MAJOR_VERSION,       4,
-            EGL_CONTEXT_MINOR_VERSION,       1,
-            EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-            EGL_CONTEXT_OPENGL_DEBUG,        debug ? EGL_TRUE : EGL_FALSE,
-            EGL_NONE};
+            throw Error(fmt::format("{}: no configuration for OpenGL", backend),
+                        "install a desktop OpenGL driver");
+        const std::array<EGLint, 9> attributes{EGL_CONTEXT_MAJOR_VERSION,
+                                               4,
+                                               EGL_CONTEXT_MINOR_VERSION,
+                                               1,
+                                               EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                               EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                               EGL_CONTEXT_OPENGL_DEBUG,
+                                               debug ? EGL_TRUE : EGL_FALSE,
+                                               EGL_NONE};
         context_ = egl_.create_context(display_, config, EGL_NO_CONTEXT, attributes.data());
         if (context_ == EGL_NO_CONTEXT)
             throw Error(fmt::format("{}: no OpenGL 4.1 core context", backend), "update the driver");
@@ -118,7 +128,8 @@ std::unique_ptr<Context> open_surfaceless(const Egl& egl, bool debug) {
     if (!lists(egl.query_string(EGL_NO_DISPLAY, EGL_EXTENSIONS), "EGL_MESA_platform_surfaceless"))
         throw Error("EGL surfaceless: not offered", "install libegl-mesa0");
     return std::make_unique<EglContext>(
-        egl, egl.get_platform_display(EGL_PLATFORM_SURFACELESS_MESA, nullptr, nullptr), "EGL surfaceless", debug);
+        egl, egl.get_platform_display(EGL_PLATFORM_SURFACELESS_MESA, nullptr, nullptr), "EGL surfaceless",
+        debug);
 }
 
 /// The first device that works; GPUs before software, and software only if asked.
@@ -130,10 +141,12 @@ std::unique_ptr<Context> open_device(const Egl& egl, bool debug, bool allow_soft
         for (EGLint i = 0; i < count; ++i) {
             const char* extensions =
                 egl.query_device_string ? egl.query_device_string(devices[i], EGL_EXTENSIONS) : nullptr;
-            if (lists(extensions, "EGL_MESA_device_software") != software || (software && !allow_software)) continue;
+            if (lists(extensions, "EGL_MESA_device_software") != software || (software && !allow_software))
+                continue;
             try {
                 return std::make_unique<EglContext>(
-                    egl, egl.get_platform_display(EGL_PLATFORM_DEVICE_EXT, devices[i], nullptr), "EGL device", debug);
+                    egl, egl.get_platform_display(EGL_PLATFORM_DEVICE_EXT, devices[i], nullptr), "EGL device",
+                    debug);
             } catch (const Error&) { // the next device may do
             }
         }
@@ -156,7 +169,8 @@ std::unique_ptr<Context> open_egl(bool debug) {
     try {
         return open_device(egl, debug, !failure.empty());
     } catch (const Error& error) {
-        if (!failure.empty()) throw Error(fmt::format("{}; {}", failure, error.what()), "try --backend osmesa");
+        if (!failure.empty())
+            throw Error(fmt::format("{}; {}", failure, error.what()), "try --backend osmesa");
     }
     return open_surfaceless(egl, debug);
 }

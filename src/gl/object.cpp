@@ -23,11 +23,6 @@ void BufferKind::label(GLuint id, std::string_view text) {
     name_object(GL_BUFFER, id, text);
 }
 
-// The first binding fixes a texture's target for good, so its label has to wait: see label_texture in texture code.
-GLuint TextureKind::create() { return one(glGenTextures); }
-void TextureKind::destroy(GLuint id) { glDeleteTextures(1, &id); }
-void TextureKind::label(GLuint, std::string_view) {}
-
 GLuint SamplerKind::create() { return one(glGenSamplers); }
 void SamplerKind::destroy(GLuint id) { glDeleteSamplers(1, &id); }
 void SamplerKind::label(GLuint id, std::string_view text) {
@@ -48,6 +43,20 @@ void VertexArrayKind::destroy(GLuint id) { glDeleteVertexArrays(1, &id); }
 void VertexArrayKind::label(GLuint id, std::string_view text) {
     glBindVertexArray(id);
     name_object(GL_VERTEX_ARRAY, id, text);
+}
+
+Texture::Texture(GLenum target, std::string_view label) : target_(target), id_(one(glGenTextures)) {
+    glBindTexture(target_, id_);
+    name_object(GL_TEXTURE, id_, label);
+}
+
+Texture::~Texture() {
+    if (id_) glDeleteTextures(1, &id_);
+}
+
+void Texture::bind(GLuint unit) const {
+    glActiveTexture(GL_TEXTURE0 + unit);
+    glBindTexture(target_, id_);
 }
 
 } // namespace sr::gl

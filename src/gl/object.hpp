@@ -31,11 +31,6 @@ struct BufferKind {
     static void destroy(GLuint id);
     static void label(GLuint id, std::string_view text);
 };
-struct TextureKind {
-    static GLuint create();
-    static void destroy(GLuint id);
-    static void label(GLuint id, std::string_view text);
-};
 struct SamplerKind {
     static GLuint create();
     static void destroy(GLuint id);
@@ -53,9 +48,29 @@ struct VertexArrayKind {
 };
 
 using Buffer = Object<BufferKind>;
-using Texture = Object<TextureKind>;
 using Sampler = Object<SamplerKind>;
 using Framebuffer = Object<FramebufferKind>;
 using VertexArray = Object<VertexArrayKind>;
+
+/// A texture of one target (GL_TEXTURE_2D, …), which its first binding fixes for good.
+class Texture {
+public:
+    /// Leaves the texture bound to the current unit.
+    Texture(GLenum target, std::string_view label);
+    ~Texture();
+    Texture(Texture&& other) noexcept : target_(other.target_), id_(std::exchange(other.id_, 0)) {}
+    Texture& operator=(Texture&& other) noexcept {
+        std::swap(target_, other.target_);
+        std::swap(id_, other.id_);
+        return *this;
+    }
+
+    GLuint id() const { return id_; }
+    void bind(GLuint unit) const;
+
+private:
+    GLenum target_;
+    GLuint id_ = 0;
+};
 
 } // namespace sr::gl

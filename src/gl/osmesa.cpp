@@ -35,7 +35,8 @@ Osmesa load_osmesa() {
                     "sudo apt-get install libosmesa6 (Mesa 25.1 and later no longer have it: use EGL)");
     Osmesa osmesa{};
     const auto load = [&](auto& function, const char* name) {
-        function = library->function<std::remove_pointer_t<std::remove_reference_t<decltype(function)>>>(name);
+        function =
+            library->function<std::remove_pointer_t<std::remove_reference_t<decltype(function)>>>(name);
         if (!function) throw Error("OSMesa: the library is too old", "install Mesa 12 or later");
     };
     load(osmesa.create_context, "OSMesaCreateContextAttribs");
@@ -48,9 +49,17 @@ Osmesa load_osmesa() {
 class OsmesaContext final : public Context {
 public:
     explicit OsmesaContext(bool debug) : osmesa_(load_osmesa()) {
-        const std::array<int, 11> attributes{osmesa_format, GL_RGBA, osmesa_depth_bits, 24, osmesa_profile,
-                                             osmesa_core_profile, osmesa_context_major_version, 4,
-                                             osmesa_context_minor_version, 1, 0};
+        const std::array<int, 11> attributes{osmesa_format,
+                                             GL_RGBA,
+                                             osmesa_depth_bits,
+                                             24,
+                                             osmesa_profile,
+                                             osmesa_core_profile,
+                                             osmesa_context_major_version,
+                                             4,
+                                             osmesa_context_minor_version,
+                                             1,
+                                             0};
         context_ = osmesa_.create_context(attributes.data(), nullptr);
         if (!context_) throw Error("OSMesa: no OpenGL 4.1 core context", "update libosmesa6");
         // OSMesa insists on a default framebuffer; ours are all objects of our own, so one pixel does.

@@ -20,7 +20,8 @@ class WindowContext final : public Context {
 public:
     explicit WindowContext(bool debug) {
         if (!glfwInit())
-            throw Error(fmt::format("window: {}", glfw_failure()), "set DISPLAY, or use --backend egl or osmesa");
+            throw Error(fmt::format("window: {}", glfw_failure()),
+                        "set DISPLAY, or use --backend egl or osmesa");
         glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
         glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
         glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 1);
@@ -31,7 +32,8 @@ public:
         if (!window_) {
             const std::string failure = glfw_failure();
             glfwTerminate();
-            throw Error(fmt::format("window: {}", failure), "update the driver, or use --backend egl or osmesa");
+            throw Error(fmt::format("window: {}", failure),
+                        "update the driver, or use --backend egl or osmesa");
         }
         glfwMakeContextCurrent(window_);
         try {

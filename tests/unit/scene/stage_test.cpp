@@ -1,0 +1,79 @@
+#include "scene/stage.hpp"
+
+#include "core/error.hpp"
+#include "scene/framing.hpp"
+#include "support/address.hpp"
+
+#include <cmath>
+
+using namespace sr;
+using namespace sr::scene;
+using sr::testing::Test;
+
+namespace {
+
+Scene with_cameras() {
+    Scene scene;
+    for (const char* name : {"front", "side"}) {
+        Camera camera;
+        camera.name = name;
+        scene.cameras.push_back(camera);
+    }
+    return scene;
+}
+
+const Test cameras{"unit.scene.stage.cameras_by_name_index_and_default", [] {
+                       const auto chosen = [](const char* wanted) {
+                           return set_stage(with_cameras(), "f", {wanted}).camera.name;
+                       };
+                       EXPECT_EQ(chosen(""), "front");
+                       EXPECT_EQ(chosen("side"), "side");
+                       EXPECT_EQ(chosen("1"), "side");
+                       EXPECT_EQ(chosen("auto"), "auto");
+                       EXPECT_EQ(set_stage(Scene{}, "f", {}).camera.name, "auto");
+                       try {
+                           chosen("2");
+                           FAIL();
+                       } catch (const Error& error) {
+                           EXPECT_STREQ(error.what(),
+                                        "f: no camera '2': choose one of 0 'front', 1 'side', auto");
+                       }
+                   }};
+
+const Test rig{"unit.scene.stage.a_dark_scene_gets_softboxes_and_says_so", [] {
+                   const Stage lit = set_stage(Scene{}, "f", {});
+                   EXPECT_EQ(lit.lights.size(), 3u);
+                   EXPECT_EQ(lit.remarks.size(), 1u);
+                   EXPECT_TRUE(lit.scene.instances.empty()) << "softboxes are not seen";
+                   EXPECT_TRUE(set_stage(Scene{}, "f", {"", Rig::none}).lights.empty());
+                   Scene own;
+                   own.lights.emplace_back(PointLight{});
+                   EXPECT_EQ(set_stage(own, "f", {}).lights.size(), 1u);
+               }};
+
+// All corners of the box are inside the picture, whatever its shape, and one of them is close to its edge.
+const Test framing{
+    "unit.scene.framing.the_box_fills_the_picture", [] {
+        for (const vec3 extent : {vec3(1, 1, 1), vec3(100, 1, 1), vec3(0.001f, 0.003f, 0.001f)}) {
+            for (const float aspect : {0.5f, 1.0f, 2.0f}) {
+                const Bounds box{vec3(5.0f) - extent, vec3(5.0f) + extent};
+                const Camera camera = framing_camera(box, aspect);
+                const auto& p = std::get<Perspective>(camera.projection);
+                float reach = 0.0f;
+                for (int corner = 0; corner < 8; ++corner) {
+                    const vec3 world(corner & 1 ? box.max.x : box.min.x, corner & 2 ? box.max.y : box.min.y,
+                                     corner & 4 ? box.max.z : box.min.z);
+                    const vec3 c = vec3(glm::inverse(camera.world_from_camera) * vec4(world, 1.0f));
+                    EXPECT_GT(-c.z, p.znear);
+                    EXPECT_LT(-c.z, p.zfar.value_or(INFINITY));
+                    const float tan_y = std::tan(0.5f * p.yfov);
+                    reach = std::max(
+                        {reach, std::abs(c.x / c.z) / (tan_y * aspect), std::abs(c.y / c.z) / tan_y});
+                }
+                EXPECT_LT(reach, 1.0f);
+                EXPECT_GT(reach, 0.85f);
+            }
+        }
+    }};
+
+} // namespace
