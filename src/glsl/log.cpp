@@ -1,31 +1,97 @@
 #include "glsl/log.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <fmt/format.h>
-#include <regex>
 
 namespace sr::glsl {
 namespace {
 
-/// A number of the log; what does not fit an int is no line number.
-int number(const std::string& digits) {
-    int value = 0;
-    std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    return value;
+/// Reads a line from left to right.
+class Scanner {
+public:
+    explicit Scanner(std::string_view text) : rest_(text) {}
+
+    bool take(std::string_view expected) {
+        if (!rest_.starts_with(expected)) return false;
+        rest_.remove_prefix(expected.size());
+        return true;
+    }
+
+    std::optional<int> take_number() {
+        int value = 0;
+        const auto [end, problem] = std::from_chars(rest_.data(), rest_.data() + rest_.size(), value);
+        if (problem != std::errc() || value < 0) return std::nullopt;
+        rest_.remove_prefix(static_cast<std::size_t>(end - rest_.data()));
+        return value;
+    }
+
+    /// "error", "preprocessor error", "fatal error", "warning", …; nothing is taken if there is none.
+    std::optional<std::string> take_severity() {
+        for (const std::string_view word : {"error", "warning", "note"}) {
+            const std::size_t at = rest_.find(word);
+            const std::string_view before = rest_.substr(0, at);
+            const bool is_words = before.find_first_not_of("abcdefghijklmnopqrstuvwxyz ") == before.npos;
+            const std::string_view after = at == rest_.npos ? "" : rest_.substr(at + word.size());
+            const bool ends = after.starts_with(':') || after.starts_with(' ') || after.starts_with('(');
+            if (at == rest_.npos || !is_words || !ends) continue;
+            const std::string severity(rest_.substr(0, at + word.size()));
+            rest_ = after;
+            return severity;
+        }
+        return std::nullopt;
+    }
+
+    /// What is left, without the blanks before it.
+    std::string_view rest() const {
+        return rest_.substr(std::min(rest_.find_first_not_of(' '), rest_.size()));
+    }
+
+private:
+    std::string_view rest_;
+};
+
+struct Parsed {
+    int line = 0;
+    int column = 0;
+    std::string severity;
+    std::string text;
+};
+
+// We compile one string, whose number is 0.
+
+/// 0:LINE(COL): error: …
+std::optional<Parsed> parse_mesa(Scanner scan) {
+    if (!scan.take("0:")) return std::nullopt;
+    const auto line = scan.take_number();
+    if (!line || !scan.take("(")) return std::nullopt;
+    const auto column = scan.take_number();
+    if (!column || !scan.take("): ")) return std::nullopt;
+    const auto severity = scan.take_severity();
+    if (!severity || !scan.take(":")) return std::nullopt;
+    return Parsed{*line, *column, *severity, std::string(scan.rest())};
 }
 
-std::string lower_case(std::string text) {
-    std::ranges::transform(text, text.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return text;
+/// 0(LINE) : error C1234: …
+std::optional<Parsed> parse_nvidia(Scanner scan) {
+    if (!scan.take("0(")) return std::nullopt;
+    const auto line = scan.take_number();
+    if (!line || !(scan.take(") : ") || scan.take("): "))) return std::nullopt;
+    const auto severity = scan.take_severity();
+    if (!severity) return std::nullopt;
+    return Parsed{*line, 0, *severity, std::string(scan.rest())};
 }
 
-Complaint make_complaint(Location where, int column, std::string severity, std::string text) {
-    where.column = column;
-    const bool is_error = severity.ends_with("error");
-    return {std::move(where), std::move(severity), std::move(text), is_error};
+/// ERROR: 0:LINE: …, AMD's with a second "error(#143) " behind it.
+std::optional<Parsed> parse_colons(Scanner scan) {
+    const bool is_error = scan.take("ERROR: 0:");
+    if (!is_error && !scan.take("WARNING: 0:")) return std::nullopt;
+    const auto line = scan.take_number();
+    if (!line || !scan.take(":")) return std::nullopt;
+    std::string_view text = scan.rest();
+    for (const std::string_view again : {"error(", "warning("})
+        if (text.starts_with(again)) text.remove_prefix(again.size() - 1);
+    return Parsed{*line, 0, is_error ? "error" : "warning", std::string(text)};
 }
 
 /// Cuts a log into its lines; a last line without its end counts.
@@ -46,18 +112,14 @@ std::vector<std::string_view> lines_of(std::string_view log) {
 std::string Complaint::line() const { return fmt::format("{}: {}: {}", where.text(), severity, text); }
 
 std::optional<Complaint> complaint(std::string_view log_line, const Source& source) {
-    // We compile one string, whose number is 0.
-    static const std::regex mesa(R"(0:(\d+)\((\d+)\): ([a-z ]+): (.*))");
-    static const std::regex nvidia(R"(0\((\d+)\) ?: ([a-z ]*(?:error|warning)) (.*))");
-    static const std::regex colons(R"((ERROR|WARNING): 0:(\d+): *(?:(?:error|warning)\b:? *)?(.*))");
-    const std::string line(log_line);
-    std::smatch part;
-    if (std::regex_match(line, part, mesa))
-        return make_complaint(source.location(number(part[1])), number(part[2]), part[3], part[4]);
-    if (std::regex_match(line, part, nvidia))
-        return make_complaint(source.location(number(part[1])), 0, part[2], part[3]);
-    if (std::regex_match(line, part, colons))
-        return make_complaint(source.location(number(part[2])), 0, lower_case(part[1]), part[3]);
+    for (const auto parse : {parse_mesa, parse_nvidia, parse_colons}) {
+        const auto parsed = parse(Scanner(log_line));
+        if (!parsed) continue;
+        Location where = source.location(parsed->line);
+        where.column = parsed->column;
+        return Complaint{std::move(where), parsed->severity, parsed->text,
+                         parsed->severity.ends_with("error")};
+    }
     return std::nullopt;
 }
 
