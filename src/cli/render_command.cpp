@@ -128,6 +128,7 @@ ordered_json seconds(const PhaseTimes& times) {
 
 ExitStatus render(const RenderCommand& command) {
     PhaseTimes times;
+    image::preload();
     image::is_scene_referred(command.output); // an unknown extension is refused before any work
     auto loading = std::async(std::launch::async, load_timed, std::cref(command));
     const auto context = gl::open_context({command.backend, command.gl_debug});

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cstring>
+#include <future>
 #include <glm/gtc/matrix_inverse.hpp>
+#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -60,6 +62,27 @@ MaterialBlock packed_material(const scene::Material& m) {
     return block;
 }
 
+/// An image as textures use it: the same picture may be colours to one and data to another.
+struct ImageUse {
+    int image = 0;
+    scene::ColorSpace color_space = scene::ColorSpace::linear;
+
+    bool operator==(const ImageUse&) const = default;
+};
+
+struct ReadyImage {
+    std::optional<scene::TextureImage> rounded; // where the image cannot be uploaded as it is
+    std::vector<MipLevel> levels;
+};
+
+ReadyImage make_ready(const scene::TextureImage& image, scene::ColorSpace color_space) {
+    ReadyImage ready;
+    if (color_space == scene::ColorSpace::srgb && std::holds_alternative<std::vector<std::uint16_t>>(image.texels))
+        ready.rounded = displayable(image);
+    ready.levels = mip_chain(ready.rounded ? *ready.rounded : image, color_space);
+    return ready;
+}
+
 vec3 center_of(const scene::Mesh& mesh, const mat4& world_from_object) {
     scene::Bounds bounds;
     for (const vec3 position : mesh.positions) bounds.extend(position);
@@ -79,22 +102,29 @@ GpuScene::GpuScene(const scene::Scene& scene, std::span<const scene::Light> ligh
 }
 
 void GpuScene::upload_textures(const scene::Scene& scene) {
-    std::vector<std::pair<int, scene::ColorSpace>> uploaded;
+    std::vector<ImageUse> uses;
     std::vector<scene::Sampler> made;
     for (const scene::Texture& texture : scene.textures) {
-        const std::pair key{texture.image, texture.color_space};
-        auto image = std::find(uploaded.begin(), uploaded.end(), key);
-        image_of_texture_.push_back(static_cast<int>(image - uploaded.begin()));
-        if (image == uploaded.end()) {
-            uploaded.push_back(key);
-            images_.push_back(upload(scene.images[texture.image], texture.color_space));
-        }
-        auto sampler = std::find(made.begin(), made.end(), texture.sampler);
+        const ImageUse use{texture.image, texture.color_space};
+        const auto image = std::find(uses.begin(), uses.end(), use);
+        image_of_texture_.push_back(static_cast<int>(image - uses.begin()));
+        if (image == uses.end()) uses.push_back(use);
+        const auto sampler = std::find(made.begin(), made.end(), texture.sampler);
         sampler_of_texture_.push_back(static_cast<int>(sampler - made.begin()));
         if (sampler == made.end()) {
             made.push_back(texture.sampler);
             samplers_.push_back(sampler_object(texture.sampler));
         }
+    }
+    // The threads halve the images, this one hands them to GL as they come.
+    std::vector<std::future<ReadyImage>> ready;
+    ready.reserve(uses.size());
+    for (const ImageUse& use : uses)
+        ready.push_back(std::async(std::launch::async, make_ready, std::cref(scene.images[use.image]), use.color_space));
+    for (std::size_t i = 0; i < uses.size(); ++i) {
+        const ReadyImage image = ready[i].get();
+        images_.push_back(upload(image.rounded ? *image.rounded : scene.images[uses[i].image], uses[i].color_space,
+                                 image.levels));
     }
 }
 

@@ -7,26 +7,20 @@
 namespace sr::render {
 namespace {
 
+/// GL's name for how texels of this type are stored.
 struct Format {
     GLenum internal;
     GLenum type;
-    const void* texels;
 };
 
-/// GL has no 16-bit sRGB format: such an image is stored as 16-bit linear values would be only if it is
-/// linear data; 16-bit sRGB pictures are rounded to 8 bits, which is finer than their transfer function needs
-/// for display-referred colours.
-Format format_of(const scene::TextureImage& image, scene::ColorSpace color_space,
-                 std::vector<std::uint8_t>& rounded) {
+Format format_of(const scene::TextureImage& image, scene::ColorSpace color_space) {
+    if (std::holds_alternative<std::vector<std::uint16_t>>(image.texels)) return {GL_RGBA16, GL_UNSIGNED_SHORT};
     const bool is_srgb = color_space == scene::ColorSpace::srgb;
-    if (const auto* bytes = std::get_if<std::vector<std::uint8_t>>(&image.texels))
-        return {static_cast<GLenum>(is_srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8), GL_UNSIGNED_BYTE, bytes->data()};
-    const auto& words = std::get<std::vector<std::uint16_t>>(image.texels);
-    if (!is_srgb) return {GL_RGBA16, GL_UNSIGNED_SHORT, words.data()};
-    rounded.reserve(words.size());
-    for (const std::uint16_t word : words)
-        rounded.push_back(static_cast<std::uint8_t>((word * 255u + 32767u) / 65535u));
-    return {GL_SRGB8_ALPHA8, GL_UNSIGNED_BYTE, rounded.data()};
+    return {static_cast<GLenum>(is_srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8), GL_UNSIGNED_BYTE};
+}
+
+const void* data_of(const auto& texels) {
+    return std::visit([](const auto& values) -> const void* { return values.data(); }, texels);
 }
 
 GLint wrap_mode(scene::Wrap wrap) {
@@ -50,21 +44,34 @@ GLint minification(const scene::Sampler& sampler) {
 
 } // namespace
 
-gl::Texture upload(const scene::TextureImage& image, scene::ColorSpace color_space) {
+scene::TextureImage displayable(const scene::TextureImage& image) {
+    scene::TextureImage rounded{image.name, image.width, image.height, {}};
+    auto& bytes = rounded.texels.emplace<std::vector<std::uint8_t>>();
+    const auto& words = std::get<std::vector<std::uint16_t>>(image.texels);
+    bytes.reserve(words.size());
+    for (const std::uint16_t word : words)
+        bytes.push_back(static_cast<std::uint8_t>((word * 255u + 32767u) / 65535u));
+    return rounded;
+}
+
+gl::Texture upload(const scene::TextureImage& image, scene::ColorSpace color_space,
+                   const std::vector<MipLevel>& levels) {
     GLint largest = 0;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
     if (image.width > largest || image.height > largest)
-        throw Error(
-            {image.name},
-            fmt::format("{}×{} texels, the driver takes {} at most", image.width, image.height, largest),
-            "scale the image down");
-    std::vector<std::uint8_t> rounded;
-    const Format format = format_of(image, color_space, rounded);
+        throw Error({image.name},
+                    fmt::format("{}×{} texels, the driver takes {} at most", image.width, image.height, largest),
+                    "scale the image down");
+    const Format format = format_of(image, color_space);
     gl::Texture texture(GL_TEXTURE_2D, image.name);
+    const auto level = [&](int index, int width, int height, const void* data) {
+        glTexImage2D(GL_TEXTURE_2D, index, static_cast<GLint>(format.internal), width, height, 0, GL_RGBA, format.type, data);
+    };
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(format.internal), image.width, image.height, 0, GL_RGBA,
-                 format.type, format.texels);
-    glGenerateMipmap(GL_TEXTURE_2D);
+    level(0, image.width, image.height, data_of(image.texels));
+    for (std::size_t i = 0; i < levels.size(); ++i)
+        level(static_cast<int>(i + 1), levels[i].width, levels[i].height, data_of(levels[i].texels));
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, static_cast<GLint>(levels.size()));
     return texture;
 }
 

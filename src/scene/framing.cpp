@@ -2,37 +2,66 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace sr::scene {
 
-Camera framing_camera(const Bounds& subject, float aspect_ratio) {
-    constexpr float yfov = 0.6f;    // [rad], about a 55 mm lens on a full frame
+namespace {
+
+/// How far the scene reaches along a direction, max p·direction over all vertices.
+float reach(const Scene& scene, vec3 direction) {
+    float farthest = -std::numeric_limits<float>::infinity();
+    for (const Instance& instance : scene.instances) {
+        const mat4& m = instance.world_from_object;
+        const vec3 in_object = glm::transpose(mat3(m)) * direction;
+        const float shift = glm::dot(vec3(m[3]), direction);
+        for (const vec3 position : scene.meshes[instance.mesh].positions)
+            farthest = std::max(farthest, glm::dot(position, in_object) + shift);
+    }
+    return farthest;
+}
+
+/// Where the eye is along one axis of the picture, and how far back it must be, for the planes that bound the picture
+/// at ±tangent to touch the scene on both sides.
+struct Fit {
+    float along;
+    float back;
+};
+
+Fit fitted(const Scene& scene, vec3 axis, vec3 back, float tangent) {
+    const float plus = reach(scene, axis + tangent * back);
+    const float minus = reach(scene, -axis + tangent * back);
+    return {0.5f * (plus - minus), 0.5f * (plus + minus) / tangent};
+}
+
+} // namespace
+
+Camera framing_camera(const Scene& scene, float aspect_ratio) {
+    constexpr float yfov = 0.6f;    // [rad], about a 40 mm lens on a full frame
     constexpr float margin = 1.08f; // air around the subject
-    const vec3 center = subject.is_empty() ? vec3(0.0f) : subject.center();
-    const float radius = subject.is_empty() ? 1.0f : std::max(subject.radius(), 1e-6f);
+    const Bounds bounds = bounds_of(scene);
+    const float radius = bounds.is_empty() ? 1.0f : std::max(bounds.radius(), 1e-6f);
 
     const vec3 back = glm::normalize(vec3(0.5f, 0.35f, 1.0f)); // from the subject to the camera
     const vec3 right = glm::normalize(glm::cross(vec3(0.0f, 1.0f, 0.0f), back));
     const vec3 up = glm::cross(back, right);
 
     const float tan_y = std::tan(0.5f * yfov) / margin;
-    const float tan_x = tan_y * aspect_ratio;
-    float distance = subject.is_empty() ? 5.0f : 0.0f;
-    for (int corner = 0; corner < 8 && !subject.is_empty(); ++corner) {
-        const vec3 p(corner & 1 ? subject.max.x : subject.min.x, corner & 2 ? subject.max.y : subject.min.y,
-                     corner & 4 ? subject.max.z : subject.min.z);
-        const vec3 d = p - center;
-        const float reach = std::max(std::abs(glm::dot(d, right)) / tan_x, std::abs(glm::dot(d, up)) / tan_y);
-        distance = std::max(distance, reach + glm::dot(d, back));
+    vec3 eye = 5.0f * back;
+    float nearest = 4.0f, farthest = 6.0f;
+    if (!bounds.is_empty()) {
+        const Fit x = fitted(scene, right, back, tan_y * aspect_ratio);
+        const Fit y = fitted(scene, up, back, tan_y);
+        const float front = reach(scene, back);
+        const float distance = std::max({x.back, y.back, front + 1e-3f * radius});
+        eye = x.along * right + y.along * up + distance * back;
+        nearest = distance - front;
+        farthest = distance + reach(scene, -back);
     }
-    distance = std::max(distance, 1e-3f * radius);
-
     Camera camera;
     camera.name = "auto";
-    camera.world_from_camera =
-        mat4(vec4(right, 0.0f), vec4(up, 0.0f), vec4(back, 0.0f), vec4(center + distance * back, 1.0f));
-    camera.projection = Perspective{yfov, std::nullopt, std::max(distance - 1.5f * radius, 0.01f * distance),
-                                    distance + 1.5f * radius};
+    camera.world_from_camera = mat4(vec4(right, 0.0f), vec4(up, 0.0f), vec4(back, 0.0f), vec4(eye, 1.0f));
+    camera.projection = Perspective{yfov, std::nullopt, 0.9f * nearest, farthest + 0.1f * (farthest - nearest) + 1e-3f * radius};
     return camera;
 }
 

@@ -4,8 +4,8 @@
 
 namespace sr::scene {
 
-/// Looks at `subject` from the front, a little from the right and above (glTF: the front of an asset faces
-/// +Z), from so far that the whole box is in the picture of the given width / height.
-Camera framing_camera(const Bounds& subject, float aspect_ratio);
+/// Looks at the scene from the front, a little from the right and above (glTF: the front of an asset faces +Z), as
+/// close as every vertex is in a picture of the given width / height, with a little air around.
+Camera framing_camera(const Scene& scene, float aspect_ratio);
 
 } // namespace sr::scene

@@ -18,11 +18,10 @@ std::string cameras_of(const Scene& scene) {
     return names + "auto";
 }
 
-Camera chosen_camera(const Scene& scene, const Bounds& bounds, const std::string& file,
-                     const StageOptions& options) {
+Camera chosen_camera(const Scene& scene, const std::string& file, const StageOptions& options) {
     const std::string& wanted = options.camera;
     if (wanted == "auto" || (wanted.empty() && scene.cameras.empty()))
-        return framing_camera(bounds, options.aspect_ratio);
+        return framing_camera(scene, options.aspect_ratio);
     if (wanted.empty()) return scene.cameras.front();
     for (const Camera& camera : scene.cameras)
         if (camera.name == wanted) return camera;
@@ -46,7 +45,7 @@ std::string joined(const std::vector<std::string>& names) {
 Stage set_stage(Scene scene, const std::string& name, const StageOptions& options) {
     Stage stage;
     const Bounds bounds = bounds_of(scene);
-    stage.camera = chosen_camera(scene, bounds, name, options);
+    stage.camera = chosen_camera(scene, name, options);
 
     Emitters emitters = emitters_of(scene);
     stage.lights = std::move(emitters.lights);

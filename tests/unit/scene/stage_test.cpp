@@ -51,29 +51,41 @@ const Test rig{"unit.scene.stage.a_dark_scene_gets_softboxes_and_says_so", [] {
                    EXPECT_EQ(set_stage(own, "f", {}).lights.size(), 1u);
                }};
 
-// All corners of the box are inside the picture, whatever its shape, and one of them is close to its edge.
-const Test framing{
-    "unit.scene.framing.the_box_fills_the_picture", [] {
-        for (const vec3 extent : {vec3(1, 1, 1), vec3(100, 1, 1), vec3(0.001f, 0.003f, 0.001f)}) {
-            for (const float aspect : {0.5f, 1.0f, 2.0f}) {
-                const Bounds box{vec3(5.0f) - extent, vec3(5.0f) + extent};
-                const Camera camera = framing_camera(box, aspect);
-                const auto& p = std::get<Perspective>(camera.projection);
-                float reach = 0.0f;
-                for (int corner = 0; corner < 8; ++corner) {
-                    const vec3 world(corner & 1 ? box.max.x : box.min.x, corner & 2 ? box.max.y : box.min.y,
-                                     corner & 4 ? box.max.z : box.min.z);
-                    const vec3 c = vec3(glm::inverse(camera.world_from_camera) * vec4(world, 1.0f));
-                    EXPECT_GT(-c.z, p.znear);
-                    EXPECT_LT(-c.z, p.zfar.value_or(INFINITY));
-                    const float tan_y = std::tan(0.5f * p.yfov);
-                    reach = std::max(
-                        {reach, std::abs(c.x / c.z) / (tan_y * aspect), std::abs(c.y / c.z) / tan_y});
-                }
-                EXPECT_LT(reach, 1.0f);
-                EXPECT_GT(reach, 0.85f);
+/// The corners of a box, as a mesh without triangles.
+Scene box_of(vec3 center, vec3 half) {
+    Scene scene;
+    Mesh mesh;
+    for (int corner = 0; corner < 8; ++corner)
+        mesh.positions.emplace_back(corner & 1 ? half.x : -half.x, corner & 2 ? half.y : -half.y, corner & 4 ? half.z : -half.z);
+    scene.meshes.push_back(mesh);
+    mat4 m(1.0f);
+    m[3] = vec4(center, 1.0f);
+    scene.instances.push_back({0, m, "box"});
+    return scene;
+}
+
+// All corners of the box are inside the picture, whatever its shape, and the box touches two opposite margins.
+const Test framing{"unit.scene.framing.the_box_fills_the_picture", [] {
+    for (const vec3 half : {vec3(1, 1, 1), vec3(100, 1, 1), vec3(0.001f, 0.003f, 0.001f)}) {
+        for (const float aspect : {0.5f, 1.0f, 2.0f}) {
+            const Scene box = box_of(vec3(5.0f), half);
+            const Camera camera = framing_camera(box, aspect);
+            const auto& p = std::get<Perspective>(camera.projection);
+            const float tan_y = std::tan(0.5f * p.yfov);
+            vec2 low(INFINITY), high(-INFINITY);
+            for (const vec3 corner : box.meshes[0].positions) {
+                const vec3 c = vec3(glm::inverse(camera.world_from_camera) * vec4(corner + 5.0f, 1.0f));
+                EXPECT_GT(-c.z, p.znear);
+                EXPECT_LT(-c.z, p.zfar.value_or(INFINITY));
+                const vec2 at = vec2(c) / (-c.z * vec2(tan_y * aspect, tan_y));
+                low = glm::min(low, at);
+                high = glm::max(high, at);
             }
+            EXPECT_LT(std::max({-low.x, -low.y, high.x, high.y}), 0.94f);
+            const auto touches = [](float a, float b) { return a < -0.9f && b > 0.9f; };
+            EXPECT_TRUE(touches(low.x, high.x) || touches(low.y, high.y));
         }
-    }};
+    }
+}};
 
 } // namespace
