@@ -26,10 +26,25 @@ bool starts_with(Bytes bytes, const std::array<std::uint8_t, n>& magic) {
 constexpr std::array<std::uint8_t, 8> png_magic{0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
 constexpr std::array<std::uint8_t, 3> jpeg_magic{0xFF, 0xD8, 0xFF};
 
+/// Whether the chunks fill the file up to an IEND (PNG specification, section 5.3). OpenImageIO reads a
+/// truncated file past its end, and leaks memory when it finds out.
+bool is_whole_png(Bytes bytes) {
+    constexpr std::size_t frame = 12; // length, type and checksum
+    constexpr std::array<std::uint8_t, 4> iend{'I', 'E', 'N', 'D'};
+    for (bytes = bytes.subspan(png_magic.size()); bytes.size() >= frame;) {
+        if (starts_with(bytes.subspan(4), iend)) return true;
+        const std::size_t size = frame + big_endian(bytes.first(4));
+        if (size > bytes.size()) return false;
+        bytes = bytes.subspan(size);
+    }
+    return false;
+}
+
 /// The IHDR chunk comes first (PNG specification, section 5.6).
 std::optional<Header> png_header(Bytes bytes) {
     constexpr std::array<std::uint8_t, 4> ihdr{'I', 'H', 'D', 'R'};
-    if (bytes.size() < 24 || !starts_with(bytes.subspan(12), ihdr)) return std::nullopt;
+    if (bytes.size() < 24 || !starts_with(bytes.subspan(12), ihdr) || !is_whole_png(bytes))
+        return std::nullopt;
     return Header{TextureFormat::png, big_endian(bytes.subspan(16, 4)), big_endian(bytes.subspan(20, 4))};
 }
 
@@ -86,7 +101,8 @@ Header header_of(Bytes bytes, const std::string& name) {
                     "convert it to PNG or JPEG");
     const std::optional<Header> header = is_png ? png_header(bytes) : jpeg_header(bytes);
     if (!header || header->width == 0 || header->height == 0)
-        throw Error(where, is_png ? "a broken PNG" : "a broken or truncated JPEG", "export it again");
+        throw Error(where, is_png ? "a broken or truncated PNG" : "a broken or truncated JPEG",
+                    "export it again");
     const std::uint64_t texels = std::uint64_t{header->width} * header->height;
     if (header->width > max_texture_size || header->height > max_texture_size || texels > max_texture_texels)
         throw Error(where, fmt::format("{} x {} texels are too many", header->width, header->height),

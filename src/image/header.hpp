@@ -15,7 +15,7 @@ struct Header {
 };
 
 /// The format and size of a PNG or JPEG, both within the limits below.
-/// @throws Error in the file `name`: not a PNG or JPEG, no size in sight, too large, a JPEG without its end.
+/// @throws Error in the file `name`: not a PNG or JPEG, no size in sight, too large, truncated.
 Header header_of(std::span<const std::uint8_t> bytes, const std::string& name);
 
 inline constexpr std::uint32_t max_texture_size = 16384; // [texels] along an edge: what OpenGL drivers take

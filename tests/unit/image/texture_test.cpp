@@ -119,7 +119,8 @@ const Test size_is_checked_first{
                         .starts_with("a.glb: 16385 x 1 texels are too many"));
         EXPECT_TRUE(
             failure(Png{16384, 16384, 8, 0, {0}, {}, {}}.bytes()).starts_with("a.glb: 16384 x 16384 texels"));
-        EXPECT_TRUE(failure(Png{0, 1, 8, 0, {0}, {}, {}}.bytes()).starts_with("a.glb: a broken PNG"));
+        EXPECT_TRUE(
+            failure(Png{0, 1, 8, 0, {0}, {}, {}}.bytes()).starts_with("a.glb: a broken or truncated PNG"));
         ByteVector large = jpeg();
         for (std::size_t i = 0; i + 8 < large.size(); ++i)
             if (large[i] == 0xFF && large[i + 1] == 0xC0) {
