@@ -128,11 +128,13 @@ ordered_json seconds(const PhaseTimes& times) {
 
 ExitStatus render(const RenderCommand& command) {
     PhaseTimes times;
-    image::preload();
     image::is_scene_referred(command.output); // an unknown extension is refused before any work
-    auto loading = std::async(std::launch::async, load_timed, std::cref(command));
+    // The context first: the dynamic loader has one lock, and behind OpenImageIO a driver would wait for
+    // long.
     const auto context = gl::open_context({command.backend, command.gl_debug});
     times.end("start");
+    auto loading = std::async(std::launch::async, load_timed, std::cref(command));
+    const auto preloading = image::preload(); // last, since no thread can start while it has that lock
     TimedLoad load = loading.get();
     times.end("wait for load");
     times.add("load (beside start)", load.seconds);

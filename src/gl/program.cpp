@@ -32,13 +32,21 @@ std::string program_log(GLuint program) {
     throw ShaderError({source.files.front()}, log.substr(0, log.find('\n')), log);
 }
 
+/// GLSL 4.10 is ASCII even in comments (section 3.1), where our equations are not; strict drivers mind.
+std::string ascii(std::string text) {
+    for (char& c : text)
+        if (static_cast<unsigned char>(c) >= 0x80) c = '?';
+    return text;
+}
+
 /// One stage; deleted when it goes out of scope, which a linked program does not mind.
 struct Shader {
     GLuint id;
 
     Shader(GLenum stage, const glsl::Source& source) : id(glCreateShader(stage)) {
-        const char* text = source.text.c_str();
-        glShaderSource(id, 1, &text, nullptr);
+        const std::string text = ascii(source.text);
+        const char* pointer = text.c_str();
+        glShaderSource(id, 1, &pointer, nullptr);
         glCompileShader(id);
         GLint compiled = GL_FALSE;
         glGetShaderiv(id, GL_COMPILE_STATUS, &compiled);

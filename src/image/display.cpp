@@ -56,33 +56,6 @@ Image displayed_through(const Image& film, float factor, Curve curve) {
     return screen;
 }
 
-struct LogSum {
-    double sum = 0.0; // of log2
-    long long count = 0;
-};
-
-LogSum log_luminance(const Image& film, int first, int last) {
-    LogSum total;
-    // Products of a few hundred luminances stay within a double's range, and a logarithm of a product is a
-    // sum: one logarithm for many pixels.
-    double product = 1.0;
-    const std::size_t pixels = static_cast<std::size_t>(film.width) * static_cast<std::size_t>(last - first);
-    const float* pixel = film.at(0, first).data();
-    for (std::size_t i = 0; i < pixels; ++i, pixel += film.channels) {
-        const float L = luminance(rgb_of(pixel, film.channels));
-        const bool is_covered = film.channels < 4 || pixel[3] > 0.0f;
-        if (!is_covered || !(L > 0.0f) || !std::isfinite(L)) continue;
-        product *= static_cast<double>(L);
-        ++total.count;
-        if (product > 1e200 || product < 1e-200) {
-            total.sum += std::log2(product);
-            product = 1.0;
-        }
-    }
-    total.sum += std::log2(product);
-    return total;
-}
-
 } // namespace
 
 std::optional<ToneCurve> tone_curve_named(std::string_view name) {
@@ -94,14 +67,6 @@ std::optional<ToneCurve> tone_curve_named(std::string_view name) {
 }
 
 float exposure_factor(float ev100) { return 1.0f / (1.2f * std::exp2(ev100)); }
-
-float auto_ev100(const Image& film) {
-    constexpr double key = 0.18; // middle grey
-    const LogSum total = log_luminance(film, 0, film.height);
-    if (total.count == 0) return 0.0f;
-    // key = L * exposure_factor(ev100), solved for ev100.
-    return static_cast<float>(total.sum / static_cast<double>(total.count) - std::log2(1.2 * key));
-}
 
 float srgb_encoded(float linear) { return srgb_exact(linear); }
 

@@ -77,7 +77,8 @@ struct ReadyImage {
 
 ReadyImage make_ready(const scene::TextureImage& image, scene::ColorSpace color_space) {
     ReadyImage ready;
-    if (color_space == scene::ColorSpace::srgb && std::holds_alternative<std::vector<std::uint16_t>>(image.texels))
+    if (color_space == scene::ColorSpace::srgb
+        && std::holds_alternative<std::vector<std::uint16_t>>(image.texels))
         ready.rounded = displayable(image);
     ready.levels = mip_chain(ready.rounded ? *ready.rounded : image, color_space);
     return ready;
@@ -120,11 +121,12 @@ void GpuScene::upload_textures(const scene::Scene& scene) {
     std::vector<std::future<ReadyImage>> ready;
     ready.reserve(uses.size());
     for (const ImageUse& use : uses)
-        ready.push_back(std::async(std::launch::async, make_ready, std::cref(scene.images[use.image]), use.color_space));
+        ready.push_back(
+            std::async(std::launch::async, make_ready, std::cref(scene.images[use.image]), use.color_space));
     for (std::size_t i = 0; i < uses.size(); ++i) {
         const ReadyImage image = ready[i].get();
-        images_.push_back(upload(image.rounded ? *image.rounded : scene.images[uses[i].image], uses[i].color_space,
-                                 image.levels));
+        images_.push_back(upload(image.rounded ? *image.rounded : scene.images[uses[i].image],
+                                 uses[i].color_space, image.levels));
     }
 }
 

@@ -14,7 +14,8 @@ struct Format {
 };
 
 Format format_of(const scene::TextureImage& image, scene::ColorSpace color_space) {
-    if (std::holds_alternative<std::vector<std::uint16_t>>(image.texels)) return {GL_RGBA16, GL_UNSIGNED_SHORT};
+    if (std::holds_alternative<std::vector<std::uint16_t>>(image.texels))
+        return {GL_RGBA16, GL_UNSIGNED_SHORT};
     const bool is_srgb = color_space == scene::ColorSpace::srgb;
     return {static_cast<GLenum>(is_srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8), GL_UNSIGNED_BYTE};
 }
@@ -59,13 +60,15 @@ gl::Texture upload(const scene::TextureImage& image, scene::ColorSpace color_spa
     GLint largest = 0;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
     if (image.width > largest || image.height > largest)
-        throw Error({image.name},
-                    fmt::format("{}×{} texels, the driver takes {} at most", image.width, image.height, largest),
-                    "scale the image down");
+        throw Error(
+            {image.name},
+            fmt::format("{}×{} texels, the driver takes {} at most", image.width, image.height, largest),
+            "scale the image down");
     const Format format = format_of(image, color_space);
     gl::Texture texture(GL_TEXTURE_2D, image.name);
     const auto level = [&](int index, int width, int height, const void* data) {
-        glTexImage2D(GL_TEXTURE_2D, index, static_cast<GLint>(format.internal), width, height, 0, GL_RGBA, format.type, data);
+        glTexImage2D(GL_TEXTURE_2D, index, static_cast<GLint>(format.internal), width, height, 0, GL_RGBA,
+                     format.type, data);
     };
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     level(0, image.width, image.height, data_of(image.texels));

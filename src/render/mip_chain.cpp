@@ -25,7 +25,9 @@ struct PlainWords {
 /// sRGB: IEC 61966-2-1. Alpha, channel 3, is linear.
 struct SrgbBytes {
     static double decoded(double s) { return s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4); }
-    static double encoded(double l) { return l <= 0.0031308 ? 12.92 * l : 1.055 * std::pow(l, 1.0 / 2.4) - 0.055; }
+    static double encoded(double l) {
+        return l <= 0.0031308 ? 12.92 * l : 1.055 * std::pow(l, 1.0 / 2.4) - 0.055;
+    }
 
     static const std::array<uint16_t, 256>& to_linear() {
         static const auto table = [] {
@@ -45,11 +47,16 @@ struct SrgbBytes {
         }();
         return table;
     }
-    static uint32_t opened(uint8_t v, int channel) { return channel == 3 ? PlainBytes::opened(v, 3) : to_linear()[v]; }
-    static uint8_t closed(uint32_t v, int channel) { return channel == 3 ? PlainBytes::closed(v, 3) : to_srgb()[v]; }
+    static uint32_t opened(uint8_t v, int channel) {
+        return channel == 3 ? PlainBytes::opened(v, 3) : to_linear()[v];
+    }
+    static uint8_t closed(uint32_t v, int channel) {
+        return channel == 3 ? PlainBytes::closed(v, 3) : to_srgb()[v];
+    }
 };
 
-/// The source texels that texel `x` of `half` covers of a row of `full`, and how much of each: weights sum to 1.
+/// The source texels that texel `x` of `half` covers of a row of `full`, and how much of each: weights sum
+/// to 1.
 struct Taps {
     int first = 0;
     int count = 0;
@@ -79,7 +86,8 @@ void halve_evenly(const T* from, int width, int height, T* to, int half_width, i
         for (int x = 0; x < half_width; ++x, row += 2 * step_x) {
             for (int c = 0; c < 4; ++c) {
                 const uint32_t sum = Code::opened(row[c], c) + Code::opened(row[c + step_x], c)
-                                     + Code::opened(row[c + step_y], c) + Code::opened(row[c + step_x + step_y], c);
+                                     + Code::opened(row[c + step_y], c)
+                                     + Code::opened(row[c + step_x + step_y], c);
                 *to++ = Code::closed((sum + 2u) / 4u, c);
             }
         }
@@ -97,8 +105,10 @@ void halve_by_area(const T* from, int width, int height, T* to, int half_width, 
                 float sum = 0.0f;
                 for (int j = 0; j < rows.count; ++j)
                     for (int i = 0; i < taps.count; ++i) {
-                        const auto texel = static_cast<std::ptrdiff_t>(rows.first + j) * width + taps.first + i;
-                        sum += rows.weights[static_cast<std::size_t>(j)] * taps.weights[static_cast<std::size_t>(i)]
+                        const auto texel =
+                            static_cast<std::ptrdiff_t>(rows.first + j) * width + taps.first + i;
+                        sum += rows.weights[static_cast<std::size_t>(j)]
+                               * taps.weights[static_cast<std::size_t>(i)]
                                * static_cast<float>(Code::opened(from[4 * texel + c], c));
                     }
                 *to++ = Code::closed(static_cast<uint32_t>(std::min(sum + 0.5f, 65535.0f)), c);

@@ -21,8 +21,8 @@ float reach(const Scene& scene, vec3 direction) {
     return farthest;
 }
 
-/// Where the eye is along one axis of the picture, and how far back it must be, for the planes that bound the picture
-/// at ±tangent to touch the scene on both sides.
+/// Where the eye is along one axis of the picture, and how far back it must be, for the planes that bound the
+/// picture at ±tangent to touch the scene on both sides.
 struct Fit {
     float along;
     float back;
@@ -61,7 +61,8 @@ Camera framing_camera(const Scene& scene, float aspect_ratio) {
     Camera camera;
     camera.name = "auto";
     camera.world_from_camera = mat4(vec4(right, 0.0f), vec4(up, 0.0f), vec4(back, 0.0f), vec4(eye, 1.0f));
-    camera.projection = Perspective{yfov, std::nullopt, 0.9f * nearest, farthest + 0.1f * (farthest - nearest) + 1e-3f * radius};
+    camera.projection = Perspective{yfov, std::nullopt, 0.9f * nearest,
+                                    farthest + 0.1f * (farthest - nearest) + 1e-3f * radius};
     return camera;
 }
 

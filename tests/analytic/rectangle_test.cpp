@@ -45,14 +45,13 @@ void expect_polygon_formula(const scene::RectangleLight& light) {
     ::testing::Test::RecordProperty("largest_relative_difference", std::to_string(worst));
 }
 
-const Test above{"analytic.rectangle.lambert_plane_below", [] {
-                     expect_polygon_formula(
-                         {"", {0.0f, 1.5f, 0.0f}, {0.5f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.35f}, vec3(100.0f)});
-                 }};
+const Test above("analytic.rectangle.lambert_plane_below", [] {
+    expect_polygon_formula({"", {0.0f, 1.5f, 0.0f}, {0.5f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.35f}, vec3(100.0f)});
+});
 
-const Test tilted{"analytic.rectangle.tilted", [] {
-                      const vec3 u(0.6f, 0.0f, 0.0f), v(0.0f, 0.2f, 0.4f); // faces down and back
-                      expect_polygon_formula({"", {0.4f, 1.8f, -0.6f}, u, v, vec3(40.0f)});
-                  }};
+const Test tilted("analytic.rectangle.tilted", [] {
+    const vec3 u(0.6f, 0.0f, 0.0f), v(0.0f, 0.2f, 0.4f); // faces down and back
+    expect_polygon_formula({"", {0.4f, 1.8f, -0.6f}, u, v, vec3(40.0f)});
+});
 
 } // namespace

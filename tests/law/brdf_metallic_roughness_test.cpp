@@ -33,23 +33,22 @@ vec3 random_direction(std::mt19937& random) {
 }
 
 // f_r(wi, wo) = f_r(wo, wi): Helmholtz.
-const Test reciprocity{"law.brdf.metallic_roughness.reciprocity", [] {
-                           std::mt19937 random(1);
-                           std::uniform_real_distribution<float> unit(0.0f, 1.0f);
-                           std::vector<Row> rows;
-                           for (int i = 0; i < 20000; ++i)
-                               rows.push_back({vec4(unit(random), unit(random), unit(random), unit(random)),
-                                               vec4(random_direction(random), 0.0f),
-                                               vec4(random_direction(random), 0.0f)});
-                           const auto values = evaluate(material, R"(
+const Test reciprocity("law.brdf.metallic_roughness.reciprocity", [] {
+    std::mt19937 random(1);
+    std::uniform_real_distribution<float> unit(0.0f, 1.0f);
+    std::vector<Row> rows;
+    for (int i = 0; i < 20000; ++i)
+        rows.push_back({vec4(unit(random), unit(random), unit(random), unit(random)),
+                        vec4(random_direction(random), 0.0f), vec4(random_direction(random), 0.0f)});
+    const auto values = evaluate(material, R"(
         Surface x = surface(a);
         return vec4(f_r(x, b.xyz, c.xyz).x, f_r(x, c.xyz, b.xyz).x, 0.0, 0.0);)",
-                                                        rows);
-                           for (std::size_t i = 0; i < rows.size(); ++i) {
-                               EXPECT_GT(values[i].x, 0.0f);
-                               EXPECT_NEAR(values[i].x, values[i].y, 1e-4f * values[i].x) << "row " << i;
-                           }
-                       }};
+                                 rows);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        EXPECT_GT(values[i].x, 0.0f);
+        EXPECT_NEAR(values[i].x, values[i].y, 1e-4f * values[i].x) << "row " << i;
+    }
+});
 
 // The directional albedo ∫ f_r cosθ_i dω_i for wo at cosine b.x and base colour b.y. Two grids of points, one
 // distributed as the cosine and one as the microfacets, combined by the balance heuristic (Veach & Guibas
@@ -88,19 +87,19 @@ std::vector<Row> lobe_rows(bool is_metal) {
 }
 
 // White furnace: no lobe sends back more light than it receives. For the layer F0 varies.
-const Test furnace{"law.brdf.metallic_roughness.furnace", [] {
-                       const auto rows = lobe_rows(true);
-                       const auto metal = evaluate(material, albedo, rows);
-                       const auto layer = evaluate(material, albedo, lobe_rows(false));
-                       for (std::size_t i = 0; i < rows.size(); ++i) {
-                           const vec4 m = rows[i][0];
-                           const auto where = ::testing::Message() << "roughness " << m.x << " F0 " << m.w
-                                                                   << " cos_o " << rows[i][1].x;
-                           EXPECT_LE(metal[i].x, 1.0f + 1e-3f) << where;
-                           EXPECT_GT(metal[i].x, 0.3f) << where;
-                           EXPECT_LE(layer[i].x, metal[i].x + 1e-3f) << where;
-                       }
-                   }};
+const Test furnace("law.brdf.metallic_roughness.furnace", [] {
+    const auto rows = lobe_rows(true);
+    const auto metal = evaluate(material, albedo, rows);
+    const auto layer = evaluate(material, albedo, lobe_rows(false));
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const vec4 m = rows[i][0];
+        const auto where = ::testing::Message()
+                           << "roughness " << m.x << " F0 " << m.w << " cos_o " << rows[i][1].x;
+        EXPECT_LE(metal[i].x, 1.0f + 1e-3f) << where;
+        EXPECT_GT(metal[i].x, 0.3f) << where;
+        EXPECT_LE(layer[i].x, metal[i].x + 1e-3f) << where;
+    }
+});
 
 // The coated diffuse of glTF 2.0 Appendix B weighs its base with 1 - F(w·h), which is not what the layer lets
 // through: near grazing a white one returns more than it receives. The formula is the contract, so its albedo
@@ -126,44 +125,41 @@ double appendix_b_albedo(double roughness, double F0, double cos_o) {
     return sum * 2.0 * glm::pi<double>() / (static_cast<double>(rings) * spokes);
 }
 
-const Test dielectric{
-    "law.brdf.metallic_roughness.dielectric_is_appendix_b", [] {
-        std::vector<Row> rows;
-        for (const float roughness : {0.3f, 0.5f, 0.8f, 1.0f})
-            for (const float cos_o : {0.05f, 0.2f, 0.5f, 1.0f})
-                for (const float F0 : {0.0f, 0.04f, 0.5f})
-                    rows.push_back({vec4(roughness, 0.0f, 1.0f, F0), vec4(cos_o, 1.0f, 0.0f, 0.0f)});
-        const auto values = evaluate(material, albedo, rows);
-        for (std::size_t i = 0; i < rows.size(); ++i) {
-            const vec4 m = rows[i][0];
-            const double expected = appendix_b_albedo(m.x, m.w, rows[i][1].x);
-            EXPECT_NEAR(values[i].x, expected, 2e-3 * expected)
-                << "roughness " << m.x << " F0 " << m.w << " cos_o " << rows[i][1].x;
-        }
-    }};
+const Test dielectric("law.brdf.metallic_roughness.dielectric_is_appendix_b", [] {
+    std::vector<Row> rows;
+    for (const float roughness : {0.3f, 0.5f, 0.8f, 1.0f})
+        for (const float cos_o : {0.05f, 0.2f, 0.5f, 1.0f})
+            for (const float F0 : {0.0f, 0.04f, 0.5f})
+                rows.push_back({vec4(roughness, 0.0f, 1.0f, F0), vec4(cos_o, 1.0f, 0.0f, 0.0f)});
+    const auto values = evaluate(material, albedo, rows);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const vec4 m = rows[i][0];
+        const double expected = appendix_b_albedo(m.x, m.w, rows[i][1].x);
+        EXPECT_NEAR(values[i].x, expected, 2e-3 * expected)
+            << "roughness " << m.x << " F0 " << m.w << " cos_o " << rows[i][1].x;
+    }
+});
 
 // The other side of the furnace: where nothing can be lost (a white metal that is nearly smooth), all light
 // returns, so that a missing factor cannot hide below the bound.
-const Test smooth_metal{
-    "law.brdf.metallic_roughness.smooth_white_metal_loses_nothing", [] {
-        std::vector<Row> rows;
-        for (const float cos_o : {0.2f, 0.5f, 0.9f, 1.0f})
-            rows.push_back({vec4(0.05f, 1.0f, 1.0f, 0.04f), vec4(cos_o, 1.0f, 0.0f, 0.0f)});
-        const auto values = evaluate(material, albedo, rows);
-        for (std::size_t i = 0; i < rows.size(); ++i)
-            EXPECT_NEAR(values[i].x, 1.0f, 2e-3f) << "cos_o " << rows[i][1].x;
-    }};
+const Test smooth_metal("law.brdf.metallic_roughness.smooth_white_metal_loses_nothing", [] {
+    std::vector<Row> rows;
+    for (const float cos_o : {0.2f, 0.5f, 0.9f, 1.0f})
+        rows.push_back({vec4(0.05f, 1.0f, 1.0f, 0.04f), vec4(cos_o, 1.0f, 0.0f, 0.0f)});
+    const auto values = evaluate(material, albedo, rows);
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        EXPECT_NEAR(values[i].x, 1.0f, 2e-3f) << "cos_o " << rows[i][1].x;
+});
 
 // Without its specular layer the dielectric is Lambert: f_r = ρ / π in all directions.
-const Test lambert{
-    "law.brdf.metallic_roughness.no_layer_is_lambert", [] {
-        std::mt19937 random(2);
-        std::vector<Row> rows;
-        for (int i = 0; i < 1000; ++i)
-            rows.push_back({vec4(0.5f, 0.0f, 0.0f, 0.04f), vec4(random_direction(random), 0.0f),
-                            vec4(random_direction(random), 0.0f)});
-        const auto values = evaluate(material, "return vec4(f_r(surface(a), b.xyz, c.xyz), 0.0);", rows);
-        for (const vec4 value : values) EXPECT_NEAR(value.x * pi, 1.0f, 1e-6f);
-    }};
+const Test lambert("law.brdf.metallic_roughness.no_layer_is_lambert", [] {
+    std::mt19937 random(2);
+    std::vector<Row> rows;
+    for (int i = 0; i < 1000; ++i)
+        rows.push_back({vec4(0.5f, 0.0f, 0.0f, 0.04f), vec4(random_direction(random), 0.0f),
+                        vec4(random_direction(random), 0.0f)});
+    const auto values = evaluate(material, "return vec4(f_r(surface(a), b.xyz, c.xyz), 0.0);", rows);
+    for (const vec4 value : values) EXPECT_NEAR(value.x * pi, 1.0f, 1e-6f);
+});
 
 } // namespace

@@ -34,34 +34,34 @@ std::optional<image::Image> picture_through(gl::Backend backend) {
 }
 
 // EGL and OSMesa are two doors to the same renderer: the same picture comes out of both.
-const Test same{"unit.gl.backend.egl_and_osmesa_agree", [] {
-                    const auto egl = picture_through(gl::Backend::egl);
-                    const auto osmesa = picture_through(gl::Backend::osmesa);
-                    if (!egl || !osmesa) GTEST_SKIP() << "needs both EGL and OSMesa";
-                    EXPECT_LT(sr::testing::largest_relative_difference(*egl, *osmesa, 1e-4f), 1e-5f);
-                }};
+const Test same("unit.gl.backend.egl_and_osmesa_agree", [] {
+    const auto egl = picture_through(gl::Backend::egl);
+    const auto osmesa = picture_through(gl::Backend::osmesa);
+    if (!egl || !osmesa) GTEST_SKIP() << "needs both EGL and OSMesa";
+    EXPECT_LT(sr::testing::largest_relative_difference(*egl, *osmesa, 1e-4f), 1e-5f);
+});
 
-const Test names{"unit.gl.backend.names", [] {
-                     EXPECT_EQ(gl::backend_named("auto"), gl::Backend::automatic);
-                     EXPECT_EQ(gl::backend_named("osmesa"), gl::Backend::osmesa);
-                     EXPECT_EQ(gl::backend_named("vulkan"), std::nullopt);
-                 }};
+const Test names("unit.gl.backend.names", [] {
+    EXPECT_EQ(gl::backend_named("auto"), gl::Backend::automatic);
+    EXPECT_EQ(gl::backend_named("osmesa"), gl::Backend::osmesa);
+    EXPECT_EQ(gl::backend_named("vulkan"), std::nullopt);
+});
 
 // Whatever does not work says so in one line with a remedy.
-const Test reported{"unit.gl.backend.each_works_or_says_why", [] {
-                        const auto reports = gl::report_backends();
-                        ASSERT_EQ(reports.size(), 3u);
-                        bool any = false;
-                        for (const auto& report : reports) {
-                            if (report.info) {
-                                any = true;
-                                EXPECT_FALSE(report.info->renderer.empty());
-                            } else {
-                                EXPECT_NE(report.failure.find(": "), std::string::npos);
-                                EXPECT_EQ(report.failure.find('\n'), std::string::npos);
-                            }
-                        }
-                        EXPECT_TRUE(any);
-                    }};
+const Test reported("unit.gl.backend.each_works_or_says_why", [] {
+    const auto reports = gl::report_backends();
+    ASSERT_EQ(reports.size(), 3u);
+    bool any = false;
+    for (const auto& report : reports) {
+        if (report.info) {
+            any = true;
+            EXPECT_FALSE(report.info->renderer.empty());
+        } else {
+            EXPECT_NE(report.failure.find(": "), std::string::npos);
+            EXPECT_EQ(report.failure.find('\n'), std::string::npos);
+        }
+    }
+    EXPECT_TRUE(any);
+});
 
 } // namespace

@@ -38,36 +38,34 @@ GLint size_of(const gl::Program& program, const char* block) {
 }
 
 // The blocks are std140 on both sides; a member that moves on one side only would be read as another.
-const Test layout{
-    "unit.render.blocks.match_the_shaders", [] {
-        sr::testing::context();
-        ShaderLibrary shaders({glsl::embedded()});
-        const gl::Program& program = shaders.mesh_program("forward.frag", everything());
+const Test layout("unit.render.blocks.match_the_shaders", [] {
+    sr::testing::context();
+    ShaderLibrary shaders({glsl::embedded()});
+    const gl::Program& program = shaders.mesh_program("forward.frag", everything());
 
-        EXPECT_EQ(offset_of(program, "clip_from_world"), offsetof(FrameBlock, clip_from_world));
-        EXPECT_EQ(offset_of(program, "eye"), offsetof(FrameBlock, eye));
-        EXPECT_EQ(offset_of(program, "sample_index"), offsetof(FrameBlock, sample_index));
-        EXPECT_EQ(offset_of(program, "seed"), offsetof(FrameBlock, seed));
-        EXPECT_EQ(offset_of(program, "light_count"), offsetof(FrameBlock, light_count));
-        EXPECT_LE(size_of(program, "Frame"), static_cast<GLint>(sizeof(FrameBlock)));
+    EXPECT_EQ(offset_of(program, "clip_from_world"), offsetof(FrameBlock, clip_from_world));
+    EXPECT_EQ(offset_of(program, "eye"), offsetof(FrameBlock, eye));
+    EXPECT_EQ(offset_of(program, "sample_index"), offsetof(FrameBlock, sample_index));
+    EXPECT_EQ(offset_of(program, "seed"), offsetof(FrameBlock, seed));
+    EXPECT_EQ(offset_of(program, "light_count"), offsetof(FrameBlock, light_count));
+    EXPECT_LE(size_of(program, "Frame"), static_cast<GLint>(sizeof(FrameBlock)));
 
-        EXPECT_EQ(offset_of(program, "world_from_object"), offsetof(ObjectBlock, world_from_object));
-        EXPECT_EQ(offset_of(program, "world_from_normal"), offsetof(ObjectBlock, world_from_normal));
-        EXPECT_EQ(offset_of(program, "handedness"), offsetof(ObjectBlock, handedness));
-        EXPECT_LE(size_of(program, "Object"), static_cast<GLint>(sizeof(ObjectBlock)));
+    EXPECT_EQ(offset_of(program, "world_from_object"), offsetof(ObjectBlock, world_from_object));
+    EXPECT_EQ(offset_of(program, "world_from_normal"), offsetof(ObjectBlock, world_from_normal));
+    EXPECT_EQ(offset_of(program, "handedness"), offsetof(ObjectBlock, handedness));
+    EXPECT_LE(size_of(program, "Object"), static_cast<GLint>(sizeof(ObjectBlock)));
 
-        EXPECT_EQ(offset_of(program, "base_color_factor"), offsetof(MaterialBlock, base_color_factor));
-        EXPECT_EQ(offset_of(program, "emission_factor"), offsetof(MaterialBlock, emission_factor));
-        EXPECT_EQ(offset_of(program, "specular_color_factor"),
-                  offsetof(MaterialBlock, specular_color_factor));
-        EXPECT_EQ(offset_of(program, "metallic_factor"), offsetof(MaterialBlock, metallic_factor));
-        EXPECT_EQ(offset_of(program, "roughness_factor"), offsetof(MaterialBlock, roughness_factor));
-        EXPECT_EQ(offset_of(program, "normal_scale"), offsetof(MaterialBlock, normal_scale));
-        EXPECT_EQ(offset_of(program, "alpha_cutoff"), offsetof(MaterialBlock, alpha_cutoff));
-        EXPECT_EQ(offset_of(program, "F0_from_ior"), offsetof(MaterialBlock, F0_from_ior));
-        EXPECT_EQ(offset_of(program, "uv_row_u[0]"), offsetof(MaterialBlock, uv_row_u));
-        EXPECT_EQ(offset_of(program, "uv_row_v[0]"), offsetof(MaterialBlock, uv_row_v));
-        EXPECT_LE(size_of(program, "Material"), static_cast<GLint>(sizeof(MaterialBlock)));
-    }};
+    EXPECT_EQ(offset_of(program, "base_color_factor"), offsetof(MaterialBlock, base_color_factor));
+    EXPECT_EQ(offset_of(program, "emission_factor"), offsetof(MaterialBlock, emission_factor));
+    EXPECT_EQ(offset_of(program, "specular_color_factor"), offsetof(MaterialBlock, specular_color_factor));
+    EXPECT_EQ(offset_of(program, "metallic_factor"), offsetof(MaterialBlock, metallic_factor));
+    EXPECT_EQ(offset_of(program, "roughness_factor"), offsetof(MaterialBlock, roughness_factor));
+    EXPECT_EQ(offset_of(program, "normal_scale"), offsetof(MaterialBlock, normal_scale));
+    EXPECT_EQ(offset_of(program, "alpha_cutoff"), offsetof(MaterialBlock, alpha_cutoff));
+    EXPECT_EQ(offset_of(program, "F0_from_ior"), offsetof(MaterialBlock, F0_from_ior));
+    EXPECT_EQ(offset_of(program, "uv_row_u[0]"), offsetof(MaterialBlock, uv_row_u));
+    EXPECT_EQ(offset_of(program, "uv_row_v[0]"), offsetof(MaterialBlock, uv_row_v));
+    EXPECT_LE(size_of(program, "Material"), static_cast<GLint>(sizeof(MaterialBlock)));
+});
 
 } // namespace
