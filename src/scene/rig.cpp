@@ -14,9 +14,9 @@ struct Softbox {
 };
 
 constexpr std::array<Softbox, 3> softboxes{{
-    {"key", {-0.8f, 0.9f, 0.9f}, 4.0f, 3.0f, 1000.0f},
-    {"fill", {1.0f, 0.2f, 0.6f}, 4.5f, 3.5f, 300.0f},
-    {"rim", {0.5f, 0.8f, -1.0f}, 4.0f, 2.5f, 600.0f},
+    {"key", {-0.8f, 0.9f, 0.9f}, 4.0f, 4.0f, 1000.0f},
+    {"fill", {1.0f, 0.1f, 0.5f}, 4.0f, 6.0f, 500.0f},
+    {"rim", {0.4f, 0.9f, -0.8f}, 4.0f, 4.0f, 800.0f},
 }};
 
 } // namespace
