@@ -213,22 +213,22 @@ void expect_answer(const fs::path& file, int& errors) {
     EXPECT_LT(time.count(), 5.0);
 }
 
-const Test mutated{"fuzz.gltf.mutated_glb", [] {
-                       const fs::path file = scratch_folder("fuzz.gltf") / "mutated.glb";
-                       const std::vector<Bytes> files = originals();
-                       const int first = number_from("STERADIAN_FUZZ_SEED", 0);
-                       const int runs = number_from("STERADIAN_FUZZ_RUNS", 2000);
-                       int errors = 0;
-                       for (int seed = first; seed < first + runs && !::testing::Test::HasFailure(); ++seed) {
-                           SCOPED_TRACE(seed);
-                           const Bytes& original = files[static_cast<std::size_t>(seed) % files.size()];
-                           write_bytes(file, Mutation(static_cast<std::uint32_t>(seed)).of(original));
-                           expect_answer(file, errors);
-                       }
-                       // Mutations that hardly ever hurt would test nothing, and so would files that never
-                       // load.
-                       EXPECT_GT(errors, runs / 4);
-                       EXPECT_LT(errors, runs * 19 / 20);
-                   }};
+const Test mutated("fuzz.gltf.mutated_glb", [] {
+    const fs::path file = scratch_folder("fuzz.gltf") / "mutated.glb";
+    const std::vector<Bytes> files = originals();
+    const int first = number_from("STERADIAN_FUZZ_SEED", 0);
+    const int runs = number_from("STERADIAN_FUZZ_RUNS", 2000);
+    int errors = 0;
+    for (int seed = first; seed < first + runs && !::testing::Test::HasFailure(); ++seed) {
+        SCOPED_TRACE(seed);
+        const Bytes& original = files[static_cast<std::size_t>(seed) % files.size()];
+        write_bytes(file, Mutation(static_cast<std::uint32_t>(seed)).of(original));
+        expect_answer(file, errors);
+    }
+    // Mutations that hardly ever hurt would test nothing, and so would files that never
+    // load.
+    EXPECT_GT(errors, runs / 4);
+    EXPECT_LT(errors, runs * 19 / 20);
+});
 
 } // namespace

@@ -77,41 +77,38 @@ void expect_loads(const fs::path& file) {
         EXPECT_NE(loaded.warnings[i].find(expected[i]), std::string::npos) << loaded.warnings[i];
 }
 
-const Test every_file{"real.models.each_loads_or_fails_as_it_deserves", [] {
-                          const auto folder = sr::testing::models_folder();
-                          if (!folder) GTEST_SKIP() << "no folder of models: set STERADIAN_MODELS";
-                          int count = 0;
-                          for (const fs::directory_entry& entry : fs::directory_iterator(*folder)) {
-                              if (entry.path().extension() != ".glb" && entry.path().extension() != ".gltf")
-                                  continue;
-                              SCOPED_TRACE(entry.path().filename().string());
-                              ++count;
-                              const auto expected = expected_errors.find(entry.path().filename().string());
-                              if (expected != expected_errors.end())
-                                  expect_error(entry.path(), expected->second);
-                              else
-                                  expect_loads(entry.path());
-                          }
-                          EXPECT_GT(count, 0);
-                      }};
+const Test every_file("real.models.each_loads_or_fails_as_it_deserves", [] {
+    const auto folder = sr::testing::models_folder();
+    if (!folder) GTEST_SKIP() << "no folder of models: set STERADIAN_MODELS";
+    int count = 0;
+    for (const fs::directory_entry& entry : fs::directory_iterator(*folder)) {
+        if (entry.path().extension() != ".glb" && entry.path().extension() != ".gltf") continue;
+        SCOPED_TRACE(entry.path().filename().string());
+        ++count;
+        const auto expected = expected_errors.find(entry.path().filename().string());
+        if (expected != expected_errors.end())
+            expect_error(entry.path(), expected->second);
+        else
+            expect_loads(entry.path());
+    }
+    EXPECT_GT(count, 0);
+});
 
 // The names and numbers in the file, read by hand.
-const Test lights{
-    "real.models.lights_are_what_the_file_says", [] {
-        const auto folder = sr::testing::models_folder();
-        if (!folder || !fs::exists(*folder / "Lights.glb"))
-            GTEST_SKIP() << "no Lights.glb: set STERADIAN_MODELS";
-        const scene::Scene scene = gltf::load(*folder / "Lights.glb").scene;
-        ASSERT_EQ(scene.lights.size(), 4u);
-        EXPECT_EQ(std::get<scene::PointLight>(scene.lights[0]).I, vec3(5, 0, 0));
-        EXPECT_LT(glm::length(std::get<scene::PointLight>(scene.lights[0]).position
-                              - vec3(2.5988f, 3.5685f, -1.0055f)),
-                  1e-4f);
-        EXPECT_EQ(std::get<scene::SpotLight>(scene.lights[1]).I, vec3(0, 10, 0));
-        EXPECT_LT(glm::length(std::get<scene::SpotLight>(scene.lights[1]).direction - vec3(0, -1, 0)), 1e-5f);
-        EXPECT_NEAR(std::get<scene::SpotLight>(scene.lights[2]).outer_angle, 0.0786695f, 1e-6f);
-        EXPECT_EQ(std::get<scene::DirectionalLight>(scene.lights[3]).E.x, 0.0f);
-        EXPECT_EQ(scene.cameras.size(), 1u);
-    }};
+const Test lights("real.models.lights_are_what_the_file_says", [] {
+    const auto folder = sr::testing::models_folder();
+    if (!folder || !fs::exists(*folder / "Lights.glb")) GTEST_SKIP() << "no Lights.glb: set STERADIAN_MODELS";
+    const scene::Scene scene = gltf::load(*folder / "Lights.glb").scene;
+    ASSERT_EQ(scene.lights.size(), 4u);
+    EXPECT_EQ(std::get<scene::PointLight>(scene.lights[0]).I, vec3(5, 0, 0));
+    EXPECT_LT(
+        glm::length(std::get<scene::PointLight>(scene.lights[0]).position - vec3(2.5988f, 3.5685f, -1.0055f)),
+        1e-4f);
+    EXPECT_EQ(std::get<scene::SpotLight>(scene.lights[1]).I, vec3(0, 10, 0));
+    EXPECT_LT(glm::length(std::get<scene::SpotLight>(scene.lights[1]).direction - vec3(0, -1, 0)), 1e-5f);
+    EXPECT_NEAR(std::get<scene::SpotLight>(scene.lights[2]).outer_angle, 0.0786695f, 1e-6f);
+    EXPECT_EQ(std::get<scene::DirectionalLight>(scene.lights[3]).E.x, 0.0f);
+    EXPECT_EQ(scene.cameras.size(), 1u);
+});
 
 } // namespace
