@@ -1,6 +1,7 @@
 // Files that nobody on this project wrote: each loads, or fails with the one line it deserves.
 #include "core/error.hpp"
 #include "gltf/load.hpp"
+#include "gltf/mikktspace.hpp"
 #include "support/address.hpp"
 #include "support/models.hpp"
 
@@ -109,6 +110,27 @@ const Test lights("real.models.lights_are_what_the_file_says", [] {
     EXPECT_NEAR(std::get<scene::SpotLight>(scene.lights[2]).outer_angle, 0.0786695f, 1e-6f);
     EXPECT_EQ(std::get<scene::DirectionalLight>(scene.lights[3]).E.x, 0.0f);
     EXPECT_EQ(scene.cameras.size(), 1u);
+});
+
+// Files whose exporters baked MikkTSpace tangents: ours agree in direction and in the sign of w.
+const Test tangents("real.models.tangents_agree_with_the_exporters", [] {
+    const auto folder = sr::testing::models_folder();
+    if (!folder) GTEST_SKIP() << "no folder of models: set STERADIAN_MODELS";
+    int corner_count = 0;
+    for (const char* name : {"AnisotropyRotationTest.glb", "ClearCoatTest.glb"}) {
+        if (!fs::exists(*folder / name)) continue;
+        for (const scene::Mesh& mesh : gltf::load(*folder / name).scene.meshes) {
+            if (mesh.tangents.empty()) continue;
+            const std::vector<vec4> ours =
+                gltf::mikktspace(mesh.positions, mesh.normals, mesh.texcoords[0], mesh.indices);
+            for (std::size_t i = 0; i < ours.size(); ++i, ++corner_count) {
+                const vec4 theirs = mesh.tangents[mesh.indices[i]];
+                ASSERT_EQ(ours[i].w, theirs.w) << name << ", corner " << i;
+                ASSERT_GT(glm::dot(vec3(ours[i]), vec3(theirs)), 0.999f) << name << ", corner " << i;
+            }
+        }
+    }
+    if (corner_count == 0) GTEST_SKIP() << "no model with tangents";
 });
 
 } // namespace
