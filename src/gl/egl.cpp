@@ -20,7 +20,6 @@ namespace {
 struct Egl {
     decltype(&eglGetProcAddress) get_proc_address;
     decltype(&eglInitialize) initialize;
-    decltype(&eglTerminate) terminate;
     decltype(&eglBindAPI) bind_api;
     decltype(&eglChooseConfig) choose_config;
     decltype(&eglCreateContext) create_context;
@@ -45,7 +44,6 @@ Egl load_egl() {
             library->function<std::remove_pointer_t<std::remove_reference_t<decltype(function)>>>(name);
     };
     load(egl.initialize, "eglInitialize");
-    load(egl.terminate, "eglTerminate");
     load(egl.bind_api, "eglBindAPI");
     load(egl.choose_config, "eglChooseConfig");
     load(egl.create_context, "eglCreateContext");
@@ -113,10 +111,10 @@ private:
         loaded(backend, egl_.get_proc_address, debug);
     }
 
+    // The display is not terminated: it is the process's, and shared by all contexts on it.
     void close() {
         egl_.make_current(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
         if (context_ != EGL_NO_CONTEXT) egl_.destroy_context(display_, context_);
-        egl_.terminate(display_);
     }
 
     Egl egl_;
