@@ -18,8 +18,8 @@ struct Location {
     std::string text() const;
 };
 
-/// The world's fault: a broken file, a missing driver, a full disk. One line, `file[:line:col]: what: what to do`;
-/// the command line prints it and exits with status 3.
+/// The world's fault: a broken file, a missing driver, a full disk. One line, `file[:line:col]: what: what to
+/// do`; the command line prints it and exits with status 3.
 class Error : public std::runtime_error {
 public:
     Error(const Location& where, std::string_view what, std::string_view what_to_do);

@@ -1,5 +1,6 @@
 #pragma once
-// From scene-referred radiance to a screen: exposure, tone curve, sRGB encoding. Only for screens and 8-bit files.
+// From scene-referred radiance to a screen: exposure, tone curve, sRGB encoding. Only for screens and 8-bit
+// files.
 #include "image/image.hpp"
 
 #include <optional>
@@ -16,8 +17,9 @@ std::optional<ToneCurve> tone_curve_named(std::string_view name);
 /// Source: Lagarde & de Rousiers 2014, "Moving Frostbite to PBR", section 5.1.2.
 float exposure_factor(float ev100);
 
-/// The EV100 that brings the log-average luminance of the covered pixels (alpha > 0, luminance > 0) to middle grey
-/// (Reinhard et al. 2002, Eq. 1, key 0.18). 0 for an image without any.
+/// The EV100 that brings the log-average luminance of the lit pixels (covered, finite, above zero) to middle
+/// grey (Reinhard et al. 2002, Eq. 1, key 0.18), or a higher one if more than a tenth of them would then
+/// exceed 1: dark things in the picture do not burn out the bright ones. 0 for an image without lit pixels.
 float auto_ev100(const Image& film);
 
 /// The sRGB transfer function, IEC 61966-2-1. Clamps to 0..1.

@@ -4,23 +4,38 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <future>
+#include <span>
+#include <string>
 #include <variant>
+#include <vector>
 
 namespace sr::image {
 
+/// Starts loading OpenImageIO on a thread of its own (some 170 ms), so that the first use of the functions
+/// below does not wait for all of it. Optional: they load it themselves. The future's end waits for the
+/// thread; its get() throws Error where they would.
+[[nodiscard]] std::future<void> preload();
+
+/// How an .exr stores its values; the other formats have but one way each. `half` ends at 65504: larger
+/// values become infinite.
 enum class SampleType { half, floating, integer8 };
 
 /// Writes an image whole or not at all (a temporary file beside it, then a rename). The extension chooses the
 /// format: .exr and .hdr take linear values; .png and .jpg take values already encoded for display, in 0..1.
-/// @throws Error if the extension is unknown or the file cannot be written (named: folder missing, disk full, …).
+/// .hdr and .jpg hold RGB only: of more channels they get the first three, of fewer the first as grey. .png
+/// holds up to four. Attributes are written to .exr and .png.
+/// @throws Error if the extension is unknown or the file cannot be written (named: folder missing, disk full,
+/// …).
 void write(const Image& image, const std::filesystem::path& file, SampleType type);
 
 /// Whether the format that the extension names holds scene-referred floats (.exr, .hdr).
 /// @throws Error for an extension that is not one of .exr .hdr .png .jpg .jpeg.
 bool is_scene_referred(const std::filesystem::path& file);
 
-/// Reads any image OpenImageIO knows as floats, unconverted, with channel names and attributes.
-/// @throws Error
+/// Reads any image OpenImageIO knows as floats, unconverted (integers become 0..1), with channel names and
+/// attributes.
+/// @throws Error if there is no such file, or it is broken or of no known format.
 Image read(const std::filesystem::path& file);
 
 /// A texture decoded from memory: RGBA, rows from top to bottom, values as stored (no colour conversion).
@@ -30,9 +45,11 @@ struct DecodedTexture {
     std::variant<std::vector<std::uint8_t>, std::vector<std::uint16_t>> texels; // 4 * width * height
 };
 
-/// Decodes a PNG, JPEG or any other image OpenImageIO can read from memory. Grey becomes RGB, missing alpha is opaque.
-/// `name` is what errors call it. The dimensions are checked before anything is allocated for them.
-/// @throws Error
+/// Decodes a PNG or JPEG, the two formats of glTF. Grey becomes RGB, missing alpha is opaque. `name` is what
+/// errors call it. Any number of threads may decode at once. The dimensions are checked before anything is
+/// allocated for them.
+/// @throws Error for another format, a broken file, and one wider or higher than 16384 or of more than 2^26
+/// texels.
 DecodedTexture decode_texture(std::span<const std::uint8_t> bytes, const std::string& name);
 
 } // namespace sr::image

@@ -18,15 +18,20 @@ struct Image {
     int width = 0;
     int height = 0;
     int channels = 0;
-    std::vector<float> pixels;              // width * height * channels
-    std::vector<std::string> channel_names; // "R", "G", "B", "A", or a layer's "key.R"; empty: the usual names
+    std::vector<float> pixels; // width * height * channels
+    std::vector<std::string>
+        channel_names; // "R", "G", "B", "A", or a layer's "key.R"; empty: the usual names
     std::vector<Attribute> attributes;
 
     Image() = default;
     Image(int width, int height, int channels);
 
-    std::span<float> at(int x, int y) { return {pixels.data() + offset(x, y), static_cast<std::size_t>(channels)}; }
-    std::span<const float> at(int x, int y) const { return {pixels.data() + offset(x, y), static_cast<std::size_t>(channels)}; }
+    std::span<float> at(int x, int y) {
+        return {pixels.data() + offset(x, y), static_cast<std::size_t>(channels)};
+    }
+    std::span<const float> at(int x, int y) const {
+        return {pixels.data() + offset(x, y), static_cast<std::size_t>(channels)};
+    }
 
 private:
     std::size_t offset(int x, int y) const {

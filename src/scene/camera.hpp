@@ -26,6 +26,13 @@ struct Camera {
     std::string name;
     mat4 world_from_camera{1.0f}; // rotation and translation only
     std::variant<Perspective, Orthographic> projection;
+
+    /// Width / height of the picture that the camera asks for, if it does.
+    std::optional<float> aspect_ratio() const {
+        if (const auto* p = std::get_if<Perspective>(&projection)) return p->aspect_ratio;
+        const auto& o = std::get<Orthographic>(projection);
+        return o.xmag / o.ymag;
+    }
 };
 
 } // namespace sr::scene

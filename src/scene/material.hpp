@@ -9,8 +9,8 @@
 
 namespace sr::scene {
 
-/// A decoded picture: `width * height` RGBA texels, first row on top (glTF: uv (0,0) is its upper left corner).
-/// The values are as stored in the file; whether they are sRGB-encoded is the Texture's business.
+/// A decoded picture: `width * height` RGBA texels, first row on top (glTF: uv (0,0) is its upper left
+/// corner). The values are as stored in the file; whether they are sRGB-encoded is the Texture's business.
 struct TextureImage {
     std::string name;
     int width = 0;
@@ -47,9 +47,9 @@ struct Texture {
 
 /// A material's reference to a texture; absent where `texture` is negative.
 struct TextureSlot {
-    int texture = -1;           // index into Scene::textures
-    int texcoord = 0;           // which of the mesh's texture coordinate sets, 0 or 1
-    mat3 uv_transform{1.0f};    // KHR_texture_transform: uv' = (uv_transform * (uv, 1)).xy
+    int texture = -1;        // index into Scene::textures
+    int texcoord = 0;        // which of the mesh's texture coordinate sets, 0 or 1
+    mat3 uv_transform{1.0f}; // KHR_texture_transform: uv' = (uv_transform * (uv, 1)).xy
 
     bool is_present() const { return texture >= 0; }
 };
@@ -61,19 +61,19 @@ enum class AlphaMode { opaque, mask, blend };
 struct Material {
     std::string name;
 
-    vec4 base_color{1.0f};      // linear, alpha in w
+    vec4 base_color{1.0f}; // linear, alpha in w
     TextureSlot base_color_texture;
-    float metallic = 1.0f;      // texture: blue channel
-    float roughness = 1.0f;     // texture: green channel; alpha = roughness² is formed in shaders/surface/
+    float metallic = 1.0f;  // texture: blue channel
+    float roughness = 1.0f; // texture: green channel; alpha = roughness² is formed in shaders/surface/
     TextureSlot metallic_roughness_texture;
     float normal_scale = 1.0f;
     TextureSlot normal_texture; // tangent space, +Y up
 
-    vec3 emission{0.0f};        // L_e [cd/m²]: emissiveFactor times KHR_materials_emissive_strength
+    vec3 emission{0.0f}; // L_e [cd/m²]: emissiveFactor times KHR_materials_emissive_strength
     TextureSlot emission_texture;
 
-    float ior = 1.5f;           // KHR_materials_ior; 0 stands for infinity (F0 = 1), as the extension says
-    float specular = 1.0f;      // KHR_materials_specular; texture: alpha channel
+    float ior = 1.5f;      // KHR_materials_ior; 0 stands for infinity (F0 = 1), as the extension says
+    float specular = 1.0f; // KHR_materials_specular; texture: alpha channel
     TextureSlot specular_texture;
     vec3 specular_color{1.0f};
     TextureSlot specular_color_texture;
@@ -81,7 +81,7 @@ struct Material {
     AlphaMode alpha_mode = AlphaMode::opaque;
     float alpha_cutoff = 0.5f;
     bool is_double_sided = false;
-    bool is_unlit = false;      // KHR_materials_unlit: L_o is the base colour [cd/m²], no light touches it
+    bool is_unlit = false; // KHR_materials_unlit: L_o is the base colour [cd/m²], no light touches it
 
     bool is_emissive() const { return emission.x > 0.0f || emission.y > 0.0f || emission.z > 0.0f; }
 };

@@ -14,12 +14,14 @@ namespace sr::scene {
 struct Mesh {
     std::string name;
     std::vector<vec3> positions;
-    std::vector<vec3> normals;       // unit; never empty (flat where the file had none)
-    std::vector<vec4> tangents;      // xyz unit, w = ±1: bitangent = w * cross(normal, tangent); empty where no normal map
-    std::vector<vec2> texcoords[2];  // either may be empty
-    std::vector<vec4> colors;        // linear RGBA, multiplies the base colour; may be empty
-    std::vector<std::uint32_t> indices; // three a triangle, counter-clockwise seen from the front; all in range
-    int material = 0;                // index into Scene::materials
+    std::vector<vec3> normals; // unit; never empty (flat where the file had none)
+    std::vector<vec4>
+        tangents; // xyz unit, w = ±1: bitangent = w * cross(normal, tangent); empty where no normal map
+    std::vector<vec2> texcoords[2]; // either may be empty
+    std::vector<vec4> colors;       // linear RGBA, multiplies the base colour; may be empty
+    std::vector<std::uint32_t>
+        indices;      // three a triangle, counter-clockwise seen from the front; all in range
+    int material = 0; // index into Scene::materials
 };
 
 /// A mesh placed in the world. The transform may mirror (negative determinant).
@@ -35,7 +37,7 @@ struct Scene {
     std::vector<Material> materials; // never empty if there are meshes
     std::vector<Mesh> meshes;
     std::vector<Instance> instances;
-    std::vector<Light> lights;       // what the file calls lights; emissive surfaces: see emitters.hpp
+    std::vector<Light> lights; // what the file calls lights; emissive surfaces: see emitters.hpp
     std::vector<Camera> cameras;
 };
 

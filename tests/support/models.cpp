@@ -12,7 +12,8 @@ fs::path assets_folder() { return source_folder() / "assets"; }
 
 std::optional<fs::path> models_folder() {
     const char* variable = std::getenv("STERADIAN_MODELS");
-    const fs::path folder = variable ? fs::path(variable) : source_folder().parent_path() / "shared" / "models";
+    const fs::path folder =
+        variable ? fs::path(variable) : source_folder().parent_path() / "shared" / "models";
     if (!fs::is_directory(folder)) return std::nullopt;
     return folder;
 }

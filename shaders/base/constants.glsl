@@ -1,0 +1,2 @@
+// Numbers that every chapter shares.
+const float pi = 3.14159265358979323846;

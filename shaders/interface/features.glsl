@@ -1,0 +1,19 @@
+// What the program at hand has to deal with. The renderer overlays this file with the values of the scene and
+// the material (src/render/features.cpp), and the compiler drops the rest; as it stands it asks for everything,
+// so that every line is linted.
+const bool has_point_lights = true;
+const bool has_spot_lights = true;
+const bool has_directional_lights = true;
+const bool has_rectangle_lights = true;
+
+const bool has_base_color_texture = true;
+const bool has_metallic_roughness_texture = true;
+const bool has_normal_texture = true;
+const bool has_emission_texture = true;
+const bool has_specular_texture = true;
+const bool has_specular_color_texture = true;
+const bool has_vertex_colors = true;
+
+const bool is_masked = true;  // alphaMode MASK
+const bool is_blended = true; // alphaMode BLEND
+const bool is_unlit = false;  // KHR_materials_unlit

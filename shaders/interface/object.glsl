@@ -1,0 +1,6 @@
+// What holds for one instance. Mirror: ObjectBlock in src/render/blocks.hpp.
+layout(std140) uniform Object {
+    mat4 world_from_object;
+    mat4 world_from_normal; // inverse transpose of the upper 3×3
+    vec4 handedness;        // x: the sign of the determinant, -1 where the transform mirrors
+};

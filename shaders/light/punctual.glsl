@@ -1,0 +1,38 @@
+// Emitters without extent: their light arrives from exactly one direction.
+//
+//   point        I / d² · window(d)
+//   spot         I / d² · window(d) · saturate((cosθ - cos outer) / (cos inner - cos outer))²
+//   directional  E
+//
+// KHR_lights_punctual. The window that `range` asks for is saturate(1 - (d / range)⁴) (Karis 2013, without the square,
+// as the extension has it).
+#include "interface/lights.glsl"
+#include "light/light_sample.glsl"
+
+float range_window(float d, float inverse_range) {
+    float q = d * inverse_range;
+    float q2 = q * q;
+    return clamp(1.0 - q2 * q2, 0.0, 1.0);
+}
+
+float cone_falloff(Light light, vec3 wi) {
+    float f = clamp(dot(light.direction, -wi) * light.cone_scale + light.cone_offset, 0.0, 1.0);
+    return f * f;
+}
+
+LightSample sample_point(Light light, vec3 x) {
+    vec3 to_light = light.position - x;
+    float d2 = dot(to_light, to_light);
+    float d = sqrt(d2);
+    return LightSample(to_light / d, d, light.quantity / d2 * range_window(d, light.inverse_range), 0.0);
+}
+
+LightSample sample_spot(Light light, vec3 x) {
+    LightSample s = sample_point(light, x);
+    s.Li_over_p *= cone_falloff(light, s.wi);
+    return s;
+}
+
+LightSample sample_directional(Light light) {
+    return LightSample(-light.direction, infinitely_far, light.quantity, 0.0);
+}

@@ -1,0 +1,57 @@
+#include "cli/arguments.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+
+namespace sr::cli {
+namespace {
+
+std::optional<int> parsed_extent(std::string_view text) {
+    int value = 0;
+    const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (failure != std::errc{} || end != text.data() + text.size() || value < 1 || value > 65536)
+        return std::nullopt;
+    return value;
+}
+
+std::optional<float> parsed_number(const std::string& text) {
+    char* end = nullptr;
+    const float value = std::strtof(text.c_str(), &end);
+    if (text.empty() || *end != '\0' || !std::isfinite(value)) return std::nullopt;
+    return value;
+}
+
+} // namespace
+
+std::optional<Size> parsed_size(const std::string& text) {
+    const auto cross = text.find('x');
+    if (cross == std::string::npos) return std::nullopt;
+    const auto width = parsed_extent(std::string_view(text).substr(0, cross));
+    const auto height = parsed_extent(std::string_view(text).substr(cross + 1));
+    if (!width || !height) return std::nullopt;
+    return Size{*width, *height};
+}
+
+std::optional<vec3> parsed_color(const std::string& text) {
+    std::vector<float> numbers;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const auto comma = std::min(text.find(',', begin), text.size());
+        const auto number = parsed_number(text.substr(begin, comma - begin));
+        if (!number) return std::nullopt;
+        numbers.push_back(*number);
+        begin = comma + 1;
+    }
+    if (numbers.size() == 1) return vec3(numbers[0]);
+    if (numbers.size() == 3) return vec3(numbers[0], numbers[1], numbers[2]);
+    return std::nullopt;
+}
+
+std::vector<glsl::Root> shader_path(const std::vector<std::string>& folders) {
+    std::vector<glsl::Root> path;
+    for (const std::string& folder : folders) path.push_back(glsl::Root::folder(folder));
+    path.push_back(glsl::embedded());
+    return path;
+}
+
+} // namespace sr::cli

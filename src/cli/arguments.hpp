@@ -1,0 +1,26 @@
+#pragma once
+// Values that people type.
+#include "core/math.hpp"
+#include "glsl/root.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace sr::cli {
+
+struct Size {
+    int width = 0;
+    int height = 0;
+};
+
+/// "1280x720"; absent if it is not two whole numbers from 1 to 65536.
+std::optional<Size> parsed_size(const std::string& text);
+
+/// "0.1,0.2,0.3" or a single number for all three; absent if it is neither, or not finite.
+std::optional<vec3> parsed_color(const std::string& text);
+
+/// The given folders in front of the built-in shaders. @throws Error if one is no folder.
+std::vector<glsl::Root> shader_path(const std::vector<std::string>& folders);
+
+} // namespace sr::cli

@@ -1,0 +1,18 @@
+#pragma once
+// The program's commands. Each adds itself to the command line, and runs when it is parsed there.
+// stdout carries data only; progress and remarks go to stderr.
+namespace CLI {
+class App;
+}
+
+namespace sr::cli {
+
+/// What a command ends with: 0 done, 1 a difference or a failed check, 2 usage, 3 the world's fault (an
+/// Error).
+enum ExitStatus : int { done = 0, failed_check = 1, usage = 2, worlds_fault = 3, interrupted = 130 };
+
+void add_render_command(CLI::App& app);
+void add_info_command(CLI::App& app);
+void add_expand_command(CLI::App& app);
+
+} // namespace sr::cli

@@ -1,0 +1,134 @@
+#include "cli/commands.hpp"
+#include "gl/context.hpp"
+#include "gltf/load.hpp"
+#include "scene/emitters.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+namespace sr::cli {
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json backends_json() {
+    ordered_json list = ordered_json::array();
+    for (const gl::BackendReport& report : gl::report_backends()) {
+        ordered_json entry{{"name", report.name}, {"works", report.info.has_value()}};
+        if (report.info) {
+            entry["kind"] = report.info->backend;
+            entry["GL_RENDERER"] = report.info->renderer;
+            entry["GL_VERSION"] = report.info->version;
+            entry["GLSL_VERSION"] = report.info->shading_language;
+        } else {
+            entry["failure"] = report.failure;
+        }
+        list.push_back(std::move(entry));
+    }
+    return list;
+}
+
+void print_backends(const ordered_json& backends) {
+    fmt::print("Steradian {}\n\nOpenGL backends, in the order in which --backend auto tries them:\n",
+               STERADIAN_VERSION);
+    for (const auto& entry : backends) {
+        if (entry["works"])
+            fmt::print("  {:<8} {}\n           OpenGL {}, GLSL {} ({})\n", entry["name"].get<std::string>(),
+                       entry["GL_RENDERER"].get<std::string>(), entry["GL_VERSION"].get<std::string>(),
+                       entry["GLSL_VERSION"].get<std::string>(), entry["kind"].get<std::string>());
+        else
+            fmt::print("  {:<8} does not work here: {}\n", entry["name"].get<std::string>(),
+                       entry["failure"].get<std::string>());
+    }
+}
+
+ordered_json light_json(const scene::Light& light) {
+    const auto rgb = [](vec3 v) { return ordered_json{v.x, v.y, v.z}; };
+    struct Describe {
+        decltype(rgb)& list;
+        ordered_json operator()(const scene::PointLight& l) const {
+            return {{"kind", "point"}, {"name", l.name}, {"I [cd]", list(l.I)}};
+        }
+        ordered_json operator()(const scene::SpotLight& l) const {
+            return {{"kind", "spot"}, {"name", l.name}, {"I [cd]", list(l.I)}};
+        }
+        ordered_json operator()(const scene::DirectionalLight& l) const {
+            return {{"kind", "directional"}, {"name", l.name}, {"E [lx]", list(l.E)}};
+        }
+        ordered_json operator()(const scene::RectangleLight& l) const {
+            return {
+                {"kind", "rectangle"}, {"name", l.name}, {"L [cd/m^2]", list(l.L)}, {"A [m^2]", l.area()}};
+        }
+    };
+    return std::visit(Describe{rgb}, light);
+}
+
+ordered_json scene_json(const std::string& file) {
+    const gltf::Loaded loaded = gltf::load(file);
+    const scene::Scene& s = loaded.scene;
+    const scene::Bounds bounds = scene::bounds_of(s);
+    ordered_json cameras = ordered_json::array(), lights = ordered_json::array();
+    for (const scene::Camera& camera : s.cameras) cameras.push_back(camera.name);
+    const scene::Emitters emitters = scene::emitters_of(s);
+    for (const scene::Light& light : emitters.lights) lights.push_back(light_json(light));
+    ordered_json json{{"file", file},
+                      {"meshes", s.meshes.size()},
+                      {"instances", s.instances.size()},
+                      {"triangles", scene::triangle_count(s)},
+                      {"materials", s.materials.size()},
+                      {"textures", s.textures.size()},
+                      {"images", s.images.size()},
+                      {"cameras", cameras},
+                      {"lights", lights},
+                      {"emissive_but_no_light", emitters.seen_only},
+                      {"extensions_used", loaded.extensions_used},
+                      {"warnings", loaded.warnings}};
+    if (!bounds.is_empty())
+        json["bounds [m]"] = {{"min", {bounds.min.x, bounds.min.y, bounds.min.z}},
+                              {"max", {bounds.max.x, bounds.max.y, bounds.max.z}}};
+    return json;
+}
+
+/// "name: value" lines; lists one entry a line.
+void print_scene(const ordered_json& json) {
+    for (const auto& [key, value] : json.items()) {
+        if (!value.is_array() && !value.is_object())
+            fmt::print("{:<22} {}\n", key, value.is_string() ? value.get<std::string>() : value.dump());
+        else if (value.empty())
+            fmt::print("{:<22} none\n", key);
+        else
+            for (const auto& [name, entry] : value.items())
+                fmt::print("{:<22} {}{}\n", key, value.is_object() ? name + " " : "",
+                           entry.is_string() ? entry.get<std::string>() : entry.dump());
+    }
+}
+
+} // namespace
+
+void add_info_command(CLI::App& app) {
+    struct Arguments {
+        std::string scene;
+        bool json = false;
+    };
+    const auto arguments = std::make_shared<Arguments>();
+    CLI::App* command =
+        app.add_subcommand("info", "what a scene holds; without a scene, what OpenGL this machine offers");
+    command->add_option("SCENE", arguments->scene, "a .gltf or .glb file");
+    command->add_flag("--json", arguments->json, "print JSON");
+    command->footer("Examples:\n  steradian info\n  steradian info scene.glb\n  steradian info scene.glb "
+                    "--json | jq .lights");
+    command->callback([arguments] {
+        const bool is_scene = !arguments->scene.empty();
+        const ordered_json json = is_scene ? scene_json(arguments->scene) : backends_json();
+        if (arguments->json)
+            fmt::print("{}\n", json.dump(2, ' ', false, ordered_json::error_handler_t::replace));
+        else if (is_scene)
+            print_scene(json);
+        else
+            print_backends(json);
+    });
+}
+
+} // namespace sr::cli

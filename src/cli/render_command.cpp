@@ -1,0 +1,187 @@
+#include "cli/commands.hpp"
+#include "cli/progress.hpp"
+#include "cli/render_options.hpp"
+#include "cli/summary.hpp"
+#include "core/error.hpp"
+#include "gltf/load.hpp"
+#include "render/renderer.hpp"
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <csignal>
+#include <cstdio>
+#include <fmt/format.h>
+#include <future>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+namespace sr::cli {
+namespace {
+
+volatile std::sig_atomic_t interrupt_count = 0;
+
+/// The first Ctrl-C ends the rendering in an orderly way, the second ends the program.
+void on_interrupt(int) {
+    interrupt_count = interrupt_count + 1;
+    if (interrupt_count > 1) std::signal(SIGINT, SIG_DFL);
+}
+
+struct TimedLoad {
+    gltf::Loaded loaded;
+    double seconds = 0.0;
+};
+
+TimedLoad load_timed(const RenderCommand& command) {
+    PhaseTimes times;
+    TimedLoad result{gltf::load(command.scene, {command.scene_index}), 0.0};
+    result.seconds = times.total();
+    return result;
+}
+
+scene::Stage staged(const RenderCommand& command, gltf::Loaded&& loaded) {
+    for (const std::string& warning : loaded.warnings) fmt::print(stderr, "{}\n", warning);
+    scene::StageOptions options{command.camera, command.rig};
+    if (command.size)
+        options.aspect_ratio =
+            static_cast<float>(command.size->width) / static_cast<float>(command.size->height);
+    scene::Stage stage = scene::set_stage(std::move(loaded.scene), command.scene, options);
+    for (const std::string& remark : stage.remarks) fmt::print(stderr, "{}\n", remark);
+    return stage;
+}
+
+Size picture_size(const RenderCommand& command, const scene::Camera& camera) {
+    if (command.size) return *command.size;
+    constexpr int rows = 720;
+    const float aspect = camera.aspect_ratio().value_or(16.0f / 9.0f);
+    return {std::clamp(static_cast<int>(std::lround(rows * aspect)), 1, 16 * rows), rows};
+}
+
+render::RenderOptions render_options(const RenderCommand& command, Size size) {
+    return {size.width,   size.height,        command.samples,
+            command.seed, command.background, shader_path(command.shaders)};
+}
+
+/// @return whether all samples were taken; false if Ctrl-C was pressed.
+bool add_samples(render::Renderer& renderer, int count) {
+    interrupt_count = 0;
+    const auto previous = std::signal(SIGINT, on_interrupt);
+    Progress progress("rendering", count);
+    while (renderer.sample_count() < count && interrupt_count == 0) {
+        renderer.add_sample();
+        glFinish(); // so that Ctrl-C and the progress bar mean what they say
+        progress.update(renderer.sample_count());
+    }
+    std::signal(SIGINT, previous);
+    return renderer.sample_count() == count;
+}
+
+void describe(image::Image& film, const RenderCommand& command, const scene::Stage& stage,
+              const gl::ContextInfo& gl) {
+    film.channel_names = {"R", "G", "B", "A"};
+    film.attributes = {{"steradian:version", STERADIAN_VERSION},
+                       {"steradian:unit", "cd/m^2"},
+                       {"steradian:estimator", "sampled"},
+                       {"steradian:samples", std::to_string(command.samples)},
+                       {"steradian:seed", std::to_string(command.seed)},
+                       {"steradian:camera", stage.camera.name},
+                       {"steradian:GL_RENDERER", gl.renderer},
+                       {"steradian:GL_VERSION", gl.version}};
+}
+
+/// Writes the film in the form that the file's extension asks for. @return the EV100 in use, if any was.
+std::optional<float> write_output(const image::Image& film, const RenderCommand& command) {
+    if (image::is_scene_referred(command.output)) {
+        image::write(film, command.output, command.exr_type);
+        return std::nullopt;
+    }
+    const float ev100 = command.ev100 ? *command.ev100 : image::auto_ev100(film);
+    image::write(image::displayed(film, ev100, command.tone_curve), command.output,
+                 image::SampleType::integer8);
+    return ev100;
+}
+
+using nlohmann::ordered_json;
+
+ordered_json summary(const RenderCommand& command, const scene::Stage& stage, const gl::Context& context,
+                     Size size) {
+    return {{"scene", command.scene},
+            {"output", command.output},
+            {"width", size.width},
+            {"height", size.height},
+            {"samples", command.samples},
+            {"seed", command.seed},
+            {"unit", "cd/m^2"},
+            {"camera", stage.camera.name},
+            {"lights", stage.lights.size()},
+            {"triangles", scene::triangle_count(stage.scene)},
+            {"backend", context.info().backend},
+            {"GL_RENDERER", context.info().renderer},
+            {"GL_VERSION", context.info().version}};
+}
+
+ordered_json seconds(const PhaseTimes& times) {
+    ordered_json json;
+    for (const auto& [phase, duration] : times.phases()) json[phase] = duration;
+    json["total"] = times.total();
+    return json;
+}
+
+ExitStatus render(const RenderCommand& command) {
+    PhaseTimes times;
+    image::is_scene_referred(command.output); // an unknown extension is refused before any work
+    // The context first: the dynamic loader has one lock, and behind OpenImageIO a driver would wait for
+    // long.
+    const auto context = gl::open_context({command.backend, command.gl_debug});
+    times.end("start");
+    auto loading = std::async(std::launch::async, load_timed, std::cref(command));
+    const auto preloading = image::preload(); // last, since no thread can start while it has that lock
+    TimedLoad load = loading.get();
+    times.end("wait for load");
+    times.add("load (beside start)", load.seconds);
+
+    const scene::Stage stage = staged(command, std::move(load.loaded));
+    const Size size = picture_size(command, stage.camera);
+    times.end("stage");
+    const render::GpuScene gpu_scene(stage.scene, stage.lights);
+    glFinish();
+    times.end("upload");
+    render::Renderer renderer(gpu_scene, stage.camera, render_options(command, size));
+    renderer.compile();
+    times.end("compile");
+    if (!add_samples(renderer, command.samples)) {
+        fmt::print(stderr, "interrupted after {} of {} samples: nothing was written\n",
+                   renderer.sample_count(), command.samples);
+        return interrupted;
+    }
+    times.end("draw");
+    image::Image film = renderer.film();
+    context->require_silence();
+    times.end("read");
+    describe(film, command, stage, context->info());
+    const auto ev100 = write_output(film, command);
+    times.end("write");
+
+    if (command.json) {
+        ordered_json json = summary(command, stage, *context, size);
+        json["draw_calls"] = gpu_scene.opaque_draws().size() * 2 + gpu_scene.blended_draws().size();
+        json["programs"] = renderer.program_count();
+        if (ev100) json["ev100"] = *ev100;
+        json["seconds"] = seconds(times);
+        fmt::print("{}\n", json.dump(2, ' ', false, ordered_json::error_handler_t::replace));
+    }
+    return done;
+}
+
+} // namespace
+
+void add_render_command(CLI::App& app) {
+    const auto options = std::make_shared<RenderCommand>();
+    CLI::App* command = app.add_subcommand("render", "render a glTF scene offscreen, lit by its own lights");
+    declare(*command, *options);
+    command->callback([options] {
+        const ExitStatus status = render(*options);
+        if (status != done) throw CLI::RuntimeError(status);
+    });
+}
+
+} // namespace sr::cli

@@ -1,0 +1,105 @@
+#include "cli/render_options.hpp"
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+
+namespace sr::cli {
+namespace {
+
+/// An option whose text `parse` turns into a value, or refuses: then the user hears what was expected.
+template<class Parse, class Take>
+CLI::Option* parsed(CLI::App& command, const char* name, const char* help, const char* expected, Parse parse,
+                    Take take) {
+    return command
+        .add_option_function<std::string>(
+            name,
+            [=](const std::string& text) {
+                const auto value = parse(text);
+                if (!value) throw CLI::ValidationError(name, "'" + text + "' is not " + expected);
+                take(*value);
+            },
+            help)
+        ->type_name(expected);
+}
+
+std::optional<scene::Rig> rig_named(const std::string& name) {
+    if (name == "studio") return scene::Rig::studio;
+    if (name == "none") return scene::Rig::none;
+    return std::nullopt;
+}
+
+std::optional<image::SampleType> exr_type_named(const std::string& name) {
+    if (name == "half") return image::SampleType::half;
+    if (name == "float") return image::SampleType::floating;
+    return std::nullopt;
+}
+
+/// A number, or an absent one for "auto".
+std::optional<std::optional<float>> parsed_exposure(const std::string& text) {
+    if (text == "auto") return std::optional<float>{};
+    char* end = nullptr;
+    const float value = std::strtof(text.c_str(), &end);
+    if (text.empty() || *end != '\0' || !std::isfinite(value)) return std::nullopt;
+    return value;
+}
+
+void declare_picture(CLI::App& command, RenderCommand& o) {
+    parsed(command, "--size", "size of the picture (default: 720 rows in the camera's aspect ratio, or 16:9)",
+           "WIDTHxHEIGHT", parsed_size, [&o](Size size) { o.size = size; });
+    command.add_option(
+        "--camera", o.camera,
+        "camera by name or index, or auto, which frames the scene (default: the first, or auto)");
+    command.add_option("--scene", o.scene_index, "which of the file's scenes (default: the file's choice)")
+        ->check(CLI::NonNegativeNumber);
+    command
+        .add_option("--samples", o.samples, "samples a pixel: sub-pixel positions and points on each emitter")
+        ->check(CLI::Range(1, 1 << 24))
+        ->capture_default_str();
+    command.add_option("--seed", o.seed, "another seed is another, equally good set of samples")
+        ->capture_default_str();
+    parsed(command, "--background", "radiance where there is no surface [cd/m²] (default: 0)", "L or R,G,B",
+           parsed_color, [&o](vec3 color) { o.background = color; });
+    parsed(command, "--rig", "what lights a file without any light (default: studio)", "studio|none",
+           rig_named, [&o](scene::Rig rig) { o.rig = rig; });
+}
+
+void declare_output(CLI::App& command, RenderCommand& o) {
+    parsed(command, "--exposure",
+           "EV100 for .png and .jpg (default: auto, the log-average becomes middle grey)", "EV|auto",
+           parsed_exposure, [&o](std::optional<float> ev) { o.ev100 = ev; });
+    parsed(command, "--tone-curve", "tone curve for .png and .jpg (default: neutral)",
+           "linear|aces|neutral|agx", image::tone_curve_named,
+           [&o](image::ToneCurve curve) { o.tone_curve = curve; });
+    parsed(command, "--exr-type", "how .exr stores numbers (default: float)", "half|float", exr_type_named,
+           [&o](image::SampleType type) { o.exr_type = type; });
+    command.add_flag("--json", o.json, "print a summary as JSON: times by phase, triangles, samples, …");
+}
+
+void declare_machine(CLI::App& command, RenderCommand& o) {
+    parsed(command, "--backend", "where OpenGL comes from (default: auto; see steradian info)",
+           "auto|egl|osmesa|window", gl::backend_named, [&o](gl::Backend backend) { o.backend = backend; });
+    command.add_option("--shaders", o.shaders, "look for shaders in this folder first (repeatable)")
+        ->type_name("DIR");
+    command.add_flag("--gl-debug", o.gl_debug, "fail on any error or warning of the driver");
+}
+
+} // namespace
+
+void declare(CLI::App& command, RenderCommand& options) {
+    command.add_option("SCENE", options.scene, "a .gltf or .glb file")->required();
+    command
+        .add_option("-o,--output", options.output,
+                    "OUT.exr or .hdr for radiance, OUT.png or .jpg for a picture")
+        ->required();
+    declare_picture(command, options);
+    declare_output(command, options);
+    declare_machine(command, options);
+    command.footer(
+        "Examples:\n"
+        "  steradian render scene.glb -o picture.png\n"
+        "  steradian render scene.glb -o radiance.exr --samples 256 --size 1920x1080\n"
+        "  steradian render scene.glb -o front.png --camera auto --exposure 9.5 --tone-curve agx\n"
+        "  steradian render scene.glb -o mine.png --shaders my_shaders    (my_shaders/brdf/f_r.glsl wins)");
+}
+
+} // namespace sr::cli

@@ -1,0 +1,37 @@
+#pragma once
+// The options of `steradian render`, one struct with the defaults.
+#include "cli/arguments.hpp"
+#include "gl/context.hpp"
+#include "image/display.hpp"
+#include "image/file.hpp"
+#include "scene/stage.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace sr::cli {
+
+struct RenderCommand {
+    std::string scene;
+    std::string output;
+    std::optional<Size> size; // absent: 720 rows in the camera's aspect ratio, 16:9 if it has none
+    std::string camera;
+    std::optional<int> scene_index;
+    int samples = 16;
+    std::uint32_t seed = 0;
+    vec3 background{0.0f};
+    scene::Rig rig = scene::Rig::studio;
+    std::optional<float> ev100; // absent: automatic
+    image::ToneCurve tone_curve = image::ToneCurve::neutral;
+    image::SampleType exr_type = image::SampleType::floating;
+    gl::Backend backend = gl::Backend::automatic;
+    bool gl_debug = false;
+    std::vector<std::string> shaders;
+    bool json = false;
+};
+
+/// Declares the options on `command`; parsing fills `options`.
+void declare(CLI::App& command, RenderCommand& options);
+
+} // namespace sr::cli

@@ -1,0 +1,46 @@
+#include "glsl/root.hpp"
+
+#include "core/error.hpp"
+
+#include <fmt/format.h>
+#include <fstream>
+#include <sstream>
+
+namespace sr::glsl {
+
+namespace fs = std::filesystem;
+
+Root::Root(std::string label, std::variant<fs::path, Files> place)
+    : label_(std::move(label)), place_(std::move(place)) {}
+
+Root Root::folder(const fs::path& folder) {
+    std::error_code ignored;
+    if (!fs::is_directory(folder, ignored))
+        throw Error({folder.string()}, "no such folder of shaders", "name a folder that lies like shaders/");
+    return {folder.string(), folder};
+}
+
+Root Root::memory(std::string label, Files files) { return {std::move(label), std::move(files)}; }
+
+std::optional<std::string> Root::text_of(std::string_view name) const {
+    if (const Files* files = std::get_if<Files>(&place_)) {
+        const auto found = files->find(name);
+        return found == files->end() ? std::nullopt : std::optional(found->second);
+    }
+    const fs::path file = std::get<fs::path>(place_) / name;
+    std::error_code ignored;
+    if (!fs::exists(file, ignored)) return std::nullopt;
+    std::ifstream stream(file, std::ios::binary);
+    std::ostringstream text;
+    if (fs::is_directory(file, ignored) || !stream)
+        throw Error({place_of(name)}, "not a readable file", "check its permissions");
+    text << stream.rdbuf();
+    return text.str();
+}
+
+std::string Root::place_of(std::string_view name) const {
+    if (const fs::path* folder = std::get_if<fs::path>(&place_)) return (*folder / name).string();
+    return fmt::format("{}/{}", label_, name);
+}
+
+} // namespace sr::glsl

@@ -1,0 +1,44 @@
+#pragma once
+// Where GLSL sources come from. A shader path is a list of roots; the first that has a file wins, so a root
+// put in front of the others is an overlay.
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+
+namespace sr::glsl {
+
+/// File names relative to a root ("brdf/ggx.glsl", always with '/') and their texts.
+using Files = std::map<std::string, std::string, std::less<>>;
+
+/// A folder on disk, read anew at each call, or files in memory.
+class Root {
+public:
+    /// @throws Error if there is no such folder.
+    static Root folder(const std::filesystem::path& folder);
+    /// `label` stands before the files' names in errors, like a folder.
+    static Root memory(std::string label, Files files);
+
+    /// The text of a file, or absent if the root has no such file.
+    /// @throws Error if a file is there and cannot be read.
+    std::optional<std::string> text_of(std::string_view name) const;
+
+    /// What errors call the file: on disk a path that a person can open.
+    std::string place_of(std::string_view name) const;
+
+    const std::string& label() const { return label_; }
+    bool is_on_disk() const { return std::holds_alternative<std::filesystem::path>(place_); }
+
+private:
+    Root(std::string label, std::variant<std::filesystem::path, Files> place);
+
+    std::string label_;
+    std::variant<std::filesystem::path, Files> place_;
+};
+
+/// The shaders/ tree as it was when the program was built; its places read "shaders/brdf/ggx.glsl".
+Root embedded();
+
+} // namespace sr::glsl

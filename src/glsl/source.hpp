@@ -1,0 +1,40 @@
+#pragma once
+// OpenGL has no #include, so it is expanded before the driver sees the text, and a table leads the driver's
+// line numbers back to the files that people edit. No #line is emitted: Mesa loses its string number in most
+// errors.
+#include "core/error.hpp"
+#include "glsl/root.hpp"
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace sr::glsl {
+
+/// A shader with its includes expanded, ready for glShaderSource.
+struct Source {
+    /// Where a flat line comes from.
+    struct Line {
+        int file = 0; // index into `files`
+        int line = 0; // from 1
+    };
+
+    std::string text;
+    std::vector<std::string> files; // as errors name them; files[0] is the entry. A hot reload watches these.
+    std::vector<Line> lines;        // lines[i] is the origin of the text's line i + 1
+
+    /// The place of a flat line, which counts from 1. Beyond the end: the last line; 0: the entry file alone.
+    Location location(int flat_line) const;
+};
+
+/// Expands `#include "brdf/ggx.glsl"` lines, recursively; a file is included once however often it is asked
+/// for. Names are relative to the roots, whoever includes; the first root in `path` that has the file wins.
+/// A directive inside a comment does not count, one inside `#if` does: the preprocessor runs later, in the
+/// driver.
+/// `#version` may stand on the entry file's first line and nowhere else.
+/// @throws Error for a file that no root has, an include cycle (with its chain), a malformed include line, a
+/// misplaced #version, and a comment that never ends.
+Source expand(std::span<const Root> path, std::string_view file);
+
+} // namespace sr::glsl

@@ -1,0 +1,89 @@
+#include "gltf/container.hpp"
+
+#include "core/error.hpp"
+
+#include <fmt/format.h>
+
+namespace sr::gltf {
+namespace {
+
+constexpr std::uint32_t glb_magic = 0x46546C67;  // "glTF"
+constexpr std::uint32_t json_chunk = 0x4E4F534A; // "JSON"
+constexpr std::uint32_t bin_chunk = 0x004E4942;  // "BIN\0"
+constexpr std::size_t header_size = 12;
+constexpr std::size_t chunk_header_size = 8;
+
+constexpr const char* remedy = "copy or export the file again";
+
+// GLB is little-endian whatever the machine is.
+std::uint32_t word(Bytes bytes, std::size_t offset) {
+    return static_cast<std::uint32_t>(bytes[offset]) | static_cast<std::uint32_t>(bytes[offset + 1]) << 8
+           | static_cast<std::uint32_t>(bytes[offset + 2]) << 16
+           | static_cast<std::uint32_t>(bytes[offset + 3]) << 24;
+}
+
+std::string_view text(Bytes bytes) { return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; }
+
+// The specification pads with spaces; some exporters pad with zeros.
+std::string_view without_zeros(std::string_view json) {
+    const auto last = json.find_last_not_of('\0');
+    return json.substr(0, last == std::string_view::npos ? 0 : last + 1);
+}
+
+Bytes checked_glb(Bytes file, const std::string& name) {
+    if (file.size() < header_size) throw Error({name}, "the GLB ends within its header", remedy);
+    const std::uint32_t version = word(file, 4);
+    if (version != 2)
+        throw Error({name}, fmt::format("GLB version {} is not supported", version),
+                    "convert the file to glTF 2.0");
+    const std::uint32_t length = word(file, 8);
+    if (length > file.size())
+        throw Error(
+            {name},
+            fmt::format("the GLB says it is {} bytes long, and only {} are here", length, file.size()),
+            remedy);
+    return file.first(length);
+}
+
+struct Chunk {
+    std::uint32_t type = 0;
+    Bytes data;
+};
+
+Chunk chunk_at(Bytes glb, std::size_t offset, const std::string& name) {
+    if (glb.size() - offset < chunk_header_size)
+        throw Error({name}, fmt::format("the GLB ends within the chunk header at byte {}", offset), remedy);
+    const std::size_t length = word(glb, offset);
+    const Bytes rest = glb.subspan(offset + chunk_header_size);
+    if (length > rest.size())
+        throw Error({name},
+                    fmt::format("the GLB chunk at byte {} says it is {} bytes long, and only {} are left",
+                                offset, length, rest.size()),
+                    remedy);
+    return {word(glb, offset + 4), rest.first(length)};
+}
+
+Container split_glb(Bytes glb, const std::string& name) {
+    if (glb.size() < header_size + chunk_header_size) throw Error({name}, "the GLB has no chunk", remedy);
+    const Chunk first = chunk_at(glb, header_size, name);
+    if (first.type != json_chunk) throw Error({name}, "the first chunk of the GLB is not JSON", remedy);
+
+    Container container{without_zeros(text(first.data)), std::nullopt, header_size + chunk_header_size};
+    const std::size_t second = container.json_offset + first.data.size();
+    // Up to three bytes of padding may be left; chunks of unknown types are ignored, as the specification
+    // says.
+    if (glb.size() - second < 4) return container;
+    const Chunk chunk = chunk_at(glb, second, name);
+    if (chunk.type == bin_chunk) container.bin = chunk.data;
+    return container;
+}
+
+} // namespace
+
+Container split(Bytes file, const std::string& name) {
+    if (file.empty()) throw Error({name}, "the file is empty", remedy);
+    if (file.size() >= 4 && word(file, 0) == glb_magic) return split_glb(checked_glb(file, name), name);
+    return {text(file), std::nullopt, 0};
+}
+
+} // namespace sr::gltf

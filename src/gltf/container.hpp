@@ -1,0 +1,24 @@
+#pragma once
+// The two containers of glTF 2.0: a JSON text, and GLB (specification, section 4.4), which wraps JSON and one
+// buffer.
+#include "gltf/bytes.hpp"
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace sr::gltf {
+
+/// What a file holds, as views into its bytes.
+struct Container {
+    std::string_view json;
+    std::optional<Bytes> bin;    // GLB's first buffer
+    std::size_t json_offset = 0; // of the JSON in the file [bytes]; not 0 in a GLB
+};
+
+/// Tells GLB from JSON by the first four bytes and checks every length that a GLB states against the file's
+/// size. `name` is what errors call the file.
+/// @throws Error
+Container split(Bytes file, const std::string& name);
+
+} // namespace sr::gltf

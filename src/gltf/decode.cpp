@@ -1,0 +1,64 @@
+#include "gltf/decode.hpp"
+
+#include "gltf/text.hpp"
+#include "gltf/uri.hpp"
+#include "image/file.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace sr::gltf {
+namespace {
+
+scene::TextureImage decoded(const Document& document, int source) {
+    const ImageSource& image = document.images[static_cast<std::size_t>(source)];
+    const std::string pointer = fmt::format("/images/{}", source);
+    std::vector<std::uint8_t> file;
+    Bytes bytes;
+    if (image.buffer_view >= 0) {
+        bytes = document.view(image.buffer_view, pointer);
+    } else if (!image.uri.empty()) {
+        file = read_uri(image.uri, document.folder, {document.name, pointer + "/uri"});
+        bytes = file;
+    } else {
+        document.fail(pointer + " has neither bufferView nor uri", "export the file again");
+    }
+    const std::string name = image.name.empty() ? "" : fmt::format(" {}", in_quotes(image.name));
+    image::DecodedTexture texture =
+        image::decode_texture(bytes, fmt::format("{}: {}{}", document.name, pointer, name));
+    return {image.name, texture.width, texture.height, std::move(texture.texels)};
+}
+
+} // namespace
+
+Decoding::Decoding(const Document& document, std::vector<int> sources)
+    : document_(document), sources_(std::move(sources)), images_(sources_.size()), errors_(sources_.size()) {
+    const std::size_t cores = std::max(1u, std::thread::hardware_concurrency());
+    for (std::size_t i = 0; i < std::min(cores, sources_.size()); ++i)
+        workers_.emplace_back([this] { work(); });
+}
+
+Decoding::~Decoding() {
+    next_ = sources_.size();
+    for (std::thread& worker : workers_)
+        if (worker.joinable()) worker.join();
+}
+
+void Decoding::work() {
+    for (std::size_t i = next_++; i < sources_.size(); i = next_++) {
+        try {
+            images_[i] = decoded(document_, sources_[i]);
+        } catch (...) {
+            errors_[i] = std::current_exception(); // rethrown by images(), on the caller's thread
+        }
+    }
+}
+
+std::vector<scene::TextureImage> Decoding::images() {
+    for (std::thread& worker : workers_) worker.join();
+    for (const std::exception_ptr& error : errors_)
+        if (error) std::rethrow_exception(error);
+    return std::move(images_);
+}
+
+} // namespace sr::gltf

@@ -1,0 +1,38 @@
+#pragma once
+// Decoding images on all cores while the caller reads meshes.
+#include "gltf/document.hpp"
+#include "scene/material.hpp"
+
+#include <atomic>
+#include <exception>
+#include <thread>
+#include <vector>
+
+namespace sr::gltf {
+
+class Decoding {
+public:
+    /// Starts at once. `sources` are indices into `document.images`; the document must outlive this.
+    Decoding(const Document& document, std::vector<int> sources);
+    /// Waits for the images that are being decoded, and skips the rest.
+    ~Decoding();
+
+    Decoding(const Decoding&) = delete;
+    Decoding& operator=(const Decoding&) = delete;
+
+    /// Waits, and gives the images in the order of `sources`. To be called once.
+    /// @throws Error of the first image that cannot be read or decoded
+    std::vector<scene::TextureImage> images();
+
+private:
+    void work();
+
+    const Document& document_;
+    std::vector<int> sources_;
+    std::vector<scene::TextureImage> images_;
+    std::vector<std::exception_ptr> errors_;
+    std::atomic<std::size_t> next_{0};
+    std::vector<std::thread> workers_;
+};
+
+} // namespace sr::gltf

@@ -1,0 +1,107 @@
+#include "gltf/document.hpp"
+
+#include "core/error.hpp"
+#include "gltf/container.hpp"
+#include "gltf/extensions.hpp"
+#include "gltf/json.hpp"
+#include "gltf/schema.hpp"
+#include "gltf/text.hpp"
+#include "gltf/uri.hpp"
+
+#include <fmt/format.h>
+
+namespace sr::gltf {
+namespace {
+
+using nlohmann::json;
+
+constexpr const char* export_again = "export the file again";
+
+// A file of another version may fail the checks for reasons that would mislead: the version is looked at
+// first.
+void check_version(const json& root, const std::string& name) {
+    const json::json_pointer version("/asset/version");
+    const json::json_pointer min_version("/asset/minVersion");
+    const auto is_two = [&](const json::json_pointer& pointer, std::string_view prefix) {
+        return root.at(pointer).is_string()
+               && root.at(pointer).get_ref<const std::string&>().starts_with(prefix);
+    };
+    if (!root.contains(version))
+        throw Error({name}, "this is not glTF 2.0, it has no asset.version", "give a glTF 2.0 file");
+    if (!is_two(version, "2."))
+        throw Error({name}, fmt::format("this is glTF {}, not 2.0", in_quotes(root.at(version).dump())),
+                    "convert it to glTF 2.0");
+    if (root.contains(min_version) && !is_two(min_version, "2.0"))
+        throw Error({name},
+                    fmt::format("it needs a reader of glTF {}", in_quotes(root.at(min_version).dump())),
+                    "export it as glTF 2.0");
+}
+
+void read_buffers(Document& document, const json& buffers, std::optional<Bytes> bin) {
+    for (std::size_t i = 0; i < buffers.size(); ++i) {
+        const json& buffer = buffers[i];
+        const auto size = buffer.at("byteLength").get<std::size_t>();
+        std::optional<Bytes> bytes;
+        if (const auto uri = buffer.find("uri"); uri != buffer.end()) {
+            const UriPlace place{document.name, fmt::format("/buffers/{}/uri", i)};
+            document.storage.push_back(std::make_unique<const std::vector<std::uint8_t>>(
+                read_uri(uri->get_ref<const std::string&>(), document.folder, place)));
+            bytes = *document.storage.back();
+        } else if (i == 0) {
+            bytes = bin;
+        }
+        if (bytes && bytes->size() < size)
+            document.fail(fmt::format("/buffers/{}/byteLength is {}, and only {} bytes are there", i, size,
+                                      bytes->size()),
+                          export_again);
+        document.buffers.push_back(bytes ? std::optional(bytes->first(size)) : std::nullopt);
+    }
+}
+
+void list_images(Document& document, json& images) {
+    for (json& image : images)
+        document.images.push_back({image.value("name", ""), image.value("uri", ""),
+                                   static_cast<int>(image.value("bufferView", -1))});
+}
+
+} // namespace
+
+void Document::fail(std::string_view what, std::string_view what_to_do) const {
+    throw Error({name}, what, what_to_do);
+}
+
+Bytes Document::view(int buffer_view, std::string_view pointer) const {
+    const tinygltf::BufferView& view = model.bufferViews[static_cast<std::size_t>(buffer_view)];
+    const std::optional<Bytes>& buffer = buffers[static_cast<std::size_t>(view.buffer)];
+    if (!buffer)
+        fail(fmt::format("{} needs /buffers/{}, which has no uri and is no part of this file", pointer,
+                         view.buffer),
+             export_again);
+    if (view.byteOffset > buffer->size() || view.byteLength > buffer->size() - view.byteOffset)
+        fail(fmt::format("/bufferViews/{} ends at byte {} of /buffers/{}, which has {}", buffer_view,
+                         view.byteOffset + view.byteLength, view.buffer, buffer->size()),
+             export_again);
+    return buffer->subspan(view.byteOffset, view.byteLength);
+}
+
+Document read_document(const std::filesystem::path& file) {
+    Document document;
+    document.name = file.string();
+    document.folder = file.parent_path();
+    document.storage.push_back(
+        std::make_unique<const std::vector<std::uint8_t>>(read_file(file, document.name)));
+
+    const Container container = split(*document.storage.back(), document.name);
+    json root = parse(container, document.name);
+    check_version(root, document.name);
+    check_required_extensions(root, document.name);
+    check(root, gltf_rule(), document.name);
+
+    if (root.contains("buffers")) read_buffers(document, root["buffers"], container.bin);
+    if (root.contains("images")) list_images(document, root["images"]);
+    if (root.contains("animations")) document.animation_count = root["animations"].size();
+    document.model = model_of(std::move(root), document.name);
+    return document;
+}
+
+} // namespace sr::gltf

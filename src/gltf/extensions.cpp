@@ -1,0 +1,46 @@
+#include "gltf/extensions.hpp"
+
+#include "core/error.hpp"
+#include "gltf/text.hpp"
+
+#include <algorithm>
+#include <array>
+#include <fmt/format.h>
+
+namespace sr::gltf {
+namespace {
+
+constexpr std::array<std::string_view, 8> supported{
+    "EXT_lights_area",       "KHR_lights_punctual",    "KHR_materials_emissive_strength",
+    "KHR_materials_ior",     "KHR_materials_specular", "KHR_materials_unlit",
+    "KHR_mesh_quantization", "KHR_texture_transform",
+};
+
+} // namespace
+
+bool is_supported(std::string_view extension) {
+    return std::find(supported.begin(), supported.end(), extension) != supported.end();
+}
+
+void check_required_extensions(const nlohmann::json& root, const std::string& name) {
+    const auto required = root.find("extensionsRequired");
+    if (required == root.end() || !required->is_array()) return;
+    std::vector<std::string> missing;
+    for (const auto& extension : *required)
+        if (extension.is_string() && !is_supported(extension.get_ref<const std::string&>()))
+            missing.push_back(in_quotes(extension.get_ref<const std::string&>()));
+    if (missing.empty()) return;
+    throw Error({name}, fmt::format("it requires what is not supported yet, {}", fmt::join(missing, ", ")),
+                "export it without");
+}
+
+void warn_of_unsupported(const std::vector<std::string>& extensions_used, Warnings& warnings) {
+    std::vector<std::string> missing;
+    for (const std::string& extension : extensions_used)
+        if (!is_supported(extension)) missing.push_back(in_quotes(extension));
+    if (missing.empty()) return;
+    warnings.add(fmt::format("it uses what is not supported yet, {}", fmt::join(missing, ", ")),
+                 "shown without, which may look different");
+}
+
+} // namespace sr::gltf

@@ -1,0 +1,20 @@
+#pragma once
+// Which glTF extensions are read, and what happens to the others.
+#include "gltf/warnings.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+#include <string_view>
+
+namespace sr::gltf {
+
+bool is_supported(std::string_view extension);
+
+/// @throws Error naming every extension in `extensionsRequired` that is not supported
+void check_required_extensions(const nlohmann::json& root, const std::string& name);
+
+/// One warning naming every extension in `extensionsUsed` that is not supported.
+void warn_of_unsupported(const std::vector<std::string>& extensions_used, Warnings& warnings);
+
+} // namespace sr::gltf

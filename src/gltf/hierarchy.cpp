@@ -1,0 +1,115 @@
+#include "gltf/hierarchy.hpp"
+
+#include "core/math.hpp"
+
+#include <cmath>
+#include <fmt/format.h>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/gtc/type_ptr.hpp>
+
+namespace sr::gltf {
+namespace {
+
+constexpr const char* remedy = "make the nodes a tree";
+
+const tinygltf::Node& at(const Document& document, int node) {
+    return document.model.nodes[static_cast<std::size_t>(node)];
+}
+
+void check_forest(const Document& document) {
+    std::vector<int> parent(document.model.nodes.size(), -1);
+    for (int node = 0; node < static_cast<int>(parent.size()); ++node)
+        for (const int child : at(document, node).children) {
+            int& known = parent[static_cast<std::size_t>(child)];
+            if (known >= 0)
+                document.fail(
+                    fmt::format("/nodes/{} is a child of both /nodes/{} and /nodes/{}", child, known, node),
+                    remedy);
+            known = node;
+        }
+    // With one parent each, the nodes that cannot be reached from a root are on circles.
+    std::vector<int> pending;
+    std::vector<bool> is_reached(parent.size(), false);
+    for (int node = 0; node < static_cast<int>(parent.size()); ++node)
+        if (parent[static_cast<std::size_t>(node)] < 0) pending.push_back(node);
+    while (!pending.empty()) {
+        const int node = pending.back();
+        pending.pop_back();
+        is_reached[static_cast<std::size_t>(node)] = true;
+        pending.insert(pending.end(), at(document, node).children.begin(), at(document, node).children.end());
+    }
+    for (std::size_t node = 0; node < parent.size(); ++node)
+        if (!is_reached[node]) document.fail(fmt::format("/nodes/{} is its own ancestor", node), remedy);
+}
+
+glm::dmat4 parent_from_node(const Document& document, int index) {
+    const tinygltf::Node& node = at(document, index);
+    if (!node.matrix.empty()) return glm::make_mat4(node.matrix.data());
+    glm::dmat4 matrix(1.0);
+    if (!node.translation.empty()) matrix[3] = glm::dvec4(glm::make_vec3(node.translation.data()), 1.0);
+    if (!node.rotation.empty()) {
+        const std::vector<double>& q = node.rotation;
+        const glm::dquat rotation(q[3], q[0], q[1], q[2]);
+        if (!(glm::length(rotation) > 1e-6))
+            document.fail(fmt::format("/nodes/{}/rotation is zero", index), "give a unit quaternion");
+        matrix *= glm::mat4_cast(glm::normalize(rotation));
+    }
+    if (!node.scale.empty())
+        for (int axis = 0; axis < 3; ++axis) matrix[axis] *= node.scale[static_cast<std::size_t>(axis)];
+    return matrix;
+}
+
+void check_finite(const Document& document, const PlacedNode& placed) {
+    for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 4; ++row)
+            if (!std::isfinite(static_cast<float>(placed.world_from_node[column][row])))
+                document.fail(fmt::format("/nodes/{} stands beyond the range of 32-bit floats", placed.node),
+                              "scale the scene down");
+}
+
+std::vector<int> roots(const Document& document, std::optional<int> scene) {
+    const auto& scenes = document.model.scenes;
+    if (scene && (*scene < 0 || *scene >= static_cast<int>(scenes.size())))
+        document.fail(fmt::format("there is no scene {}, the file has {}", *scene, scenes.size()),
+                      scenes.empty() ? "name none"
+                                     : fmt::format("choose one from 0 to {}", scenes.size() - 1));
+    if (!scenes.empty())
+        return scenes[static_cast<std::size_t>(scene.value_or(std::max(document.model.defaultScene, 0)))]
+            .nodes;
+    std::vector<bool> is_child(document.model.nodes.size(), false);
+    for (const tinygltf::Node& node : document.model.nodes)
+        for (const int child : node.children) is_child[static_cast<std::size_t>(child)] = true;
+    std::vector<int> result;
+    for (std::size_t node = 0; node < is_child.size(); ++node)
+        if (!is_child[node]) result.push_back(static_cast<int>(node));
+    return result;
+}
+
+} // namespace
+
+std::vector<PlacedNode> placed_nodes(const Document& document, std::optional<int> scene) {
+    check_forest(document);
+    std::vector<PlacedNode> pending;
+    const std::vector<int> first = roots(document, scene);
+    for (auto root = first.rbegin(); root != first.rend(); ++root)
+        pending.push_back({*root, parent_from_node(document, *root)});
+
+    std::vector<PlacedNode> placed;
+    std::vector<bool> is_placed(document.model.nodes.size(), false);
+    while (!pending.empty()) {
+        const PlacedNode here = pending.back();
+        pending.pop_back();
+        if (is_placed[static_cast<std::size_t>(here.node)])
+            document.fail(fmt::format("/nodes/{} is in the scene twice", here.node),
+                          "name each root node once");
+        is_placed[static_cast<std::size_t>(here.node)] = true;
+        check_finite(document, here);
+        placed.push_back(here);
+        const std::vector<int>& children = at(document, here.node).children;
+        for (auto child = children.rbegin(); child != children.rend(); ++child)
+            pending.push_back({*child, here.world_from_node * parent_from_node(document, *child)});
+    }
+    return placed;
+}
+
+} // namespace sr::gltf

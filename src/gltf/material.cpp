@@ -1,0 +1,152 @@
+#include "gltf/material.hpp"
+
+#include "gltf/text.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace sr::gltf {
+namespace {
+
+using scene::ColorSpace;
+using tinygltf::Value;
+
+// The numbers of an extension's array; the rules (rules.cpp) have checked their count.
+vec3 three_in(const Value& object, const std::string& key, vec3 fallback) {
+    if (!object.Has(key)) return fallback;
+    const Value& list = object.Get(key);
+    for (int i = 0; i < 3; ++i) fallback[i] = static_cast<float>(list.Get(i).GetNumberAsDouble());
+    return fallback;
+}
+
+vec2 two_in(const Value& object, const std::string& key, vec2 fallback) {
+    if (!object.Has(key)) return fallback;
+    const Value& list = object.Get(key);
+    return {static_cast<float>(list.Get(0).GetNumberAsDouble()),
+            static_cast<float>(list.Get(1).GetNumberAsDouble())};
+}
+
+// KHR_texture_transform: translation * rotation * scale. It turns from +u towards -v for a positive angle:
+// counter-clockwise as seen on the image, whose v goes down. (The extension's example, "the lower left
+// quadrant rotated clockwise by 90°", holds for this sign only.)
+mat3 uv_transform(const Value& transform) {
+    const vec2 offset = two_in(transform, "offset", vec2(0.0f));
+    const vec2 scale = two_in(transform, "scale", vec2(1.0f));
+    const auto angle = static_cast<float>(number_in(transform, "rotation", 0.0));
+    const float c = std::cos(angle);
+    const float s = std::sin(angle);
+    return {vec3(c * scale.x, -s * scale.x, 0.0f), vec3(s * scale.y, c * scale.y, 0.0f), vec3(offset, 1.0f)};
+}
+
+scene::AlphaMode alpha_mode_of(const std::string& name) {
+    if (name == "MASK") return scene::AlphaMode::mask;
+    if (name == "BLEND") return scene::AlphaMode::blend;
+    return scene::AlphaMode::opaque;
+}
+
+vec3 not_negative(const Document& document, vec3 value, const char* factor, const std::string& material) {
+    if (!(value.x >= 0.0f && value.y >= 0.0f && value.z >= 0.0f))
+        document.fail(fmt::format("material {}: {} is {} {} {}", in_quotes(material), factor, value.x,
+                                  value.y, value.z),
+                      "give zero or more");
+    return value;
+}
+
+} // namespace
+
+MaterialTable::MaterialTable(const Document& document, Warnings& warnings)
+    : document_(document), warnings_(warnings), textures_(document, warnings) {}
+
+int MaterialTable::material(int gltf_material) {
+    const auto [number, is_new] = number_of_.try_emplace(gltf_material, static_cast<int>(materials_.size()));
+    if (is_new)
+        materials_.push_back(gltf_material < 0
+                                 ? scene::Material{}
+                                 : read(document_.model.materials[static_cast<std::size_t>(gltf_material)]));
+    return number->second;
+}
+
+float MaterialTable::fraction(double value, const char* factor, const std::string& material) {
+    if (value >= 0.0 && value <= 1.0) return static_cast<float>(value);
+    warnings_.add(fmt::format("material {}: {} is {}, outside 0 to 1", in_quotes(material), factor, value),
+                  "it is clamped");
+    return static_cast<float>(std::clamp(value, 0.0, 1.0));
+}
+
+scene::TextureSlot MaterialTable::slot(int texture, int texcoord, const tinygltf::ExtensionMap& extensions,
+                                       ColorSpace color_space) {
+    scene::TextureSlot slot;
+    if (texture < 0) return slot;
+    if (const Value* transform = extension(extensions, "KHR_texture_transform")) {
+        slot.uv_transform = uv_transform(*transform);
+        texcoord = whole_in(*transform, "texCoord", texcoord);
+    }
+    if (texcoord > 1) {
+        warnings_.add(fmt::format("a texture reads TEXCOORD_{}, and only 0 and 1 are supported", texcoord),
+                      "the material is shown without it");
+        return {};
+    }
+    slot.texcoord = texcoord;
+    slot.texture = textures_.texture(texture, color_space);
+    return slot;
+}
+
+scene::TextureSlot MaterialTable::slot(const Value& info, ColorSpace color_space) {
+    tinygltf::ExtensionMap extensions;
+    if (info.Has("extensions"))
+        for (const std::string& key : info.Get("extensions").Keys())
+            extensions[key] = info.Get("extensions").Get(key);
+    return slot(whole_in(info, "index", -1), whole_in(info, "texCoord", 0), extensions, color_space);
+}
+
+void MaterialTable::read_specular(const tinygltf::Material& from, scene::Material& to) {
+    const Value* specular = extension(from.extensions, "KHR_materials_specular");
+    if (!specular) return;
+    to.specular = fraction(number_in(*specular, "specularFactor", 1.0), "specularFactor", from.name);
+    to.specular_color = not_negative(document_, three_in(*specular, "specularColorFactor", vec3(1.0f)),
+                                     "specularColorFactor", from.name);
+    if (specular->Has("specularTexture"))
+        to.specular_texture = slot(specular->Get("specularTexture"), ColorSpace::linear);
+    if (specular->Has("specularColorTexture"))
+        to.specular_color_texture = slot(specular->Get("specularColorTexture"), ColorSpace::srgb);
+}
+
+scene::Material MaterialTable::read(const tinygltf::Material& from) {
+    scene::Material to;
+    to.name = from.name;
+    const auto& pbr = from.pbrMetallicRoughness;
+    for (int i = 0; i < 4; ++i)
+        to.base_color[i] =
+            fraction(pbr.baseColorFactor[static_cast<std::size_t>(i)], "baseColorFactor", from.name);
+    to.metallic = fraction(pbr.metallicFactor, "metallicFactor", from.name);
+    to.roughness = fraction(pbr.roughnessFactor, "roughnessFactor", from.name);
+    const auto slot_of = [&](const auto& info, ColorSpace color_space) {
+        return slot(info.index, info.texCoord, info.extensions, color_space);
+    };
+    to.base_color_texture = slot_of(pbr.baseColorTexture, ColorSpace::srgb);
+    to.metallic_roughness_texture = slot_of(pbr.metallicRoughnessTexture, ColorSpace::linear);
+    to.normal_texture = slot_of(from.normalTexture, ColorSpace::linear);
+    to.normal_scale = static_cast<float>(from.normalTexture.scale);
+    to.emission_texture = slot_of(from.emissiveTexture, ColorSpace::srgb);
+
+    const Value* strength = extension(from.extensions, "KHR_materials_emissive_strength");
+    const auto factor = static_cast<float>(strength ? number_in(*strength, "emissiveStrength", 1.0) : 1.0);
+    const auto& e = from.emissiveFactor;
+    to.emission =
+        not_negative(document_, vec3(e[0], e[1], e[2]) * factor, "emissive factor times strength", from.name);
+    if (const Value* ior = extension(from.extensions, "KHR_materials_ior"))
+        to.ior = static_cast<float>(number_in(*ior, "ior", 1.5));
+    if (to.ior != 0.0f && !(to.ior >= 1.0f))
+        document_.fail(fmt::format("material {}: ior is {}", in_quotes(from.name), to.ior),
+                       "give 0, or 1 and more");
+    read_specular(from, to);
+
+    to.alpha_mode = alpha_mode_of(from.alphaMode);
+    to.alpha_cutoff = static_cast<float>(from.alphaCutoff);
+    to.is_double_sided = from.doubleSided;
+    to.is_unlit = extension(from.extensions, "KHR_materials_unlit") != nullptr;
+    return to;
+}
+
+} // namespace sr::gltf

@@ -1,0 +1,26 @@
+#pragma once
+// One glTF primitive → one scene::Mesh.
+#include "gltf/document.hpp"
+#include "gltf/warnings.hpp"
+#include "scene/scene.hpp"
+
+#include <optional>
+#include <string>
+
+namespace sr::gltf {
+
+/// Where a primitive stands: /meshes/M/primitives/P.
+struct PrimitivePlace {
+    int mesh = 0;
+    int primitive = 0;
+
+    std::string pointer() const;
+};
+
+/// The primitive as triangles with normals, and tangents where its material has a normal map. Absent where it
+/// draws no surface (points, lines, no positions). `Mesh::material` is the caller's.
+/// @throws Error if an index or an attribute's length contradicts the positions
+std::optional<scene::Mesh> mesh_of(const Document& document, const PrimitivePlace& place,
+                                   const scene::Material& material, Warnings& warnings);
+
+} // namespace sr::gltf

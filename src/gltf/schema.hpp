@@ -1,0 +1,44 @@
+#pragma once
+// A check of a JSON value against rules: kinds of values, required properties, lengths, and indices in range.
+//
+// It stands in front of tinygltf, which takes the wrong kind of value for an absent one and narrows numbers
+// unchecked; behind it every reader may trust what it reads.
+#include <nlohmann/json.hpp>
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace sr::gltf {
+
+struct Rule;
+
+struct Property {
+    std::string_view name;
+    const Rule* rule = nullptr;
+    bool is_required = false;
+};
+
+struct Rule {
+    enum class Kind { anything, boolean, text, number, whole, index, list, record, dictionary };
+
+    Kind kind = Kind::anything;
+    std::string_view pool{};               // index: the JSON pointer of the array it counts in
+    const Rule* element = nullptr;         // list, dictionary: what each element obeys
+    std::size_t length = 0;                // list: the exact number of elements; 0: any
+    std::vector<Property> properties{};    // record: properties that are not listed may be anything
+    std::vector<std::string_view> words{}; // text: the only ones allowed; empty: any
+    std::vector<std::uint64_t> values{};   // whole: the only ones allowed; empty: any
+    std::uint64_t largest =
+        0xFFFFFFFF; // whole: what is larger is a broken file (GLB's own lengths are 32-bit)
+};
+
+/// What the glTF 2.0 schema says about the parts that this program reads, and its extensions.
+const Rule& gltf_rule();
+
+/// Checks `root` and rewrites whole numbers that are written with a fraction ("3.0") as integers.
+/// @throws Error naming the offending value by its JSON pointer
+void check(nlohmann::json& root, const Rule& rule, const std::string& name);
+
+} // namespace sr::gltf

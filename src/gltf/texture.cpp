@@ -1,0 +1,61 @@
+#include "gltf/texture.hpp"
+
+#include <algorithm>
+
+namespace sr::gltf {
+namespace {
+
+// glTF 2.0 specification, section 5.26: OpenGL's numbers.
+scene::Wrap wrap_of(int code) {
+    if (code == TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE) return scene::Wrap::clamp_to_edge;
+    if (code == TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT) return scene::Wrap::mirrored_repeat;
+    return scene::Wrap::repeat;
+}
+
+scene::Sampler sampler_of(const tinygltf::Sampler& from) {
+    scene::Sampler to;
+    to.wrap_u = wrap_of(from.wrapS);
+    to.wrap_v = wrap_of(from.wrapT);
+    if (from.magFilter == TINYGLTF_TEXTURE_FILTER_NEAREST) to.magnification = scene::Filter::nearest;
+    switch (from.minFilter) { // absent (-1): ours to choose, so the best
+    case TINYGLTF_TEXTURE_FILTER_NEAREST:
+    case TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_NEAREST:
+    case TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_LINEAR: to.minification = scene::Filter::nearest; break;
+    default: break;
+    }
+    switch (from.minFilter) {
+    case TINYGLTF_TEXTURE_FILTER_NEAREST:
+    case TINYGLTF_TEXTURE_FILTER_LINEAR: to.mipmap = scene::Mipmap::none; break;
+    case TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_NEAREST:
+    case TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_NEAREST: to.mipmap = scene::Mipmap::nearest; break;
+    default: break;
+    }
+    return to;
+}
+
+} // namespace
+
+TextureTable::TextureTable(const Document& document, Warnings& warnings)
+    : document_(document), warnings_(warnings) {}
+
+int TextureTable::texture(int gltf_texture, scene::ColorSpace color_space) {
+    const tinygltf::Texture& from = document_.model.textures[static_cast<std::size_t>(gltf_texture)];
+    if (from.source < 0) {
+        warnings_.add("a texture has no image in a supported format", "the material is shown without it");
+        return -1;
+    }
+    const auto [image, is_new] = image_of_source_.try_emplace(from.source, static_cast<int>(sources_.size()));
+    if (is_new) sources_.push_back(from.source);
+
+    scene::Texture texture;
+    texture.image = image->second;
+    if (from.sampler >= 0)
+        texture.sampler = sampler_of(document_.model.samplers[static_cast<std::size_t>(from.sampler)]);
+    texture.color_space = color_space;
+    const auto found = std::find(textures_.begin(), textures_.end(), texture);
+    if (found != textures_.end()) return static_cast<int>(found - textures_.begin());
+    textures_.push_back(texture);
+    return static_cast<int>(textures_.size()) - 1;
+}
+
+} // namespace sr::gltf

@@ -1,0 +1,74 @@
+// tinygltf's writers use file streams even where its own file system is left out.
+#include <fstream>
+
+#include "gltf/tinygltf.hpp"
+
+#include "core/error.hpp"
+
+#include <algorithm>
+
+namespace sr::gltf {
+namespace {
+
+using nlohmann::json;
+
+// tinygltf 2.7 refuses index accessors without a buffer view, which the specification allows (zeros, usually
+// with sparse values). They get a buffer view that does not exist, and lose it again after the parse.
+int lend_buffer_view(json& root, std::vector<std::size_t>& borrowers) {
+    if (!root.contains("accessors") || !root.contains("meshes")) return -1;
+    json& views = root["bufferViews"];
+    const auto lent = views.size();
+    for (const json& mesh : root["meshes"])
+        for (const json& primitive : mesh.at("primitives"))
+            if (const auto indices = primitive.find("indices"); indices != primitive.end()) {
+                const auto index = indices->get<std::size_t>();
+                json& accessor = root["accessors"][index];
+                if (accessor.contains("bufferView")) continue;
+                accessor["bufferView"] = lent;
+                borrowers.push_back(index);
+            }
+    views.push_back({{"buffer", 0}, {"byteLength", 1}});
+    return static_cast<int>(lent);
+}
+
+} // namespace
+
+tinygltf::Model model_of(json root, const std::string& name) {
+    std::vector<std::size_t> borrowers;
+    const int lent = lend_buffer_view(root, borrowers);
+    for (const char* foreign : {"buffers", "images", "skins", "animations"}) root.erase(foreign);
+    const std::string text = root.dump();
+
+    tinygltf::TinyGLTF loader;
+    tinygltf::Model model;
+    std::string errors;
+    std::string warnings;
+    if (!loader.LoadASCIIFromString(&model, &errors, &warnings, text.data(),
+                                    static_cast<unsigned>(text.size()), "", tinygltf::NO_REQUIRE)) {
+        std::replace(errors.begin(), errors.end(), '\n', ' ');
+        throw Error({name}, "this is not valid glTF (" + errors + ")",
+                    "correct it, or export the file again");
+    }
+    for (const std::size_t borrower : borrowers) model.accessors[borrower].bufferView = -1;
+    if (lent >= 0) model.bufferViews.pop_back();
+    return model;
+}
+
+double number_in(const tinygltf::Value& object, const std::string& key, double fallback) {
+    if (!object.Has(key)) return fallback;
+    const tinygltf::Value& value = object.Get(key);
+    return value.IsNumber() ? value.GetNumberAsDouble() : fallback;
+}
+
+int whole_in(const tinygltf::Value& object, const std::string& key, int fallback) {
+    if (!object.Has(key)) return fallback;
+    const tinygltf::Value& value = object.Get(key);
+    return value.IsInt() ? value.GetNumberAsInt() : fallback;
+}
+
+const tinygltf::Value* extension(const tinygltf::ExtensionMap& extensions, const std::string& name) {
+    const auto found = extensions.find(name);
+    return found == extensions.end() ? nullptr : &found->second;
+}
+
+} // namespace sr::gltf

@@ -1,0 +1,48 @@
+#include "image/codec.hpp"
+
+#include "core/error.hpp"
+
+#include <dlfcn.h>
+#ifdef __APPLE__
+#include <mach-o/dyld.h>
+#endif
+
+namespace sr::image {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The running program's own file. No standard function tells, and a run path would not do instead:
+/// AddressSanitizer stands between the program and dlopen, which then no longer knows whose run path to take.
+fs::path program() {
+#ifdef __APPLE__
+    char path[4096];
+    std::uint32_t size = sizeof path;
+    return _NSGetExecutablePath(path, &size) == 0 ? fs::path(path) : fs::path();
+#else
+    std::error_code ignored;
+    return fs::read_symlink("/proc/self/exe", ignored);
+#endif
+}
+
+const Codec& open_module() {
+    const fs::path file = program().parent_path() / STERADIAN_IMAGE_MODULE;
+    // Lazy and local: most of the symbols behind it are never used, and none is anybody else's business.
+    void* module = dlopen(file.c_str(), RTLD_LAZY | RTLD_LOCAL);
+    void* entry = module ? dlsym(module, codec_entry_name) : nullptr;
+    if (!entry) {
+        const char* reason = dlerror();
+        throw Error({file.string()}, reason ? reason : "the module does not load",
+                    "keep this module beside the program, and OpenImageIO installed");
+    }
+    return *reinterpret_cast<CodecEntry>(entry)();
+}
+
+} // namespace
+
+const Codec& codec() {
+    static const Codec& opened = open_module();
+    return opened;
+}
+
+} // namespace sr::image

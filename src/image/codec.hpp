@@ -1,0 +1,31 @@
+#pragma once
+// The seam between this folder and OpenImageIO, which lives in a module opened at run time. Private to
+// image/.
+#include "image/file.hpp"
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace sr::image {
+
+enum class Format { exr, hdr, png, jpeg };
+
+/// The functions that the module offers. They throw Error, whose file is `name`.
+struct Codec {
+    std::vector<std::uint8_t> (*encode)(const Image& image, Format format, SampleType type,
+                                        const std::string& name);
+    Image (*read)(const std::filesystem::path& file);
+    DecodedTexture (*decode)(std::span<const std::uint8_t> bytes, const std::string& name);
+};
+
+/// The module's one symbol is a function of this type.
+using CodecEntry = const Codec* (*)();
+inline constexpr const char* codec_entry_name = "steradian_image_codec";
+
+/// Opens the module at the first call and waits for it; any number of threads may ask.
+/// @throws Error if it is missing or cannot be loaded.
+const Codec& codec();
+
+} // namespace sr::image

@@ -1,0 +1,85 @@
+#include "image/display.hpp"
+
+#include "core/error.hpp"
+#include "image/log_table.hpp"
+#include "image/luminance.hpp"
+#include "image/tone_curve.hpp"
+
+#include <cmath>
+#include <thread>
+
+namespace sr::image {
+namespace {
+
+constexpr vec3 magenta{1.0f, 0.0f, 1.0f};
+
+float srgb_exact(float linear) { // IEC 61966-2-1
+    if (!(linear > 0.0f)) return 0.0f;
+    if (linear >= 1.0f) return 1.0f;
+    return linear <= 0.0031308f ? 12.92f * linear : 1.055f * std::pow(linear, 1.0f / 2.4f) - 0.055f;
+}
+
+/// The first three channels; of an image with fewer the first, as grey.
+vec3 rgb_of(const float* pixel, int channels) {
+    return channels >= 3 ? vec3(pixel[0], pixel[1], pixel[2]) : vec3(pixel[0]);
+}
+
+/// Calls f(first, last) for parts of 0..rows, each on a thread of its own.
+template<typename Function>
+void in_parallel(int rows, Function f) {
+    const int parts = std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 8);
+    std::vector<std::jthread> threads;
+    for (int i = 1; i < parts; ++i) threads.emplace_back(f, rows * i / parts, rows * (i + 1) / parts);
+    f(0, rows / parts);
+}
+
+/// `curve` is a template's argument so that it is inlined into the loop over pixels.
+template<typename Curve>
+Image displayed_through(const Image& film, float factor, Curve curve) {
+    static const LogTable srgb(srgb_exact, -9, 0); // below 2^-9 the function is linear
+    Image screen(film.width, film.height, 3);
+    in_parallel(film.height, [&](int first, int last) {
+        const std::size_t width = static_cast<std::size_t>(film.width);
+        const float* from = film.at(0, first).data();
+        float* to = screen.at(0, first).data();
+        const float* end = to + 3 * width * static_cast<std::size_t>(last - first);
+        for (; to != end; from += film.channels, to += 3) {
+            const vec3 L = rgb_of(from, film.channels);
+            // One test for three channels: a difference of infinities or NaNs is NaN.
+            const float check = (L.r - L.r) + (L.g - L.g) + (L.b - L.b);
+            const vec3 light = check == 0.0f ? curve(glm::max(L * factor, 0.0f)) : magenta;
+            to[0] = srgb(light.r);
+            to[1] = srgb(light.g);
+            to[2] = srgb(light.b);
+        }
+    });
+    return screen;
+}
+
+} // namespace
+
+std::optional<ToneCurve> tone_curve_named(std::string_view name) {
+    if (name == "linear") return ToneCurve::linear;
+    if (name == "aces") return ToneCurve::aces;
+    if (name == "neutral") return ToneCurve::neutral;
+    if (name == "agx") return ToneCurve::agx;
+    return std::nullopt;
+}
+
+float exposure_factor(float ev100) { return 1.0f / (1.2f * std::exp2(ev100)); }
+
+float srgb_encoded(float linear) { return srgb_exact(linear); }
+
+Image displayed(const Image& film, float ev100, ToneCurve curve) {
+    const float factor = exposure_factor(ev100);
+    switch (curve) {
+    case ToneCurve::linear: return displayed_through(film, factor, [](vec3 x) { return x; });
+    case ToneCurve::aces: return displayed_through(film, factor, aces);
+    case ToneCurve::neutral: return displayed_through(film, factor, neutral);
+    case ToneCurve::agx: return displayed_through(film, factor, agx);
+    }
+    require(false, "every tone curve is listed");
+    return film;
+}
+
+} // namespace sr::image

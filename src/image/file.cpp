@@ -1,0 +1,58 @@
+#include "image/file.hpp"
+
+#include "core/error.hpp"
+#include "image/codec.hpp"
+#include "image/whole_file.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <fmt/format.h>
+
+namespace sr::image {
+namespace {
+
+namespace fs = std::filesystem;
+
+Format format_of(const fs::path& file) {
+    std::string extension = file.extension().string();
+    std::ranges::transform(extension, extension.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    if (extension == ".exr") return Format::exr;
+    if (extension == ".hdr") return Format::hdr;
+    if (extension == ".png") return Format::png;
+    if (extension == ".jpg" || extension == ".jpeg") return Format::jpeg;
+    const std::string what = extension.empty() ? std::string("no extension to tell the image format by")
+                                               : fmt::format("unknown image format {}", extension);
+    throw Error({file.string()}, what, "use .exr, .hdr, .png, .jpg or .jpeg");
+}
+
+} // namespace
+
+std::future<void> preload() {
+    return std::async(std::launch::async, [] { codec(); });
+}
+
+bool is_scene_referred(const fs::path& file) {
+    const Format format = format_of(file);
+    return format == Format::exr || format == Format::hdr;
+}
+
+void write(const Image& image, const fs::path& file, SampleType type) {
+    const Format format = format_of(file);
+    const std::size_t samples = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height)
+                                * static_cast<std::size_t>(image.channels);
+    require(samples > 0 && image.pixels.size() == samples, "an image has as many samples as its size says");
+    write_whole(file, codec().encode(image, format, type, file.string()));
+}
+
+Image read(const fs::path& file) {
+    std::error_code ignored;
+    if (!fs::exists(file, ignored)) throw Error({file.string()}, "no such file", "check the path");
+    return codec().read(file);
+}
+
+DecodedTexture decode_texture(std::span<const std::uint8_t> bytes, const std::string& name) {
+    return codec().decode(bytes, name);
+}
+
+} // namespace sr::image

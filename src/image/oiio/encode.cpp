@@ -1,0 +1,96 @@
+// Images to the bytes of a file. OpenImageIO writes into memory: the disk and its errors are whole_file.hpp's
+// business.
+#include "core/error.hpp"
+#include "image/oiio/codec_functions.hpp"
+
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace sr::image::oiio {
+namespace {
+
+const char* oiio_name(Format format) {
+    switch (format) {
+    case Format::exr: return "openexr";
+    case Format::hdr: return "hdr";
+    case Format::png: return "png";
+    case Format::jpeg: return "jpeg";
+    }
+    return "";
+}
+
+/// RGB alone, for formats that hold nothing else; one or two channels count as grey.
+Image as_rgb(const Image& image) {
+    Image rgb(image.width, image.height, 3);
+    const std::size_t step = static_cast<std::size_t>(image.channels);
+    const float* from = image.pixels.data();
+    for (std::size_t i = 0; i < rgb.pixels.size(); i += 3, from += step)
+        for (std::size_t c = 0; c < 3; ++c) rgb.pixels[i + c] = from[step >= 3 ? c : 0];
+    return rgb;
+}
+
+std::vector<std::uint8_t> as_bytes(const std::vector<float>& values) {
+    std::vector<std::uint8_t> bytes(values.size());
+    std::ranges::transform(values, bytes.begin(), [](float value) {
+        const float inside = value > 0.0f ? std::min(value, 1.0f) : 0.0f; // NaN too becomes 0
+        return static_cast<std::uint8_t>(inside * 255.0f + 0.5f);
+    });
+    return bytes;
+}
+
+OIIO::ImageSpec spec_of(const Image& image, Format format, SampleType type) {
+    using OIIO::TypeDesc;
+    const bool is_display = format == Format::png || format == Format::jpeg;
+    TypeDesc sample = is_display ? TypeDesc::UINT8 : TypeDesc::FLOAT;
+    if (format == Format::exr && type == SampleType::half) sample = TypeDesc::HALF;
+    OIIO::ImageSpec spec(image.width, image.height, image.channels, sample);
+    if (!image.channel_names.empty()) spec.channelnames = image.channel_names;
+    for (const Attribute& attribute : image.attributes) spec.attribute(attribute.name, attribute.value);
+    spec.attribute("oiio:ColorSpace", is_display ? "sRGB" : "Linear");
+    spec.attribute("oiio:UnassociatedAlpha", 1); // write the values as they are
+    // The compression levels were measured, see README.md.
+    if (format == Format::exr) spec.attribute("compression", "zip:2");
+    if (format == Format::png) {
+        spec.attribute("png:compressionLevel", 1);
+        spec.attribute("png:filter", 0x10); // libpng's PNG_FILTER_SUB
+    }
+    if (format == Format::jpeg) {
+        spec.attribute("Compression", "jpeg:95");
+        spec.attribute("jpeg:subsampling", "4:4:4");
+    }
+    return spec;
+}
+
+} // namespace
+
+std::vector<std::uint8_t> encode(const Image& given, Format format, SampleType type,
+                                 const std::string& name) {
+    const Location where{name};
+    const bool is_rgb_only = format == Format::hdr || format == Format::jpeg;
+    if (format == Format::png && given.channels > 4)
+        throw Error(where, fmt::format("PNG cannot hold {} channels", given.channels), "write an .exr");
+    if (is_rgb_only && given.channels != 3) return encode(as_rgb(given), format, type, name);
+
+    std::vector<unsigned char> bytes;
+    OIIO::Filesystem::IOVecOutput memory(bytes);
+    const auto output = OIIO::ImageOutput::create(oiio_name(format));
+    if (!output || !output->supports("ioproxy"))
+        throw Error(where, fmt::format("this OpenImageIO cannot write {}", oiio_name(format)),
+                    "install one that can, or choose another format");
+    output->set_ioproxy(&memory);
+    bool is_done = output->open(name, spec_of(given, format, type));
+    if (is_done) {
+        const bool is_display = format == Format::png || format == Format::jpeg;
+        is_done = is_display ? output->write_image(OIIO::TypeDesc::UINT8, as_bytes(given.pixels).data())
+                             : output->write_image(OIIO::TypeDesc::FLOAT, given.pixels.data());
+        is_done = output->close() && is_done;
+    }
+    if (!is_done)
+        throw Error(where, fmt::format("cannot be encoded ({})", one_line(output->geterror())),
+                    "write it in another format");
+    return bytes;
+}
+
+} // namespace sr::image::oiio

@@ -1,0 +1,23 @@
+#include "image/oiio/codec_functions.hpp"
+
+#include <OpenImageIO/imageio.h>
+
+namespace sr::image::oiio {
+
+std::string one_line(std::string_view message) {
+    while (!message.empty() && (message.back() == '\n' || message.back() == '.')) message.remove_suffix(1);
+    std::string line(message.empty() ? "no reason given" : message);
+    for (char& c : line)
+        if (c == '\n' || c == '\r') c = ' ';
+    return line;
+}
+
+} // namespace sr::image::oiio
+
+extern "C" __attribute__((visibility("default"))) const sr::image::Codec* steradian_image_codec() {
+    namespace oiio = sr::image::oiio;
+    static const sr::image::Codec codec{oiio::encode, oiio::read, oiio::decode};
+    // OpenImageIO finds its formats at the first use; that belongs to loading, too.
+    static const std::string formats = OIIO::get_string_attribute("format_list");
+    return &codec;
+}

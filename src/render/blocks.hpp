@@ -1,0 +1,55 @@
+#pragma once
+// The C++ twins of the uniform blocks in shaders/interface/ (std140; a test compares the layouts with the
+// linker's).
+#include "core/math.hpp"
+
+#include <array>
+#include <cstdint>
+
+namespace sr::render {
+
+/// Binding points.
+enum Block : unsigned { frame_block = 0, object_block = 1, material_block = 2 };
+
+struct FrameBlock {
+    mat4 clip_from_world;
+    vec4 eye;
+    std::uint32_t sample_index;
+    std::uint32_t seed;
+    std::int32_t light_count;
+    std::int32_t padding = 0;
+};
+
+struct ObjectBlock {
+    mat4 world_from_object;
+    mat4 world_from_normal;
+    vec4 handedness;
+};
+
+/// Texture units, and indices into MaterialBlock's uv rows.
+enum Slot : unsigned {
+    base_color_slot,
+    metallic_roughness_slot,
+    normal_slot,
+    emission_slot,
+    specular_slot,
+    specular_color_slot,
+    slot_count
+};
+inline constexpr unsigned light_table_unit = slot_count;
+
+struct MaterialBlock {
+    vec4 base_color_factor;
+    vec4 emission_factor;
+    vec4 specular_color_factor;
+    float metallic_factor;
+    float roughness_factor;
+    float normal_scale;
+    float alpha_cutoff;
+    float F0_from_ior;
+    std::array<float, 3> padding{};
+    std::array<vec4, slot_count> uv_row_u;
+    std::array<vec4, slot_count> uv_row_v;
+};
+
+} // namespace sr::render

@@ -1,0 +1,44 @@
+#pragma once
+// What a program has to deal with: constants that overlay shaders/interface/features.glsl, so that the
+// compiler drops what a scene does not use. (One program for everything costs seconds of compile time in
+// software GL.)
+#include "scene/scene.hpp"
+
+#include <compare>
+#include <span>
+#include <string>
+
+namespace sr::render {
+
+struct Features {
+    bool has_point_lights = false;
+    bool has_spot_lights = false;
+    bool has_directional_lights = false;
+    bool has_rectangle_lights = false;
+
+    bool has_base_color_texture = false;
+    bool has_metallic_roughness_texture = false;
+    bool has_normal_texture = false;
+    bool has_emission_texture = false;
+    bool has_specular_texture = false;
+    bool has_specular_color_texture = false;
+    bool has_vertex_colors = false;
+
+    bool is_masked = false;
+    bool is_blended = false;
+    bool is_unlit = false;
+
+    auto operator<=>(const Features&) const = default;
+
+    /// The text that stands for interface/features.glsl.
+    std::string glsl() const;
+};
+
+/// What shading this mesh under these lights takes.
+Features shading_features(const scene::Scene& scene, const scene::Mesh& mesh,
+                          std::span<const scene::Light> lights);
+
+/// What the depth pre-pass needs of `shading`: nothing, unless the material is masked.
+Features depth_features(const Features& shading);
+
+} // namespace sr::render

@@ -1,0 +1,72 @@
+#include "render/film.hpp"
+
+#include "core/error.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace sr::render {
+namespace {
+
+void require_size(int width, int height) {
+    GLint largest = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
+    if (width > largest || height > largest)
+        throw Error(fmt::format("a picture of {}×{} pixels is more than the driver's {} on a side", width,
+                                height, largest),
+                    "choose a smaller --size");
+}
+
+void allocate(GLint internal_format, GLenum format, int width, int height) {
+    glTexImage2D(GL_TEXTURE_2D, 0, internal_format, width, height, 0, format, GL_FLOAT, nullptr);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+}
+
+} // namespace
+
+Target::Target(const char* name, int width, int height, bool has_depth)
+    : width_(width),
+      height_(height),
+      color_(GL_TEXTURE_2D, name),
+      depth_(GL_TEXTURE_2D, name),
+      framebuffer_(name) {
+    require_size(width, height);
+    color_.bind(0);
+    allocate(GL_RGBA32F, GL_RGBA, width, height);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, color_.id(), 0);
+    if (has_depth) {
+        depth_.bind(0);
+        allocate(GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, width, height);
+        glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth_.id(), 0);
+    }
+    const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
+    if (status != GL_FRAMEBUFFER_COMPLETE)
+        throw Error(fmt::format("the driver refuses a float picture of {}×{} pixels (status {:#x})", width,
+                                height, status),
+                    "choose a smaller --size, or another --backend");
+}
+
+void Target::bind() const {
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
+    glViewport(0, 0, width_, height_);
+}
+
+image::Image Target::read() const {
+    bind();
+    image::Image image(width_, height_, 4);
+    glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    glReadPixels(0, 0, width_, height_, GL_RGBA, GL_FLOAT, image.pixels.data());
+    const std::size_t row = static_cast<std::size_t>(width_) * 4;
+    for (int y = 0; y < height_ / 2; ++y) {
+        const auto top =
+            image.pixels.begin() + static_cast<std::ptrdiff_t>(row * static_cast<std::size_t>(y));
+        const auto bottom =
+            image.pixels.end() - static_cast<std::ptrdiff_t>(row * static_cast<std::size_t>(y + 1));
+        std::swap_ranges(top, top + static_cast<std::ptrdiff_t>(row), bottom);
+    }
+    return image;
+}
+
+} // namespace sr::render

@@ -1,0 +1,206 @@
+#include "render/gpu_scene.hpp"
+
+#include "render/gpu_texture.hpp"
+#include "render/light_table.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <future>
+#include <glm/gtc/matrix_inverse.hpp>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+namespace sr::render {
+namespace {
+
+/// A block array in one uniform buffer; each entry starts where GL allows a range to start.
+template<class BlockType>
+GLsizeiptr upload_blocks(const gl::Buffer& buffer, const std::vector<BlockType>& blocks) {
+    GLint alignment = 1;
+    glGetIntegerv(GL_UNIFORM_BUFFER_OFFSET_ALIGNMENT, &alignment);
+    const auto step = static_cast<std::size_t>(alignment);
+    const std::size_t stride = (sizeof(BlockType) + step - 1) / step * step;
+    std::vector<std::byte> bytes(std::max<std::size_t>(1, blocks.size()) * stride);
+    for (std::size_t i = 0; i < blocks.size(); ++i)
+        std::memcpy(&bytes[i * stride], &blocks[i], sizeof(BlockType));
+    glBindBuffer(GL_UNIFORM_BUFFER, buffer.id());
+    glBufferData(GL_UNIFORM_BUFFER, static_cast<GLsizeiptr>(bytes.size()), bytes.data(), GL_STATIC_DRAW);
+    return static_cast<GLsizeiptr>(stride);
+}
+
+bool mirrors(const mat4& m) { return glm::determinant(mat3(m)) < 0.0f; }
+
+ObjectBlock packed_object(const scene::Instance& instance) {
+    const mat4& m = instance.world_from_object;
+    return {m, mat4(glm::inverseTranspose(mat3(m))), vec4(mirrors(m) ? -1.0f : 1.0f, 0.0f, 0.0f, 0.0f)};
+}
+
+std::array<const scene::TextureSlot*, slot_count> slots_of(const scene::Material& m) {
+    return {&m.base_color_texture, &m.metallic_roughness_texture, &m.normal_texture,
+            &m.emission_texture,   &m.specular_texture,           &m.specular_color_texture};
+}
+
+MaterialBlock packed_material(const scene::Material& m) {
+    MaterialBlock block{};
+    block.base_color_factor = m.base_color;
+    block.emission_factor = vec4(m.emission, 0.0f);
+    block.specular_color_factor = vec4(m.specular_color, m.specular);
+    block.metallic_factor = m.metallic;
+    block.roughness_factor = m.roughness;
+    block.normal_scale = m.normal_scale;
+    block.alpha_cutoff = m.alpha_cutoff;
+    const float r = (m.ior - 1.0f) / (m.ior + 1.0f);
+    block.F0_from_ior = m.ior == 0.0f ? 1.0f : r * r; // KHR_materials_ior: 0 stands for infinity
+    const auto slots = slots_of(m);
+    for (unsigned s = 0; s < slot_count; ++s) {
+        const mat3 rows = glm::transpose(slots[s]->uv_transform);
+        const auto set = static_cast<float>(slots[s]->texcoord);
+        block.uv_row_u[s] = vec4(rows[0], set);
+        block.uv_row_v[s] = vec4(rows[1], set);
+    }
+    return block;
+}
+
+/// An image as textures use it: the same picture may be colours to one and data to another.
+struct ImageUse {
+    int image = 0;
+    scene::ColorSpace color_space = scene::ColorSpace::linear;
+
+    bool operator==(const ImageUse&) const = default;
+};
+
+struct ReadyImage {
+    std::optional<scene::TextureImage> rounded; // where the image cannot be uploaded as it is
+    std::vector<MipLevel> levels;
+};
+
+ReadyImage make_ready(const scene::TextureImage& image, scene::ColorSpace color_space) {
+    ReadyImage ready;
+    if (color_space == scene::ColorSpace::srgb
+        && std::holds_alternative<std::vector<std::uint16_t>>(image.texels))
+        ready.rounded = displayable(image);
+    ready.levels = mip_chain(ready.rounded ? *ready.rounded : image, color_space);
+    return ready;
+}
+
+vec3 center_of(const scene::Mesh& mesh, const mat4& world_from_object) {
+    scene::Bounds bounds;
+    for (const vec3 position : mesh.positions) bounds.extend(position);
+    return vec3(world_from_object * vec4(bounds.center(), 1.0f));
+}
+
+} // namespace
+
+GpuScene::GpuScene(const scene::Scene& scene, std::span<const scene::Light> lights) {
+    meshes_.reserve(scene.meshes.size());
+    for (const scene::Mesh& mesh : scene.meshes) meshes_.emplace_back(mesh);
+    upload_textures(scene);
+    upload_objects(scene);
+    upload_materials(scene);
+    upload_lights(lights);
+    list_draws(scene, lights);
+}
+
+void GpuScene::upload_textures(const scene::Scene& scene) {
+    std::vector<ImageUse> uses;
+    std::vector<scene::Sampler> made;
+    for (const scene::Texture& texture : scene.textures) {
+        const ImageUse use{texture.image, texture.color_space};
+        const auto image = std::find(uses.begin(), uses.end(), use);
+        image_of_texture_.push_back(static_cast<int>(image - uses.begin()));
+        if (image == uses.end()) uses.push_back(use);
+        const auto sampler = std::find(made.begin(), made.end(), texture.sampler);
+        sampler_of_texture_.push_back(static_cast<int>(sampler - made.begin()));
+        if (sampler == made.end()) {
+            made.push_back(texture.sampler);
+            samplers_.push_back(sampler_object(texture.sampler));
+        }
+    }
+    // The threads halve the images, this one hands them to GL as they come.
+    std::vector<std::future<ReadyImage>> ready;
+    ready.reserve(uses.size());
+    for (const ImageUse& use : uses)
+        ready.push_back(
+            std::async(std::launch::async, make_ready, std::cref(scene.images[use.image]), use.color_space));
+    for (std::size_t i = 0; i < uses.size(); ++i) {
+        const ReadyImage image = ready[i].get();
+        images_.push_back(upload(image.rounded ? *image.rounded : scene.images[uses[i].image],
+                                 uses[i].color_space, image.levels));
+    }
+}
+
+void GpuScene::upload_objects(const scene::Scene& scene) {
+    std::vector<ObjectBlock> blocks;
+    for (const scene::Instance& instance : scene.instances) blocks.push_back(packed_object(instance));
+    object_stride_ = upload_blocks(objects_, blocks);
+}
+
+void GpuScene::upload_materials(const scene::Scene& scene) {
+    std::vector<MaterialBlock> blocks;
+    for (const scene::Material& material : scene.materials) {
+        blocks.push_back(packed_material(material));
+        std::array<int, slot_count> textures{};
+        const auto slots = slots_of(material);
+        std::transform(slots.begin(), slots.end(), textures.begin(),
+                       [](const auto* slot) { return slot->texture; });
+        textures_of_material_.push_back(textures);
+    }
+    material_stride_ = upload_blocks(materials_, blocks);
+}
+
+void GpuScene::upload_lights(std::span<const scene::Light> lights) {
+    std::vector<vec4> table = pack_lights(lights);
+    light_count_ = static_cast<int>(lights.size());
+    if (table.empty()) table.emplace_back(0.0f); // a buffer texture cannot be empty
+    glBindBuffer(GL_TEXTURE_BUFFER, light_buffer_.id());
+    glBufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(table.size() * sizeof(vec4)), table.data(),
+                 GL_STATIC_DRAW);
+    light_texture_.bind(light_table_unit);
+    glTexBuffer(GL_TEXTURE_BUFFER, GL_RGBA32F, light_buffer_.id());
+}
+
+void GpuScene::list_draws(const scene::Scene& scene, std::span<const scene::Light> lights) {
+    for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+        const scene::Instance& instance = scene.instances[i];
+        const scene::Mesh& mesh = scene.meshes[instance.mesh];
+        if (mesh.indices.empty()) continue;
+        Draw draw;
+        draw.mesh = instance.mesh;
+        draw.instance = static_cast<int>(i);
+        draw.material = mesh.material;
+        draw.features = shading_features(scene, mesh, lights);
+        draw.mirrors = mirrors(instance.world_from_object);
+        draw.is_double_sided = scene.materials[mesh.material].is_double_sided;
+        if (draw.features.is_blended) {
+            draw.center = center_of(mesh, instance.world_from_object);
+            blended_.push_back(draw);
+        } else {
+            opaque_.push_back(draw);
+        }
+    }
+    std::stable_sort(opaque_.begin(), opaque_.end(), [](const Draw& a, const Draw& b) {
+        return std::tie(a.features, a.material) < std::tie(b.features, b.material);
+    });
+}
+
+void GpuScene::bind_material(int material) const {
+    glBindBufferRange(GL_UNIFORM_BUFFER, material_block, materials_.id(), material * material_stride_,
+                      sizeof(MaterialBlock));
+    for (unsigned slot = 0; slot < slot_count; ++slot) {
+        const int texture = textures_of_material_[material][slot];
+        if (texture < 0) continue;
+        images_[image_of_texture_[texture]].bind(slot);
+        glBindSampler(slot, samplers_[sampler_of_texture_[texture]].id());
+    }
+}
+
+void GpuScene::draw(const Draw& draw) const {
+    glBindBufferRange(GL_UNIFORM_BUFFER, object_block, objects_.id(), draw.instance * object_stride_,
+                      sizeof(ObjectBlock));
+    bind_material(draw.material);
+    glFrontFace(draw.mirrors ? GL_CW : GL_CCW);
+    meshes_[draw.mesh].draw();
+}
+
+} // namespace sr::render

@@ -1,0 +1,63 @@
+#pragma once
+// A Scene in the memory of the GPU.
+#include "render/blocks.hpp"
+#include "render/features.hpp"
+#include "render/gpu_mesh.hpp"
+
+#include <vector>
+
+namespace sr::render {
+
+/// One instance, ready to be drawn.
+struct Draw {
+    int mesh = 0;
+    int instance = 0;
+    int material = 0;
+    Features features;
+    vec3 center{0.0f};    // of its bounds, world space; what blended instances are sorted by
+    bool mirrors = false; // its front faces come out clockwise
+    bool is_double_sided = false;
+};
+
+class GpuScene {
+public:
+    /// Uploads `scene`, lit by `lights` (not by scene.lights). @throws Error for a texture beyond the
+    /// driver's limits.
+    GpuScene(const scene::Scene& scene, std::span<const scene::Light> lights);
+
+    int light_count() const { return light_count_; }
+    const std::vector<Draw>& opaque_draws() const { return opaque_; }   // opaque and masked, by program
+    const std::vector<Draw>& blended_draws() const { return blended_; } // in the scene's order
+
+    /// Binds the light table to its unit.
+    void bind_lights() const { light_texture_.bind(light_table_unit); }
+
+    /// Binds the instance's and the material's data and draws with whatever program is in use.
+    void draw(const Draw& draw) const;
+
+private:
+    void upload_textures(const scene::Scene& scene);
+    void upload_objects(const scene::Scene& scene);
+    void upload_materials(const scene::Scene& scene);
+    void upload_lights(std::span<const scene::Light> lights);
+    void list_draws(const scene::Scene& scene, std::span<const scene::Light> lights);
+    void bind_material(int material) const;
+
+    std::vector<GpuMesh> meshes_;
+    std::vector<gl::Texture> images_; // one per (image, colour space) in use
+    std::vector<gl::Sampler> samplers_;
+    std::vector<int> image_of_texture_;
+    std::vector<int> sampler_of_texture_;
+    std::vector<std::array<int, slot_count>> textures_of_material_; // -1: none
+    gl::Buffer objects_{"objects"};
+    gl::Buffer materials_{"materials"};
+    GLsizeiptr object_stride_ = 0;
+    GLsizeiptr material_stride_ = 0;
+    gl::Buffer light_buffer_{"lights"};
+    gl::Texture light_texture_{GL_TEXTURE_BUFFER, "lights"};
+    int light_count_ = 0;
+    std::vector<Draw> opaque_;
+    std::vector<Draw> blended_;
+};
+
+} // namespace sr::render

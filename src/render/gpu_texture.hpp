@@ -1,0 +1,22 @@
+#pragma once
+// Images of a scene as GL textures with mip levels.
+#include "gl/object.hpp"
+#include "render/mip_chain.hpp"
+#include "scene/material.hpp"
+
+namespace sr::render {
+
+/// GL has no 16-bit sRGB format: an sRGB-encoded image of 16 bits, rounded to 8. That is as fine as its
+/// encoding needs.
+scene::TextureImage displayable(const scene::TextureImage& image);
+
+/// Uploads an image with its mip levels (mip_chain); the sampler decodes sRGB, so that filtering is in linear
+/// light.
+/// @throws Error naming the image if the driver's largest texture is smaller.
+gl::Texture upload(const scene::TextureImage& image, scene::ColorSpace color_space,
+                   const std::vector<MipLevel>& levels);
+
+/// The filtering and wrapping that a scene's sampler asks for.
+gl::Sampler sampler_object(const scene::Sampler& sampler);
+
+} // namespace sr::render

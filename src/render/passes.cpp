@@ -1,0 +1,93 @@
+#include "render/passes.hpp"
+
+#include <algorithm>
+
+namespace sr::render {
+namespace {
+
+void cull(bool is_double_sided, GLenum face = GL_BACK) {
+    if (is_double_sided)
+        glDisable(GL_CULL_FACE);
+    else
+        glEnable(GL_CULL_FACE);
+    glCullFace(face);
+}
+
+/// Larger is farther from the camera.
+float farness(const Draw& draw, vec4 eye) {
+    if (eye.w == 0.0f) return -glm::dot(draw.center, vec3(eye));
+    return glm::distance(draw.center, vec3(eye));
+}
+
+} // namespace
+
+void depth_pass(const Target& frame, const GpuScene& scene, ShaderLibrary& shaders, vec3 background) {
+    frame.bind();
+    glDisable(GL_BLEND);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LESS);
+    glDepthMask(GL_TRUE);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glClearColor(background.r, background.g, background.b, 0.0f);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    for (const Draw& draw : scene.opaque_draws()) {
+        cull(draw.is_double_sided);
+        shaders.mesh_program("depth.frag", depth_features(draw.features)).use();
+        scene.draw(draw);
+    }
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+}
+
+void forward_pass(const Target& frame, const GpuScene& scene, ShaderLibrary& shaders) {
+    frame.bind();
+    glDisable(GL_BLEND);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_EQUAL);
+    glDepthMask(GL_FALSE);
+    scene.bind_lights();
+    for (const Draw& draw : scene.opaque_draws()) {
+        cull(draw.is_double_sided);
+        shaders.mesh_program("forward.frag", draw.features).use();
+        scene.draw(draw);
+    }
+}
+
+void blend_pass(const Target& frame, const GpuScene& scene, ShaderLibrary& shaders, vec4 eye) {
+    if (scene.blended_draws().empty()) return;
+    frame.bind();
+    glEnable(GL_BLEND);
+    glBlendEquation(GL_FUNC_ADD);
+    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA); // the shader multiplies by its coverage
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LESS);
+    glDepthMask(GL_FALSE);
+    scene.bind_lights();
+    std::vector<Draw> draws = scene.blended_draws();
+    std::stable_sort(draws.begin(), draws.end(),
+                     [&](const Draw& a, const Draw& b) { return farness(a, eye) > farness(b, eye); });
+    for (const Draw& draw : draws) {
+        shaders.mesh_program("forward.frag", draw.features).use();
+        if (draw.is_double_sided) {
+            cull(false, GL_FRONT);
+            scene.draw(draw);
+        }
+        cull(false, GL_BACK);
+        scene.draw(draw);
+    }
+}
+
+void accumulate_pass(const Target& film, const Target& frame, ShaderLibrary& shaders) {
+    film.bind();
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_CULL_FACE);
+    glEnable(GL_BLEND);
+    glBlendEquation(GL_FUNC_ADD);
+    glBlendFunc(GL_ONE, GL_ONE);
+    shaders.fullscreen_program("accumulate.frag").use();
+    frame.color().bind(0);
+    glBindSampler(0, 0);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+} // namespace sr::render

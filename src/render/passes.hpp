@@ -1,0 +1,24 @@
+#pragma once
+// The passes of a frame, in the order in which they run. Each sets all the state that it depends on.
+#include "render/film.hpp"
+#include "render/gpu_scene.hpp"
+#include "render/shader_library.hpp"
+#include "render/view.hpp"
+
+namespace sr::render {
+
+/// Clears to the background radiance with no coverage, then lays down the depth of opaque and masked
+/// surfaces.
+void depth_pass(const Target& frame, const GpuScene& scene, ShaderLibrary& shaders, vec3 background);
+
+/// Shades the surfaces whose depth the pre-pass left: each pixel once.
+void forward_pass(const Target& frame, const GpuScene& scene, ShaderLibrary& shaders);
+
+/// Blends the transparent instances over what is behind them, the farthest first; of double-sided ones the
+/// backs first. Instances that interpenetrate are not split.
+void blend_pass(const Target& frame, const GpuScene& scene, ShaderLibrary& shaders, vec4 eye);
+
+/// Adds the frame to the film.
+void accumulate_pass(const Target& film, const Target& frame, ShaderLibrary& shaders);
+
+} // namespace sr::render

@@ -1,0 +1,59 @@
+#include "render/renderer.hpp"
+
+#include "core/error.hpp"
+#include "render/sampling.hpp"
+
+namespace sr::render {
+
+Renderer::Renderer(const GpuScene& scene, const scene::Camera& camera, const RenderOptions& options)
+    : scene_(scene),
+      camera_(camera),
+      options_(options),
+      shaders_(options.shader_path),
+      frame_("frame", options.width, options.height, true),
+      film_("film", options.width, options.height, false) {
+    require(!options.shader_path.empty(), "the shader path has a root");
+    film_.bind();
+    glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+    glClear(GL_COLOR_BUFFER_BIT);
+}
+
+void Renderer::compile() {
+    for (const Draw& draw : scene_.opaque_draws()) {
+        shaders_.mesh_program("depth.frag", depth_features(draw.features));
+        shaders_.mesh_program("forward.frag", draw.features);
+    }
+    for (const Draw& draw : scene_.blended_draws()) shaders_.mesh_program("forward.frag", draw.features);
+    shaders_.fullscreen_program("accumulate.frag");
+}
+
+void Renderer::add_sample() {
+    const View view = begin_frame();
+    depth_pass(frame_, scene_, shaders_, options_.background);
+    forward_pass(frame_, scene_, shaders_);
+    blend_pass(frame_, scene_, shaders_, view.eye);
+    glBindVertexArray(no_vertices_.id());
+    accumulate_pass(film_, frame_, shaders_);
+    ++sample_count_;
+}
+
+View Renderer::begin_frame() {
+    const vec2 offset = sub_pixel(sample_count_, options_.samples, options_.seed);
+    const View view = view_of(camera_, options_.width, options_.height, offset);
+    const FrameBlock block{view.clip_from_world, view.eye, static_cast<std::uint32_t>(sample_count_),
+                           options_.seed, scene_.light_count()};
+    glBindBuffer(GL_UNIFORM_BUFFER, frame_data_.id());
+    glBufferData(GL_UNIFORM_BUFFER, sizeof(block), &block, GL_STREAM_DRAW);
+    glBindBufferBase(GL_UNIFORM_BUFFER, frame_block, frame_data_.id());
+    return view;
+}
+
+image::Image Renderer::film() const {
+    require(sample_count_ > 0, "the film has samples");
+    image::Image image = film_.read();
+    const float weight = 1.0f / static_cast<float>(sample_count_);
+    for (float& value : image.pixels) value *= weight;
+    return image;
+}
+
+} // namespace sr::render

@@ -1,0 +1,51 @@
+#pragma once
+// A scene, a camera and a size; out comes the Film. Adding samples is adding frames.
+#include "render/passes.hpp"
+
+#include <memory>
+
+namespace sr::render {
+
+struct RenderOptions {
+    int width = 1280;
+    int height = 720;
+    int samples = 16; // how many will be added; one sample looks at the centre of each pixel
+    std::uint32_t seed = 0;
+    vec3 background{0.0f}; // radiance where there is no surface [cd/m²]
+    /// The roots that shaders come from, most particular first.
+    std::vector<glsl::Root> shader_path{glsl::embedded()};
+};
+
+class Renderer {
+public:
+    /// Needs a current context for as long as it lives. @throws Error
+    Renderer(const GpuScene& scene, const scene::Camera& camera, const RenderOptions& options);
+
+    /// Compiles every program that the scene needs, so that errors and their cost come now. @throws
+    /// ShaderError
+    void compile();
+
+    /// Renders one frame, one sample of every pixel, and adds it to the film.
+    void add_sample();
+    int sample_count() const { return sample_count_; }
+
+    /// The mean of all samples so far: L_o [cd/m²] in RGB, coverage in A.
+    image::Image film() const;
+
+    std::size_t program_count() const { return shaders_.program_count(); }
+
+private:
+    View begin_frame();
+
+    const GpuScene& scene_;
+    scene::Camera camera_;
+    RenderOptions options_;
+    ShaderLibrary shaders_;
+    Target frame_;
+    Target film_;
+    gl::Buffer frame_data_{"frame"};
+    gl::VertexArray no_vertices_{"no vertices"}; // core profile draws need one bound
+    int sample_count_ = 0;
+};
+
+} // namespace sr::render

@@ -1,0 +1,33 @@
+#pragma once
+// The programs of a scene: compiled once for every set of features that it has.
+#include "gl/program.hpp"
+#include "glsl/root.hpp"
+#include "render/features.hpp"
+
+#include <map>
+#include <vector>
+
+namespace sr::render {
+
+class ShaderLibrary {
+public:
+    /// `shader_path`: the roots that shaders come from; the first that has a file wins.
+    explicit ShaderLibrary(std::vector<glsl::Root> shader_path) : shader_path_(std::move(shader_path)) {}
+
+    /// mesh.vert with `fragment` ("depth.frag", "forward.frag") for these features. Compiles at the first
+    /// call.
+    /// @throws ShaderError, Error
+    const gl::Program& mesh_program(const std::string& fragment, const Features& features);
+
+    /// fullscreen.vert with `fragment`. Compiles at the first call. @throws ShaderError, Error
+    const gl::Program& fullscreen_program(const std::string& fragment);
+
+    std::size_t program_count() const { return mesh_programs_.size() + fullscreen_programs_.size(); }
+
+private:
+    std::vector<glsl::Root> shader_path_;
+    std::map<std::pair<std::string, Features>, gl::Program> mesh_programs_;
+    std::map<std::string, gl::Program> fullscreen_programs_;
+};
+
+} // namespace sr::render

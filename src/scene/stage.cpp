@@ -1,0 +1,68 @@
+#include "scene/stage.hpp"
+
+#include "core/error.hpp"
+#include "scene/emitters.hpp"
+#include "scene/framing.hpp"
+#include "scene/rig.hpp"
+
+#include <charconv>
+#include <fmt/format.h>
+
+namespace sr::scene {
+namespace {
+
+std::string cameras_of(const Scene& scene) {
+    std::string names;
+    for (std::size_t i = 0; i < scene.cameras.size(); ++i)
+        names += fmt::format("{} '{}', ", i, scene.cameras[i].name);
+    return names + "auto";
+}
+
+Camera chosen_camera(const Scene& scene, const std::string& file, const StageOptions& options) {
+    const std::string& wanted = options.camera;
+    if (wanted == "auto" || (wanted.empty() && scene.cameras.empty()))
+        return framing_camera(scene, options.aspect_ratio);
+    if (wanted.empty()) return scene.cameras.front();
+    for (const Camera& camera : scene.cameras)
+        if (camera.name == wanted) return camera;
+    std::size_t index = 0;
+    const auto [end, failure] = std::from_chars(wanted.data(), wanted.data() + wanted.size(), index);
+    if (failure == std::errc{} && end == wanted.data() + wanted.size() && index < scene.cameras.size())
+        return scene.cameras[index];
+    throw Error({file}, fmt::format("no camera '{}'", wanted), "choose one of " + cameras_of(scene));
+}
+
+std::string joined(const std::vector<std::string>& names) {
+    std::string text;
+    for (std::size_t i = 0; i < names.size() && i < 3; ++i)
+        text += fmt::format("{}'{}'", i ? ", " : "", names[i]);
+    if (names.size() > 3) text += fmt::format(" and {} more", names.size() - 3);
+    return text;
+}
+
+} // namespace
+
+Stage set_stage(Scene scene, const std::string& name, const StageOptions& options) {
+    Stage stage;
+    const Bounds bounds = bounds_of(scene);
+    stage.camera = chosen_camera(scene, name, options);
+
+    Emitters emitters = emitters_of(scene);
+    stage.lights = std::move(emitters.lights);
+    if (!emitters.seen_only.empty())
+        stage.remarks.push_back(
+            fmt::format("{}: {}: emissive but no plain rectangle: seen, but lights nothing yet", name,
+                        joined(emitters.seen_only)));
+    if (stage.lights.empty() && options.rig == Rig::studio) {
+        for (RectangleLight& light : studio_rig(bounds, stage.camera))
+            stage.lights.emplace_back(std::move(light));
+        stage.remarks.push_back(fmt::format("{}: no light in this file: lit by three studio softboxes "
+                                            "(--rig none leaves it dark)",
+                                            name));
+    }
+    add_light_surfaces(scene);
+    stage.scene = std::move(scene);
+    return stage;
+}
+
+} // namespace sr::scene

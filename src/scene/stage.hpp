@@ -1,0 +1,31 @@
+#pragma once
+// Everything that a picture needs besides its size: what is seen, what lights it, who looks.
+#include "scene/scene.hpp"
+
+namespace sr::scene {
+
+enum class Rig { studio, none };
+
+struct StageOptions {
+    /// A camera of the scene by name or by index, or "auto" for one that frames the scene. Empty: the scene's
+    /// first camera, or "auto" if it has none.
+    std::string camera;
+    /// What lights a scene that has no light at all.
+    Rig rig = Rig::studio;
+    /// Width / height of the picture, which "auto" fits the scene into.
+    float aspect_ratio = 16.0f / 9.0f;
+};
+
+struct Stage {
+    Scene scene; // with a surface for every visible light
+    std::vector<Light> lights;
+    Camera camera;
+    /// One line each: what was decided without being asked.
+    std::vector<std::string> remarks;
+};
+
+/// @throws Error naming the cameras there are, if options.camera is none of them. `name` is the file's, for
+/// messages.
+Stage set_stage(Scene scene, const std::string& name, const StageOptions& options);
+
+} // namespace sr::scene

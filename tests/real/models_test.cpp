@@ -1,0 +1,136 @@
+// Files that nobody on this project wrote: each loads, or fails with the one line it deserves.
+#include "core/error.hpp"
+#include "gltf/load.hpp"
+#include "gltf/mikktspace.hpp"
+#include "support/address.hpp"
+#include "support/models.hpp"
+
+#include <map>
+
+using namespace sr;
+using sr::testing::Test;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// What a file is expected to fail with; the others load.
+const std::map<std::string, std::string> expected_errors{
+    {"BoxMeshopt.glb",
+     R"(it requires what is not supported yet, "EXT_meshopt_compression": export it without)"},
+    {"heart_draco.glb",
+     R"(it requires what is not supported yet, "KHR_draco_mesh_compression": export it without)"},
+};
+
+// What a file is expected to warn of, in part; the others load without a word.
+const std::map<std::string, std::vector<std::string>> expected_warnings{
+    {"AnisotropyDiscTest.glb", {"\"KHR_materials_anisotropy\""}},
+    {"AnisotropyRotationTest.glb", {"\"KHR_materials_anisotropy\""}},
+    {"AnisotropyStrengthTest.glb", {"\"KHR_materials_anisotropy\""}},
+    {"BoxBadNormals.glb", {"a normal is zero or not finite"}},
+    {"BoxWithInfinites.glb",
+     {"a triangle has a position that is not finite (12 times)", "there is nothing to see"}},
+    {"ClearCoatTest.glb", {"\"KHR_materials_clearcoat\""}},
+    {"SimpleSkin.gltf", {"an animation is not supported yet", "a skinned mesh is not supported yet"}},
+    {"SparseMorphCube.glb", {"an animation is not supported yet", "morph targets is not supported yet"}},
+    {"issue-492.glb", {"there is nothing to see"}}, // a skeleton without a mesh
+    {"quad_skin.glb",
+     {"\"KHR_materials_volume\", \"FB_ngon_encoding\"", "a skinned mesh is not supported yet"}},
+    {"simple-instancing.glb", {"\"EXT_mesh_gpu_instancing\""}},
+};
+
+void expect_error(const fs::path& file, const std::string& expected) {
+    try {
+        gltf::load(file);
+        ADD_FAILURE() << file << " loads";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.what(), file.string() + ": " + expected);
+    }
+}
+
+void expect_consistent(const scene::Scene& scene) {
+    for (const scene::Mesh& mesh : scene.meshes) {
+        const std::size_t count = mesh.positions.size();
+        EXPECT_EQ(mesh.normals.size(), count);
+        for (const std::size_t size :
+             {mesh.tangents.size(), mesh.texcoords[0].size(), mesh.texcoords[1].size(), mesh.colors.size()})
+            EXPECT_TRUE(size == 0 || size == count);
+        EXPECT_EQ(mesh.indices.size() % 3, 0u);
+        for (const std::uint32_t index : mesh.indices) ASSERT_LT(index, count);
+        for (const vec3 normal : mesh.normals) ASSERT_NEAR(glm::length(normal), 1.0f, 1e-5f);
+        for (const vec4 tangent : mesh.tangents) ASSERT_NEAR(glm::length(vec3(tangent)), 1.0f, 1e-5f);
+        ASSERT_LT(static_cast<std::size_t>(mesh.material), scene.materials.size());
+        EXPECT_EQ(mesh.tangents.empty(),
+                  !scene.materials[static_cast<std::size_t>(mesh.material)].normal_texture.is_present());
+    }
+    for (const scene::Texture& texture : scene.textures)
+        ASSERT_LT(static_cast<std::size_t>(texture.image), scene.images.size());
+}
+
+void expect_loads(const fs::path& file) {
+    const gltf::Loaded loaded = gltf::load(file);
+    expect_consistent(loaded.scene);
+    const auto found = expected_warnings.find(file.filename().string());
+    const std::vector<std::string> expected =
+        found == expected_warnings.end() ? std::vector<std::string>{} : found->second;
+    ASSERT_EQ(loaded.warnings.size(), expected.size()) << ::testing::PrintToString(loaded.warnings);
+    for (std::size_t i = 0; i < expected.size(); ++i)
+        EXPECT_NE(loaded.warnings[i].find(expected[i]), std::string::npos) << loaded.warnings[i];
+}
+
+const Test every_file("real.models.each_loads_or_fails_as_it_deserves", [] {
+    const auto folder = sr::testing::models_folder();
+    if (!folder) GTEST_SKIP() << "no folder of models: set STERADIAN_MODELS";
+    int count = 0;
+    for (const fs::directory_entry& entry : fs::directory_iterator(*folder)) {
+        if (entry.path().extension() != ".glb" && entry.path().extension() != ".gltf") continue;
+        SCOPED_TRACE(entry.path().filename().string());
+        ++count;
+        const auto expected = expected_errors.find(entry.path().filename().string());
+        if (expected != expected_errors.end())
+            expect_error(entry.path(), expected->second);
+        else
+            expect_loads(entry.path());
+    }
+    EXPECT_GT(count, 0);
+});
+
+// The names and numbers in the file, read by hand.
+const Test lights("real.models.lights_are_what_the_file_says", [] {
+    const auto folder = sr::testing::models_folder();
+    if (!folder || !fs::exists(*folder / "Lights.glb")) GTEST_SKIP() << "no Lights.glb: set STERADIAN_MODELS";
+    const scene::Scene scene = gltf::load(*folder / "Lights.glb").scene;
+    ASSERT_EQ(scene.lights.size(), 4u);
+    EXPECT_EQ(std::get<scene::PointLight>(scene.lights[0]).I, vec3(5, 0, 0));
+    EXPECT_LT(
+        glm::length(std::get<scene::PointLight>(scene.lights[0]).position - vec3(2.5988f, 3.5685f, -1.0055f)),
+        1e-4f);
+    EXPECT_EQ(std::get<scene::SpotLight>(scene.lights[1]).I, vec3(0, 10, 0));
+    EXPECT_LT(glm::length(std::get<scene::SpotLight>(scene.lights[1]).direction - vec3(0, -1, 0)), 1e-5f);
+    EXPECT_NEAR(std::get<scene::SpotLight>(scene.lights[2]).outer_angle, 0.0786695f, 1e-6f);
+    EXPECT_EQ(std::get<scene::DirectionalLight>(scene.lights[3]).E.x, 0.0f);
+    EXPECT_EQ(scene.cameras.size(), 1u);
+});
+
+// Files whose exporters baked MikkTSpace tangents: ours agree in direction and in the sign of w.
+const Test tangents("real.models.tangents_agree_with_the_exporters", [] {
+    const auto folder = sr::testing::models_folder();
+    if (!folder) GTEST_SKIP() << "no folder of models: set STERADIAN_MODELS";
+    int corner_count = 0;
+    for (const char* name : {"AnisotropyRotationTest.glb", "ClearCoatTest.glb"}) {
+        if (!fs::exists(*folder / name)) continue;
+        for (const scene::Mesh& mesh : gltf::load(*folder / name).scene.meshes) {
+            if (mesh.tangents.empty()) continue;
+            const std::vector<vec4> ours =
+                gltf::mikktspace(mesh.positions, mesh.normals, mesh.texcoords[0], mesh.indices);
+            for (std::size_t i = 0; i < ours.size(); ++i, ++corner_count) {
+                const vec4 theirs = mesh.tangents[mesh.indices[i]];
+                ASSERT_EQ(ours[i].w, theirs.w) << name << ", corner " << i;
+                ASSERT_GT(glm::dot(vec3(ours[i]), vec3(theirs)), 0.999f) << name << ", corner " << i;
+            }
+        }
+    }
+    if (corner_count == 0) GTEST_SKIP() << "no model with tangents";
+});
+
+} // namespace

@@ -1,0 +1,19 @@
+#pragma once
+// Evaluates GLSL over a table of inputs, on the very code that renders: a law is tested where it applies.
+#include "core/math.hpp"
+
+#include <array>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace sr::testing {
+
+/// One row of inputs, which the GLSL reads as vec4 a, b, c.
+using Row = std::array<vec4, 3>;
+
+/// Runs `body`, the body of `vec4 f(vec4 a, vec4 b, vec4 c)`, for each row, after `preamble` (includes,
+/// functions). Draws into an RGBA32F target; nothing is clamped.
+std::vector<vec4> evaluate(const std::string& preamble, const std::string& body, std::span<const Row> rows);
+
+} // namespace sr::testing

@@ -1,0 +1,58 @@
+#pragma once
+// Loading what a test has made.
+#include "core/error.hpp"
+#include "gltf/load.hpp"
+#include "support/address.hpp"
+#include "support/made_gltf.hpp"
+#include "support/models.hpp"
+
+#include <string>
+
+namespace sr::testing {
+
+/// A fresh folder of the running test's own.
+inline std::filesystem::path test_folder() {
+    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
+    return scratch_folder(std::string(test->test_suite_name()) + "." + test->name());
+}
+
+inline gltf::Loaded load_text(std::string_view text, const gltf::LoadOptions& options = {}) {
+    const auto file = test_folder() / "made.gltf";
+    write_text(file, text);
+    return gltf::load(file, options);
+}
+
+inline gltf::Loaded load(const MadeGltf& made, const gltf::LoadOptions& options = {}) {
+    return load_text(made.gltf(), options);
+}
+
+/// The error of a file, without the folder's name; empty if it loads.
+inline std::string error_at(const std::filesystem::path& file, const gltf::LoadOptions& options = {}) {
+    try {
+        gltf::load(file, options);
+    } catch (const Error& error) {
+        const std::string text = error.what();
+        const std::string folder = file.parent_path().string() + "/";
+        return text.starts_with(folder) ? text.substr(folder.size()) : text;
+    }
+    return "";
+}
+
+inline std::string error_of(std::string_view text, const gltf::LoadOptions& options = {}) {
+    const auto file = test_folder() / "made.gltf";
+    write_text(file, text);
+    return error_at(file, options);
+}
+
+inline std::string error_of(const MadeGltf& made, const gltf::LoadOptions& options = {}) {
+    return error_of(made.gltf(), options);
+}
+
+/// Whether exactly one warning contains the text.
+inline bool warns_once(const gltf::Loaded& loaded, std::string_view text) {
+    int count = 0;
+    for (const std::string& line : loaded.warnings) count += line.find(text) != std::string::npos;
+    return count == 1;
+}
+
+} // namespace sr::testing

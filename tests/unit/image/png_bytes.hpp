@@ -1,0 +1,23 @@
+#pragma once
+// PNG files made by hand, so that every kind of PNG can be asked for.
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+namespace sr::testing {
+
+using ByteVector = std::vector<std::uint8_t>;
+
+struct Png {
+    std::uint32_t width = 0;
+    std::uint32_t height = 0;
+    std::uint8_t bit_depth = 8;
+    std::uint8_t color_type = 0; // 0 grey, 2 RGB, 3 palette, 4 grey and alpha, 6 RGBA
+    ByteVector rows;             // as PNG stores them: a filter byte (0) before each row
+    ByteVector palette;          // RGB triples
+    ByteVector palette_alpha;
+
+    ByteVector bytes() const;
+};
+
+} // namespace sr::testing

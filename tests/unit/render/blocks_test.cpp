@@ -1,0 +1,71 @@
+#include "render/blocks.hpp"
+
+#include "render/shader_library.hpp"
+#include "support/address.hpp"
+#include "support/gl.hpp"
+
+#include <cstddef>
+
+using namespace sr;
+using namespace sr::render;
+using sr::testing::Test;
+
+namespace {
+
+/// Everything on, so that the linker drops no member that some material uses.
+Features everything() {
+    Features f;
+    f.has_point_lights = f.has_spot_lights = f.has_directional_lights = f.has_rectangle_lights = true;
+    f.has_base_color_texture = f.has_metallic_roughness_texture = f.has_normal_texture = true;
+    f.has_emission_texture = f.has_specular_texture = f.has_specular_color_texture = true;
+    f.has_vertex_colors = f.is_masked = f.is_blended = true;
+    return f;
+}
+
+GLint offset_of(const gl::Program& program, const char* member) {
+    GLuint index = GL_INVALID_INDEX;
+    glGetUniformIndices(program.id(), 1, &member, &index);
+    GLint offset = -1;
+    if (index != GL_INVALID_INDEX) glGetActiveUniformsiv(program.id(), 1, &index, GL_UNIFORM_OFFSET, &offset);
+    return offset;
+}
+
+GLint size_of(const gl::Program& program, const char* block) {
+    GLint size = -1;
+    glGetActiveUniformBlockiv(program.id(), glGetUniformBlockIndex(program.id(), block),
+                              GL_UNIFORM_BLOCK_DATA_SIZE, &size);
+    return size;
+}
+
+// The blocks are std140 on both sides; a member that moves on one side only would be read as another.
+const Test layout("unit.render.blocks.match_the_shaders", [] {
+    sr::testing::context();
+    ShaderLibrary shaders({glsl::embedded()});
+    const gl::Program& program = shaders.mesh_program("forward.frag", everything());
+
+    EXPECT_EQ(offset_of(program, "clip_from_world"), offsetof(FrameBlock, clip_from_world));
+    EXPECT_EQ(offset_of(program, "eye"), offsetof(FrameBlock, eye));
+    EXPECT_EQ(offset_of(program, "sample_index"), offsetof(FrameBlock, sample_index));
+    EXPECT_EQ(offset_of(program, "seed"), offsetof(FrameBlock, seed));
+    EXPECT_EQ(offset_of(program, "light_count"), offsetof(FrameBlock, light_count));
+    EXPECT_LE(size_of(program, "Frame"), static_cast<GLint>(sizeof(FrameBlock)));
+
+    EXPECT_EQ(offset_of(program, "world_from_object"), offsetof(ObjectBlock, world_from_object));
+    EXPECT_EQ(offset_of(program, "world_from_normal"), offsetof(ObjectBlock, world_from_normal));
+    EXPECT_EQ(offset_of(program, "handedness"), offsetof(ObjectBlock, handedness));
+    EXPECT_LE(size_of(program, "Object"), static_cast<GLint>(sizeof(ObjectBlock)));
+
+    EXPECT_EQ(offset_of(program, "base_color_factor"), offsetof(MaterialBlock, base_color_factor));
+    EXPECT_EQ(offset_of(program, "emission_factor"), offsetof(MaterialBlock, emission_factor));
+    EXPECT_EQ(offset_of(program, "specular_color_factor"), offsetof(MaterialBlock, specular_color_factor));
+    EXPECT_EQ(offset_of(program, "metallic_factor"), offsetof(MaterialBlock, metallic_factor));
+    EXPECT_EQ(offset_of(program, "roughness_factor"), offsetof(MaterialBlock, roughness_factor));
+    EXPECT_EQ(offset_of(program, "normal_scale"), offsetof(MaterialBlock, normal_scale));
+    EXPECT_EQ(offset_of(program, "alpha_cutoff"), offsetof(MaterialBlock, alpha_cutoff));
+    EXPECT_EQ(offset_of(program, "F0_from_ior"), offsetof(MaterialBlock, F0_from_ior));
+    EXPECT_EQ(offset_of(program, "uv_row_u[0]"), offsetof(MaterialBlock, uv_row_u));
+    EXPECT_EQ(offset_of(program, "uv_row_v[0]"), offsetof(MaterialBlock, uv_row_v));
+    EXPECT_LE(size_of(program, "Material"), static_cast<GLint>(sizeof(MaterialBlock)));
+});
+
+} // namespace

@@ -1,0 +1,57 @@
+#include "render/sampling.hpp"
+#include "support/address.hpp"
+#include "support/glsl_table.hpp"
+
+#include <cmath>
+#include <set>
+
+using namespace sr;
+using namespace sr::testing;
+
+namespace {
+
+// A (0,2)-sequence: of 2^k points, each elementary interval 2^-a × 2^-(k-a) holds exactly one.
+const Test net("unit.render.sampling.is_a_net_in_base_two", [] {
+    constexpr int k = 8;
+    for (const std::uint32_t seed : {0u, 1u, 12345u}) {
+        for (const std::uint32_t block : {0u, 3u}) {
+            for (int a = 0; a <= k; ++a) {
+                std::set<std::pair<int, int>> cells;
+                for (std::uint32_t i = 0; i < 1u << k; ++i) {
+                    const vec2 p = render::sobol_2d((block << k) + i, seed);
+                    cells.emplace(static_cast<int>(std::ldexp(p.x, a)),
+                                  static_cast<int>(std::ldexp(p.y, k - a)));
+                }
+                EXPECT_EQ(cells.size(), 1u << k)
+                    << "seed " << seed << " block " << block << " columns 2^" << a;
+            }
+        }
+    }
+});
+
+const Test seeds("unit.render.sampling.seeds_give_other_points", [] {
+    int same = 0;
+    for (std::uint32_t i = 0; i < 256; ++i) same += render::sobol_2d(i, 1) == render::sobol_2d(i, 2);
+    EXPECT_EQ(same, 0);
+});
+
+const Test center("unit.render.sampling.one_sample_looks_at_the_centre", [] {
+    EXPECT_EQ(render::sub_pixel(0, 1, 99), vec2(0.5f));
+    EXPECT_NE(render::sub_pixel(0, 2, 99), vec2(0.5f));
+});
+
+// The shaders draw the very same points.
+const Test twin("unit.render.sampling.glsl_is_its_twin", [] {
+    std::vector<Row> rows;
+    for (int i = 0; i < 2048; ++i)
+        rows.push_back({vec4(static_cast<float>(i * 7), static_cast<float>(i * 131), 0, 0)});
+    const auto points = evaluate("#include \"base/sampling.glsl\"",
+                                 "return vec4(sobol_2d(uint(a.x), uint(a.y)), 0.0, 0.0);", rows);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const vec2 expected = render::sobol_2d(static_cast<std::uint32_t>(rows[i][0].x),
+                                               static_cast<std::uint32_t>(rows[i][0].y));
+        EXPECT_EQ(vec2(points[i]), expected) << "row " << i;
+    }
+});
+
+} // namespace

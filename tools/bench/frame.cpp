@@ -1,0 +1,99 @@
+// Milliseconds per frame, read-back excluded: a scene under one point light, or under its own lights.
+#include "core/error.hpp"
+#include "gl/context.hpp"
+#include "gltf/load.hpp"
+#include "render/renderer.hpp"
+#include "scene/stage.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace {
+
+using namespace sr;
+
+struct Arguments {
+    std::string scene;
+    int width = 1280;
+    int height = 720;
+    int frames = 60;
+    bool own_lights = false;
+    std::string backend = "auto";
+};
+
+scene::Stage stage_for(const Arguments& arguments) {
+    scene::Scene scene = gltf::load(arguments.scene).scene;
+    const scene::Bounds bounds = scene::bounds_of(scene);
+    const float aspect = static_cast<float>(arguments.width) / static_cast<float>(arguments.height);
+    scene::Stage stage =
+        scene::set_stage(std::move(scene), arguments.scene, {"auto", scene::Rig::studio, aspect});
+    if (arguments.own_lights) return stage;
+    const vec3 eye = stage.camera.world_from_camera[3];
+    stage.lights = {scene::PointLight{"beside the camera", eye + vec3(0.5f, 1.0f, 0.0f) * bounds.radius(),
+                                      vec3(1000.0f * bounds.radius() * bounds.radius())}};
+    return stage;
+}
+
+std::vector<double> frame_times(render::Renderer& renderer, int frames) {
+    std::vector<double> milliseconds;
+    for (int i = 0; i < frames; ++i) {
+        const auto begin = std::chrono::steady_clock::now();
+        renderer.add_sample();
+        glFinish();
+        milliseconds.push_back(
+            std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count());
+    }
+    return milliseconds;
+}
+
+void run(const Arguments& arguments) {
+    const auto context =
+        gl::open_context({gl::backend_named(arguments.backend).value_or(gl::Backend::automatic)});
+    const scene::Stage stage = stage_for(arguments);
+    const render::GpuScene gpu_scene(stage.scene, stage.lights);
+    render::RenderOptions options;
+    options.width = arguments.width;
+    options.height = arguments.height;
+    options.samples = arguments.frames + 1;
+    render::Renderer renderer(gpu_scene, stage.camera, options);
+    renderer.compile();
+    const double first = frame_times(renderer, 1).front(); // includes what the driver compiles at first use
+    std::vector<double> times = frame_times(renderer, arguments.frames);
+    std::sort(times.begin(), times.end());
+    double load[1] = {0.0};
+    if (getloadavg(load, 1) < 1) load[0] = -1.0;
+    fmt::print("{} at {}x{}, {} light(s), {} triangles, {}\n", arguments.scene, arguments.width,
+               arguments.height, stage.lights.size(), scene::triangle_count(stage.scene),
+               context->info().renderer);
+    fmt::print("first frame {:.1f} ms; then median {:.1f}, fastest {:.1f}, 95 % {:.1f} ms of {} frames (load "
+               "{:.2f})\n",
+               first, times[times.size() / 2], times.front(), times[times.size() * 95 / 100], times.size(),
+               load[0]);
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    Arguments arguments;
+    CLI::App app{"Milliseconds per frame, read-back excluded."};
+    app.add_option("SCENE", arguments.scene, "a .gltf or .glb file")->required();
+    app.add_option("--width", arguments.width)->capture_default_str();
+    app.add_option("--height", arguments.height)->capture_default_str();
+    app.add_option("--frames", arguments.frames)->check(CLI::PositiveNumber)->capture_default_str();
+    app.add_flag("--own-lights", arguments.own_lights,
+                 "the scene's lights (or the studio rig) instead of one point light");
+    app.add_option("--backend", arguments.backend)->capture_default_str();
+    app.footer("Example:\n  build/bench_frame scene.glb --frames 100");
+    CLI11_PARSE(app, argc, argv);
+    try {
+        run(arguments);
+        return 0;
+    } catch (const sr::Error& error) {
+        fmt::print(stderr, "{}\n", error.what());
+        return 3;
+    }
+}
