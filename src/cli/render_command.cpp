@@ -98,12 +98,15 @@ void remark_on(const image::Image& film, const RenderCommand& command, const sce
         broken += !std::isfinite(L.r + L.g + L.b);
     }
     const auto& file = command.scene;
-    if (broken > 0) fmt::print(stderr, "{}: {} pixels are not finite: they are magenta in .png and .jpg\n", file, broken);
+    if (broken > 0)
+        fmt::print(stderr, "{}: {} pixels are not finite: they are magenta in .png and .jpg\n", file, broken);
     if (stage.scene.instances.empty()) return; // the loader has said so
     if (covered == 0)
-        fmt::print(stderr, "{}: camera '{}' sees no surface: --camera auto frames the scene\n", file, stage.camera.name);
+        fmt::print(stderr, "{}: camera '{}' sees no surface: --camera auto frames the scene\n", file,
+                   stage.camera.name);
     else if (lit == 0)
-        fmt::print(stderr, "{}: no light reaches what camera '{}' sees: the picture is black\n", file, stage.camera.name);
+        fmt::print(stderr, "{}: no light reaches what camera '{}' sees: the picture is black\n", file,
+                   stage.camera.name);
 }
 
 /// Writes the film in the form that the file's extension asks for. @return the EV100 in use, if any was.
