@@ -106,6 +106,12 @@ class CommandLine(unittest.TestCase):
             self.assertEqual(self.render(name).returncode, 0)
             self.assertTrue((self.folder / name).read_bytes().startswith(begin), name)
 
+    def test_one_rendering_makes_several_files(self):
+        self.assertEqual(self.render("a.exr", "-o", self.folder / "a.png").returncode, 0)
+        self.render("b.png")
+        self.assertTrue((self.folder / "a.exr").exists())
+        self.assertEqual((self.folder / "a.png").read_bytes(), (self.folder / "b.png").read_bytes())
+
     def test_json_is_all_of_stdout(self):
         result = self.render("a.png", "--json")
         summary = json.loads(result.stdout)
