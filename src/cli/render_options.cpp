@@ -79,6 +79,7 @@ void declare_machine(CLI::App& command, RenderCommand& o) {
     parsed(command, "--backend", "where OpenGL comes from (default: auto; see steradian info)",
            "auto|egl|osmesa|window", gl::backend_named, [&o](gl::Backend backend) { o.backend = backend; });
     command.add_option("--shaders", o.shaders, "look for shaders in this folder first (repeatable)")
+        ->allow_extra_args(false)
         ->type_name("DIR");
     command.add_flag("--gl-debug", o.gl_debug, "fail on any error or warning of the driver");
 }
@@ -91,6 +92,7 @@ void declare(CLI::App& command, RenderCommand& options) {
         .add_option("-o,--output", options.outputs,
                     "OUT.exr or .hdr for radiance, OUT.png or .jpg for a picture (repeatable)")
         ->type_name("OUT")
+        ->allow_extra_args(false) // one a flag: what follows may be the scene
         ->required();
     declare_picture(command, options);
     declare_output(command, options);

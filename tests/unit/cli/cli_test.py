@@ -106,6 +106,10 @@ class CommandLine(unittest.TestCase):
             self.assertEqual(self.render(name).returncode, 0)
             self.assertTrue((self.folder / name).read_bytes().startswith(begin), name)
 
+    def test_options_may_stand_before_the_scene(self):
+        result = run("render", "-o", self.folder / "a.png", "--size", "16x16", "--samples", "1", "--shaders", self.folder, SCENE)
+        self.assertEqual(result.returncode, 0, result.stderr)
+
     def test_one_rendering_makes_several_files(self):
         self.assertEqual(self.render("a.exr", "-o", self.folder / "a.png").returncode, 0)
         self.render("b.png")
