@@ -88,15 +88,38 @@ void describe(image::Image& film, const RenderCommand& command, const scene::Sta
                        {"steradian:GL_VERSION", gl.version}};
 }
 
-/// Writes the film in the form that the file's extension asks for. @return the EV100 in use, if any was.
-std::optional<float> write_output(const image::Image& film, const RenderCommand& command) {
-    if (image::is_scene_referred(command.output)) {
-        image::write(film, command.output, command.exr_type);
-        return std::nullopt;
+/// Says why a picture is black, and if it has holes.
+void remark_on(const image::Image& film, const RenderCommand& command, const scene::Stage& stage) {
+    std::size_t covered = 0, lit = 0, broken = 0;
+    for (std::size_t i = 0; i < film.pixels.size(); i += 4) {
+        const vec3 L(film.pixels[i], film.pixels[i + 1], film.pixels[i + 2]);
+        covered += film.pixels[i + 3] > 0.0f;
+        lit += L.r > 0.0f || L.g > 0.0f || L.b > 0.0f;
+        broken += !std::isfinite(L.r + L.g + L.b);
     }
-    const float ev100 = command.ev100 ? *command.ev100 : image::auto_ev100(film);
-    image::write(image::displayed(film, ev100, command.tone_curve), command.output,
-                 image::SampleType::integer8);
+    const auto& file = command.scene;
+    if (broken > 0)
+        fmt::print(stderr, "{}: {} pixels are not finite: they are magenta in .png and .jpg\n", file, broken);
+    if (stage.scene.instances.empty()) return; // the loader has said so
+    if (covered == 0)
+        fmt::print(stderr, "{}: camera '{}' sees no surface: --camera auto frames the scene\n", file,
+                   stage.camera.name);
+    else if (lit == 0)
+        fmt::print(stderr, "{}: no light reaches what camera '{}' sees: the picture is black\n", file,
+                   stage.camera.name);
+}
+
+/// Writes the film in the form that each file's extension asks for. @return the EV100 in use, if any was.
+std::optional<float> write_outputs(const image::Image& film, const RenderCommand& command) {
+    std::optional<float> ev100;
+    for (const std::string& output : command.outputs) {
+        if (image::is_scene_referred(output)) {
+            image::write(film, output, command.exr_type);
+            continue;
+        }
+        if (!ev100) ev100 = command.ev100 ? *command.ev100 : image::auto_ev100(film);
+        image::write(image::displayed(film, *ev100, command.tone_curve), output, image::SampleType::integer8);
+    }
     return ev100;
 }
 
@@ -105,7 +128,7 @@ using nlohmann::ordered_json;
 ordered_json summary(const RenderCommand& command, const scene::Stage& stage, const gl::Context& context,
                      Size size) {
     return {{"scene", command.scene},
-            {"output", command.output},
+            {"outputs", command.outputs},
             {"width", size.width},
             {"height", size.height},
             {"samples", command.samples},
@@ -128,7 +151,8 @@ ordered_json seconds(const PhaseTimes& times) {
 
 ExitStatus render(const RenderCommand& command) {
     PhaseTimes times;
-    image::is_scene_referred(command.output); // an unknown extension is refused before any work
+    for (const std::string& output : command.outputs)
+        image::is_scene_referred(output); // refuses unknown formats
     // The context first: the dynamic loader has one lock, and behind OpenImageIO a driver would wait for
     // long.
     const auto context = gl::open_context({command.backend, command.gl_debug});
@@ -157,8 +181,9 @@ ExitStatus render(const RenderCommand& command) {
     image::Image film = renderer.film();
     context->require_silence();
     times.end("read");
+    remark_on(film, command, stage);
     describe(film, command, stage, context->info());
-    const auto ev100 = write_output(film, command);
+    const auto ev100 = write_outputs(film, command);
     times.end("write");
 
     if (command.json) {
