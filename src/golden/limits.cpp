@@ -42,7 +42,7 @@ Verdict judged_by_pixel(const Tolerance& tolerance, const Pair& pair, const Meas
     const PixelValues values = pixel_values(tolerance.measure, pair, measured);
     const auto over = std::ranges::count_if(values, [limit](float value) { return !(value <= limit); });
     const auto count = static_cast<double>(values.size());
-    // Half a pixel of slack: the product of a share and a count is rarely whole.
+    // A little slack: 1 - 0.98 is not quite 0.02.
     Verdict verdict{static_cast<double>(over) <= (1.0 - tolerance.quantile) * count + 1e-9 * count, {}};
     verdict.line = fmt::format("{} ≤ {:.4g} in {:.6g} % of the pixels: in {:.6g} %, largest {:.4g}",
                                name_of(tolerance.measure), limit, 100.0 * tolerance.quantile,
