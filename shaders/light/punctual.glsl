@@ -24,7 +24,7 @@ LightSample sample_point(Light light, vec3 x) {
     vec3 to_light = light.position - x;
     float d2 = dot(to_light, to_light);
     float d = sqrt(d2);
-    return LightSample(to_light / d, d, light.quantity / d2 * range_window(d, light.inverse_range));
+    return LightSample(to_light / d, d, light.quantity / d2 * range_window(d, light.inverse_range), 0.0);
 }
 
 LightSample sample_spot(Light light, vec3 x) {
@@ -34,5 +34,5 @@ LightSample sample_spot(Light light, vec3 x) {
 }
 
 LightSample sample_directional(Light light) {
-    return LightSample(-light.direction, infinitely_far, light.quantity);
+    return LightSample(-light.direction, infinitely_far, light.quantity, 0.0);
 }

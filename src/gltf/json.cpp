@@ -12,6 +12,26 @@ using nlohmann::json;
 
 constexpr int deepest = 128;
 
+// Counted on the text: nlohmann's parser callback, which is told the depth, makes parsing quadratic in the
+// length of arrays (3.11 looks through all earlier siblings after each element).
+bool is_too_deep(std::string_view text) {
+    int depth = 0;
+    bool is_in_string = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (c == '"')
+            is_in_string = !is_in_string;
+        else if (is_in_string)
+            i += c == '\\' ? 1 : 0;
+        else if (c == '{' || c == '[')
+            ++depth;
+        else if (c == '}' || c == ']')
+            --depth;
+        if (depth > deepest) return true;
+    }
+    return false;
+}
+
 // nlohmann's text is "[json.exception…] parse error at line 3, column 5: <what>"; `what` may quote the file's
 // bytes.
 std::string description(const std::exception& error) {
@@ -46,14 +66,11 @@ std::string description(const std::exception& error) {
 } // namespace
 
 json parse(const Container& container, const std::string& name) {
-    const auto limit_depth = [&](int depth, json::parse_event_t, json&) {
-        if (depth > deepest)
-            throw Error({name}, fmt::format("the JSON is nested deeper than {} levels", deepest),
-                        "flatten the extras or extensions that do so");
-        return true;
-    };
+    if (is_too_deep(container.json))
+        throw Error({name}, fmt::format("the JSON is nested deeper than {} levels", deepest),
+                    "flatten the extras or extensions that do so");
     try {
-        json root = json::parse(container.json.begin(), container.json.end(), limit_depth);
+        json root = json::parse(container.json.begin(), container.json.end());
         if (!root.is_object()) throw Error({name}, "the JSON is not an object", "give a glTF 2.0 file");
         return root;
     } catch (const json::parse_error& error) {

@@ -22,7 +22,8 @@ struct Loaded {
 };
 
 /// Reads a .gltf or .glb file and everything it refers to.
-/// @throws Error on any file that is not valid enough to be rendered, and on a required extension that is not supported.
+/// @throws Error on any file that is not valid enough to be rendered, and on a required extension that is not
+/// supported.
 Loaded load(const std::filesystem::path& file, const LoadOptions& options = {});
 
 } // namespace sr::gltf

@@ -28,7 +28,7 @@ vec2 two_in(const Value& object, const std::string& key, vec2 fallback) {
 }
 
 // KHR_texture_transform: translation * rotation * scale. It turns from +u towards -v for a positive angle:
-// counter- clockwise as seen on the image, whose v goes down. (The extension's example, "the lower left
+// counter-clockwise as seen on the image, whose v goes down. (The extension's example, "the lower left
 // quadrant rotated clockwise by 90°", holds for this sign only.)
 mat3 uv_transform(const Value& transform) {
     const vec2 offset = two_in(transform, "offset", vec2(0.0f));

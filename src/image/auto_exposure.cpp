@@ -53,7 +53,7 @@ Histogram luminances_of(const Image& film) {
 } // namespace
 
 float auto_ev100(const Image& film) {
-    constexpr double key = 0.18;       // middle grey
+    constexpr double key = 0.18;      // middle grey
     constexpr double most_at_1 = 0.9; // the share of pixels that is to stay below the tone curve's 1
     const Histogram histogram = luminances_of(film);
     if (histogram.total() == 0) return 0.0f;

@@ -18,8 +18,8 @@ std::optional<ToneCurve> tone_curve_named(std::string_view name);
 float exposure_factor(float ev100);
 
 /// The EV100 that brings the log-average luminance of the lit pixels (covered, finite, above zero) to middle
-/// grey (Reinhard et al. 2002, Eq. 1, key 0.18), or a higher one if more than a tenth of them would then exceed
-/// 1: dark things in the picture do not burn out the bright ones. 0 for an image without lit pixels.
+/// grey (Reinhard et al. 2002, Eq. 1, key 0.18), or a higher one if more than a tenth of them would then
+/// exceed 1: dark things in the picture do not burn out the bright ones. 0 for an image without lit pixels.
 float auto_ev100(const Image& film);
 
 /// The sRGB transfer function, IEC 61966-2-1. Clamps to 0..1.

@@ -1,6 +1,7 @@
 // Files that nobody on this project wrote: each loads, or fails with the one line it deserves.
 #include "core/error.hpp"
 #include "gltf/load.hpp"
+#include "gltf/mikktspace.hpp"
 #include "support/address.hpp"
 #include "support/models.hpp"
 
@@ -77,41 +78,59 @@ void expect_loads(const fs::path& file) {
         EXPECT_NE(loaded.warnings[i].find(expected[i]), std::string::npos) << loaded.warnings[i];
 }
 
-const Test every_file{"real.models.each_loads_or_fails_as_it_deserves", [] {
-                          const auto folder = sr::testing::models_folder();
-                          if (!folder) GTEST_SKIP() << "no folder of models: set STERADIAN_MODELS";
-                          int count = 0;
-                          for (const fs::directory_entry& entry : fs::directory_iterator(*folder)) {
-                              if (entry.path().extension() != ".glb" && entry.path().extension() != ".gltf")
-                                  continue;
-                              SCOPED_TRACE(entry.path().filename().string());
-                              ++count;
-                              const auto expected = expected_errors.find(entry.path().filename().string());
-                              if (expected != expected_errors.end())
-                                  expect_error(entry.path(), expected->second);
-                              else
-                                  expect_loads(entry.path());
-                          }
-                          EXPECT_GT(count, 0);
-                      }};
+const Test every_file("real.models.each_loads_or_fails_as_it_deserves", [] {
+    const auto folder = sr::testing::models_folder();
+    if (!folder) GTEST_SKIP() << "no folder of models: set STERADIAN_MODELS";
+    int count = 0;
+    for (const fs::directory_entry& entry : fs::directory_iterator(*folder)) {
+        if (entry.path().extension() != ".glb" && entry.path().extension() != ".gltf") continue;
+        SCOPED_TRACE(entry.path().filename().string());
+        ++count;
+        const auto expected = expected_errors.find(entry.path().filename().string());
+        if (expected != expected_errors.end())
+            expect_error(entry.path(), expected->second);
+        else
+            expect_loads(entry.path());
+    }
+    EXPECT_GT(count, 0);
+});
 
 // The names and numbers in the file, read by hand.
-const Test lights{
-    "real.models.lights_are_what_the_file_says", [] {
-        const auto folder = sr::testing::models_folder();
-        if (!folder || !fs::exists(*folder / "Lights.glb"))
-            GTEST_SKIP() << "no Lights.glb: set STERADIAN_MODELS";
-        const scene::Scene scene = gltf::load(*folder / "Lights.glb").scene;
-        ASSERT_EQ(scene.lights.size(), 4u);
-        EXPECT_EQ(std::get<scene::PointLight>(scene.lights[0]).I, vec3(5, 0, 0));
-        EXPECT_LT(glm::length(std::get<scene::PointLight>(scene.lights[0]).position
-                              - vec3(2.5988f, 3.5685f, -1.0055f)),
-                  1e-4f);
-        EXPECT_EQ(std::get<scene::SpotLight>(scene.lights[1]).I, vec3(0, 10, 0));
-        EXPECT_LT(glm::length(std::get<scene::SpotLight>(scene.lights[1]).direction - vec3(0, -1, 0)), 1e-5f);
-        EXPECT_NEAR(std::get<scene::SpotLight>(scene.lights[2]).outer_angle, 0.0786695f, 1e-6f);
-        EXPECT_EQ(std::get<scene::DirectionalLight>(scene.lights[3]).E.x, 0.0f);
-        EXPECT_EQ(scene.cameras.size(), 1u);
-    }};
+const Test lights("real.models.lights_are_what_the_file_says", [] {
+    const auto folder = sr::testing::models_folder();
+    if (!folder || !fs::exists(*folder / "Lights.glb")) GTEST_SKIP() << "no Lights.glb: set STERADIAN_MODELS";
+    const scene::Scene scene = gltf::load(*folder / "Lights.glb").scene;
+    ASSERT_EQ(scene.lights.size(), 4u);
+    EXPECT_EQ(std::get<scene::PointLight>(scene.lights[0]).I, vec3(5, 0, 0));
+    EXPECT_LT(
+        glm::length(std::get<scene::PointLight>(scene.lights[0]).position - vec3(2.5988f, 3.5685f, -1.0055f)),
+        1e-4f);
+    EXPECT_EQ(std::get<scene::SpotLight>(scene.lights[1]).I, vec3(0, 10, 0));
+    EXPECT_LT(glm::length(std::get<scene::SpotLight>(scene.lights[1]).direction - vec3(0, -1, 0)), 1e-5f);
+    EXPECT_NEAR(std::get<scene::SpotLight>(scene.lights[2]).outer_angle, 0.0786695f, 1e-6f);
+    EXPECT_EQ(std::get<scene::DirectionalLight>(scene.lights[3]).E.x, 0.0f);
+    EXPECT_EQ(scene.cameras.size(), 1u);
+});
+
+// Files whose exporters baked MikkTSpace tangents: ours agree in direction and in the sign of w.
+const Test tangents("real.models.tangents_agree_with_the_exporters", [] {
+    const auto folder = sr::testing::models_folder();
+    if (!folder) GTEST_SKIP() << "no folder of models: set STERADIAN_MODELS";
+    int corner_count = 0;
+    for (const char* name : {"AnisotropyRotationTest.glb", "ClearCoatTest.glb"}) {
+        if (!fs::exists(*folder / name)) continue;
+        for (const scene::Mesh& mesh : gltf::load(*folder / name).scene.meshes) {
+            if (mesh.tangents.empty()) continue;
+            const std::vector<vec4> ours =
+                gltf::mikktspace(mesh.positions, mesh.normals, mesh.texcoords[0], mesh.indices);
+            for (std::size_t i = 0; i < ours.size(); ++i, ++corner_count) {
+                const vec4 theirs = mesh.tangents[mesh.indices[i]];
+                ASSERT_EQ(ours[i].w, theirs.w) << name << ", corner " << i;
+                ASSERT_GT(glm::dot(vec3(ours[i]), vec3(theirs)), 0.999f) << name << ", corner " << i;
+            }
+        }
+    }
+    if (corner_count == 0) GTEST_SKIP() << "no model with tangents";
+});
 
 } // namespace

@@ -28,190 +28,175 @@ scene::Material material_of(const char* material) {
     return load(with_material(material)).scene.materials.at(0);
 }
 
-const Test fallback{"unit.gltf.material.the_default_is_appended_once", [] {
-                        MadeGltf made = with_material(R"({"name": "own"})");
-                        json bare = made.primitive();
-                        bare.erase("material");
-                        made.root["meshes"][0]["primitives"].push_back(bare);
-                        made.root["meshes"][0]["primitives"].push_back(bare);
-                        const scene::Scene scene = load(made).scene;
-                        ASSERT_EQ(scene.materials.size(), 2u);
-                        EXPECT_EQ(scene.meshes.at(0).material, 0);
-                        EXPECT_EQ(scene.meshes.at(1).material, 1);
-                        EXPECT_EQ(scene.meshes.at(2).material, 1);
-                        EXPECT_EQ(scene.materials[1].base_color, vec4(1));
-                        EXPECT_EQ(scene.materials[1].metallic, 1.0f);
-                        EXPECT_EQ(scene.materials[1].roughness, 1.0f);
-                        EXPECT_EQ(scene.materials[1].emission, vec3(0));
-                        EXPECT_EQ(scene.materials[1].ior, 1.5f);
-                    }};
+const Test fallback("unit.gltf.material.the_default_is_appended_once", [] {
+    MadeGltf made = with_material(R"({"name": "own"})");
+    json bare = made.primitive();
+    bare.erase("material");
+    made.root["meshes"][0]["primitives"].push_back(bare);
+    made.root["meshes"][0]["primitives"].push_back(bare);
+    const scene::Scene scene = load(made).scene;
+    ASSERT_EQ(scene.materials.size(), 2u);
+    EXPECT_EQ(scene.meshes.at(0).material, 0);
+    EXPECT_EQ(scene.meshes.at(1).material, 1);
+    EXPECT_EQ(scene.meshes.at(2).material, 1);
+    EXPECT_EQ(scene.materials[1].base_color, vec4(1));
+    EXPECT_EQ(scene.materials[1].metallic, 1.0f);
+    EXPECT_EQ(scene.materials[1].roughness, 1.0f);
+    EXPECT_EQ(scene.materials[1].emission, vec3(0));
+    EXPECT_EQ(scene.materials[1].ior, 1.5f);
+});
 
-const Test factors{
-    "unit.gltf.material.factors", [] {
-        const scene::Material material =
-            material_of(R"({"name": "m", "doubleSided": true, "alphaMode": "MASK", "alphaCutoff": 0.25,
+const Test factors("unit.gltf.material.factors", [] {
+    const scene::Material material =
+        material_of(R"({"name": "m", "doubleSided": true, "alphaMode": "MASK", "alphaCutoff": 0.25,
         "emissiveFactor": [1, 0.5, 0], "pbrMetallicRoughness":
         {"baseColorFactor": [0.1, 0.2, 0.3, 0.4], "metallicFactor": 0.5, "roughnessFactor": 0.75}})");
-        EXPECT_EQ(material.name, "m");
-        EXPECT_EQ(material.base_color, vec4(0.1f, 0.2f, 0.3f, 0.4f));
-        EXPECT_EQ(material.metallic, 0.5f);
-        EXPECT_EQ(material.roughness, 0.75f);
-        EXPECT_EQ(material.emission, vec3(1, 0.5f, 0));
-        EXPECT_TRUE(material.is_double_sided);
-        EXPECT_EQ(material.alpha_mode, scene::AlphaMode::mask);
-        EXPECT_EQ(material.alpha_cutoff, 0.25f);
-        EXPECT_EQ(material_of(R"({"alphaMode": "BLEND"})").alpha_mode, scene::AlphaMode::blend);
-        EXPECT_EQ(material_of("{}").alpha_mode, scene::AlphaMode::opaque);
-    }};
+    EXPECT_EQ(material.name, "m");
+    EXPECT_EQ(material.base_color, vec4(0.1f, 0.2f, 0.3f, 0.4f));
+    EXPECT_EQ(material.metallic, 0.5f);
+    EXPECT_EQ(material.roughness, 0.75f);
+    EXPECT_EQ(material.emission, vec3(1, 0.5f, 0));
+    EXPECT_TRUE(material.is_double_sided);
+    EXPECT_EQ(material.alpha_mode, scene::AlphaMode::mask);
+    EXPECT_EQ(material.alpha_cutoff, 0.25f);
+    EXPECT_EQ(material_of(R"({"alphaMode": "BLEND"})").alpha_mode, scene::AlphaMode::blend);
+    EXPECT_EQ(material_of("{}").alpha_mode, scene::AlphaMode::opaque);
+});
 
-const Test extensions{
-    "unit.gltf.material.extensions", [] {
-        const scene::Material material = material_of(R"({"emissiveFactor": [1, 0.5, 0], "extensions": {
+const Test extensions("unit.gltf.material.extensions", [] {
+    const scene::Material material = material_of(R"({"emissiveFactor": [1, 0.5, 0], "extensions": {
         "KHR_materials_emissive_strength": {"emissiveStrength": 20}, "KHR_materials_ior": {"ior": 1.25},
         "KHR_materials_specular": {"specularFactor": 0.5, "specularColorFactor": [2, 1, 0],
                                    "specularTexture": {"index": 0}, "specularColorTexture": {"index": 0, "texCoord": 1}},
         "KHR_materials_unlit": {}}})");
-        EXPECT_EQ(material.emission, vec3(20, 10, 0));
-        EXPECT_EQ(material.ior, 1.25f);
-        EXPECT_EQ(material.specular, 0.5f);
-        EXPECT_EQ(material.specular_color, vec3(2, 1, 0));
-        EXPECT_TRUE(material.specular_texture.is_present());
-        EXPECT_EQ(material.specular_color_texture.texcoord, 1);
-        EXPECT_NE(material.specular_texture.texture,
-                  material.specular_color_texture.texture); // linear and sRGB
-        EXPECT_TRUE(material.is_unlit);
-        EXPECT_EQ(material_of(R"({"extensions": {"KHR_materials_ior": {"ior": 0}}})").ior, 0.0f);
-        EXPECT_FALSE(material_of("{}").is_unlit);
-    }};
+    EXPECT_EQ(material.emission, vec3(20, 10, 0));
+    EXPECT_EQ(material.ior, 1.25f);
+    EXPECT_EQ(material.specular, 0.5f);
+    EXPECT_EQ(material.specular_color, vec3(2, 1, 0));
+    EXPECT_TRUE(material.specular_texture.is_present());
+    EXPECT_EQ(material.specular_color_texture.texcoord, 1);
+    EXPECT_NE(material.specular_texture.texture,
+              material.specular_color_texture.texture); // linear and sRGB
+    EXPECT_TRUE(material.is_unlit);
+    EXPECT_EQ(material_of(R"({"extensions": {"KHR_materials_ior": {"ior": 0}}})").ior, 0.0f);
+    EXPECT_FALSE(material_of("{}").is_unlit);
+});
 
-const Test bad_factors{
-    "unit.gltf.material.bad_factors_are_named", [] {
-        const gltf::Loaded loaded =
-            load(with_material(R"({"name": "m", "pbrMetallicRoughness": {"roughnessFactor": 1.5}})"));
-        EXPECT_EQ(loaded.scene.materials.at(0).roughness, 1.0f);
-        EXPECT_TRUE(
-            warns_once(loaded, "material \"m\": roughnessFactor is 1.5, outside 0 to 1: it is clamped"));
-        EXPECT_NE(error_of(with_material(R"({"emissiveFactor": [-1, 0, 0]})")).find("give zero or more"),
-                  std::string::npos);
-        EXPECT_NE(error_of(with_material(R"({"extensions": {"KHR_materials_ior": {"ior": 0.5}}})"))
-                      .find("ior is 0.5"),
-                  std::string::npos);
-        EXPECT_NE(
-            error_of(with_material(R"({"alphaMode": "GLOW"})")).find("must be one of OPAQUE, MASK, BLEND"),
-            std::string::npos);
-    }};
+const Test bad_factors("unit.gltf.material.bad_factors_are_named", [] {
+    const gltf::Loaded loaded =
+        load(with_material(R"({"name": "m", "pbrMetallicRoughness": {"roughnessFactor": 1.5}})"));
+    EXPECT_EQ(loaded.scene.materials.at(0).roughness, 1.0f);
+    EXPECT_TRUE(warns_once(loaded, "material \"m\": roughnessFactor is 1.5, outside 0 to 1: it is clamped"));
+    EXPECT_NE(error_of(with_material(R"({"emissiveFactor": [-1, 0, 0]})")).find("give zero or more"),
+              std::string::npos);
+    EXPECT_NE(
+        error_of(with_material(R"({"extensions": {"KHR_materials_ior": {"ior": 0.5}}})")).find("ior is 0.5"),
+        std::string::npos);
+    EXPECT_NE(error_of(with_material(R"({"alphaMode": "GLOW"})")).find("must be one of OPAQUE, MASK, BLEND"),
+              std::string::npos);
+});
 
-const Test color_spaces{
-    "unit.gltf.material.colour_textures_are_srgb_and_others_linear", [] {
-        const gltf::Loaded loaded = load(
-            with_material(R"({"normalTexture": {"index": 0, "scale": 0.5}, "emissiveTexture": {"index": 0},
+const Test color_spaces("unit.gltf.material.colour_textures_are_srgb_and_others_linear", [] {
+    const gltf::Loaded loaded =
+        load(with_material(R"({"normalTexture": {"index": 0, "scale": 0.5}, "emissiveTexture": {"index": 0},
         "occlusionTexture": {"index": 1}, "pbrMetallicRoughness":
         {"baseColorTexture": {"index": 0}, "metallicRoughnessTexture": {"index": 2}}})"));
-        const scene::Scene& scene = loaded.scene;
-        const scene::Material& material = scene.materials.at(0);
-        const auto space = [&](const scene::TextureSlot& slot) {
-            return scene.textures.at(slot.texture).color_space;
-        };
-        EXPECT_EQ(space(material.base_color_texture), scene::ColorSpace::srgb);
-        EXPECT_EQ(space(material.emission_texture), scene::ColorSpace::srgb);
-        EXPECT_EQ(space(material.metallic_roughness_texture), scene::ColorSpace::linear);
-        EXPECT_EQ(space(material.normal_texture), scene::ColorSpace::linear);
-        EXPECT_EQ(material.normal_scale, 0.5f);
-        EXPECT_EQ(scene.textures.size(), 2u); // textures 0 and 2 are the same image and sampler
-        ASSERT_EQ(scene.images.size(),
-                  1u); // occlusion has no part in direct light, and its image is not decoded
-        EXPECT_EQ(scene.images[0].name, "second");
-        EXPECT_TRUE(loaded.warnings.empty());
-    }};
+    const scene::Scene& scene = loaded.scene;
+    const scene::Material& material = scene.materials.at(0);
+    const auto space = [&](const scene::TextureSlot& slot) {
+        return scene.textures.at(slot.texture).color_space;
+    };
+    EXPECT_EQ(space(material.base_color_texture), scene::ColorSpace::srgb);
+    EXPECT_EQ(space(material.emission_texture), scene::ColorSpace::srgb);
+    EXPECT_EQ(space(material.metallic_roughness_texture), scene::ColorSpace::linear);
+    EXPECT_EQ(space(material.normal_texture), scene::ColorSpace::linear);
+    EXPECT_EQ(material.normal_scale, 0.5f);
+    EXPECT_EQ(scene.textures.size(), 2u); // textures 0 and 2 are the same image and sampler
+    ASSERT_EQ(scene.images.size(),
+              1u); // occlusion has no part in direct light, and its image is not decoded
+    EXPECT_EQ(scene.images[0].name, "second");
+    EXPECT_TRUE(loaded.warnings.empty());
+});
 
-const Test sampler{
-    "unit.gltf.material.samplers", [] {
-        const scene::Scene scene =
-            load(with_material(R"({"normalTexture": {"index": 0}, "emissiveTexture": {"index": 1}})")).scene;
-        const scene::Texture normal = scene.textures.at(scene.materials.at(0).normal_texture.texture);
-        EXPECT_EQ(normal.sampler, scene::Sampler{});
-        const scene::Texture emission = scene.textures.at(scene.materials.at(0).emission_texture.texture);
-        EXPECT_EQ(emission.sampler,
-                  (scene::Sampler{scene::Wrap::clamp_to_edge, scene::Wrap::mirrored_repeat,
-                                  scene::Filter::nearest, scene::Filter::linear, scene::Mipmap::nearest}));
-    }};
+const Test sampler("unit.gltf.material.samplers", [] {
+    const scene::Scene scene =
+        load(with_material(R"({"normalTexture": {"index": 0}, "emissiveTexture": {"index": 1}})")).scene;
+    const scene::Texture normal = scene.textures.at(scene.materials.at(0).normal_texture.texture);
+    EXPECT_EQ(normal.sampler, scene::Sampler{});
+    const scene::Texture emission = scene.textures.at(scene.materials.at(0).emission_texture.texture);
+    EXPECT_EQ(emission.sampler,
+              (scene::Sampler{scene::Wrap::clamp_to_edge, scene::Wrap::mirrored_repeat,
+                              scene::Filter::nearest, scene::Filter::linear, scene::Mipmap::nearest}));
+});
 
-const Test transform{
-    "unit.gltf.material.texture_transform", [] {
-        // The extension's own example: the lower left quadrant of the picture, turned clockwise by 90
-        // degrees.
-        const scene::Material material =
-            material_of(R"({"emissiveTexture": {"index": 0, "extensions": {"KHR_texture_transform":
+const Test transform("unit.gltf.material.texture_transform", [] {
+    // The extension's own example: the lower left quadrant of the picture, turned clockwise by 90
+    // degrees.
+    const scene::Material material =
+        material_of(R"({"emissiveTexture": {"index": 0, "extensions": {"KHR_texture_transform":
         {"offset": [0, 1], "rotation": 1.57079632679, "scale": [0.5, 0.5], "texCoord": 1}}}})");
-        EXPECT_EQ(material.emission_texture.texcoord, 1);
-        const auto at = [&](float u, float v) {
-            return vec2(material.emission_texture.uv_transform * vec3(u, v, 1));
-        };
-        EXPECT_LT(glm::length(at(0, 0) - vec2(0, 1)), 1e-6f);
-        EXPECT_LT(glm::length(at(1, 0) - vec2(0, 0.5f)), 1e-6f);
-        EXPECT_LT(glm::length(at(0, 1) - vec2(0.5f, 1)), 1e-6f);
-        // Scale comes before rotation.
-        const scene::Material stretched =
-            material_of(R"({"emissiveTexture": {"index": 0, "extensions": {"KHR_texture_transform":
+    EXPECT_EQ(material.emission_texture.texcoord, 1);
+    const auto at = [&](float u, float v) {
+        return vec2(material.emission_texture.uv_transform * vec3(u, v, 1));
+    };
+    EXPECT_LT(glm::length(at(0, 0) - vec2(0, 1)), 1e-6f);
+    EXPECT_LT(glm::length(at(1, 0) - vec2(0, 0.5f)), 1e-6f);
+    EXPECT_LT(glm::length(at(0, 1) - vec2(0.5f, 1)), 1e-6f);
+    // Scale comes before rotation.
+    const scene::Material stretched =
+        material_of(R"({"emissiveTexture": {"index": 0, "extensions": {"KHR_texture_transform":
         {"rotation": 1.57079632679, "scale": [2, 3]}}}})");
-        EXPECT_LT(glm::length(vec2(stretched.emission_texture.uv_transform * vec3(1, 1, 1)) - vec2(3, -2)),
-                  1e-6f);
-    }};
+    EXPECT_LT(glm::length(vec2(stretched.emission_texture.uv_transform * vec3(1, 1, 1)) - vec2(3, -2)),
+              1e-6f);
+});
 
-const Test high_sets{
-    "unit.gltf.material.texture_coordinate_sets_beyond_1_are_warned_of", [] {
-        const gltf::Loaded loaded =
-            load(with_material(R"({"emissiveTexture": {"index": 0, "texCoord": 2}})"));
-        EXPECT_FALSE(loaded.scene.materials.at(0).emission_texture.is_present());
-        EXPECT_TRUE(warns_once(loaded, "a texture reads TEXCOORD_2, and only 0 and 1 are supported"));
-        EXPECT_TRUE(loaded.scene.images.empty());
-    }};
+const Test high_sets("unit.gltf.material.texture_coordinate_sets_beyond_1_are_warned_of", [] {
+    const gltf::Loaded loaded = load(with_material(R"({"emissiveTexture": {"index": 0, "texCoord": 2}})"));
+    EXPECT_FALSE(loaded.scene.materials.at(0).emission_texture.is_present());
+    EXPECT_TRUE(warns_once(loaded, "a texture reads TEXCOORD_2, and only 0 and 1 are supported"));
+    EXPECT_TRUE(loaded.scene.images.empty());
+});
 
-const Test images{"unit.gltf.material.images_are_decoded", [] {
-                      const scene::Scene scene =
-                          load(with_material(R"({"emissiveTexture": {"index": 1}})")).scene;
-                      ASSERT_EQ(scene.images.size(), 1u);
-                      EXPECT_EQ(scene.images[0].name, "first");
-                      EXPECT_EQ(scene.images[0].width, 1);
-                      EXPECT_EQ(scene.images[0].height, 1);
-                      EXPECT_EQ(std::get<std::vector<std::uint8_t>>(scene.images[0].texels),
-                                (std::vector<std::uint8_t>{255, 128, 0, 255}));
-                  }};
+const Test images("unit.gltf.material.images_are_decoded", [] {
+    const scene::Scene scene = load(with_material(R"({"emissiveTexture": {"index": 1}})")).scene;
+    ASSERT_EQ(scene.images.size(), 1u);
+    EXPECT_EQ(scene.images[0].name, "first");
+    EXPECT_EQ(scene.images[0].width, 1);
+    EXPECT_EQ(scene.images[0].height, 1);
+    EXPECT_EQ(std::get<std::vector<std::uint8_t>>(scene.images[0].texels),
+              (std::vector<std::uint8_t>{255, 128, 0, 255}));
+});
 
-const Test view_image{
-    "unit.gltf.material.images_may_lie_in_a_buffer_view", [] {
-        MadeGltf made = with_material(R"({"emissiveTexture": {"index": 1}})");
-        const std::vector<std::uint8_t> junk{1, 2, 3, 4};
-        const int accessor = made.accessor(junk, "SCALAR", 5121);
-        made.root["images"][0] = {{"bufferView", made.root["accessors"][accessor]["bufferView"]},
-                                  {"mimeType", "image/png"},
-                                  {"name", "junk"}};
-        EXPECT_TRUE(error_of(made).starts_with("made.gltf: /images/0 \"junk\": ")) << error_of(made);
-        made.root["bufferViews"].back()["byteLength"] = 5000;
-        EXPECT_NE(error_of(made).find("of /buffers/0, which has"), std::string::npos);
-    }};
+const Test view_image("unit.gltf.material.images_may_lie_in_a_buffer_view", [] {
+    MadeGltf made = with_material(R"({"emissiveTexture": {"index": 1}})");
+    const std::vector<std::uint8_t> junk{1, 2, 3, 4};
+    const int accessor = made.accessor(junk, "SCALAR", 5121);
+    made.root["images"][0] = {{"bufferView", made.root["accessors"][accessor]["bufferView"]},
+                              {"mimeType", "image/png"},
+                              {"name", "junk"}};
+    EXPECT_TRUE(error_of(made).starts_with("made.gltf: /images/0 \"junk\": ")) << error_of(made);
+    made.root["bufferViews"].back()["byteLength"] = 5000;
+    EXPECT_NE(error_of(made).find("of /buffers/0, which has"), std::string::npos);
+});
 
-const Test bad_images{
-    "unit.gltf.material.absent_images_are_errors_only_if_used", [] {
-        MadeGltf made = with_material(R"({"emissiveTexture": {"index": 1}})");
-        made.root["images"][1] = {{"uri", "../no.png"}};
-        EXPECT_EQ(error_of(made), "");
-        made.root["images"][0] = {{"uri", "no.png"}};
-        EXPECT_EQ(error_of(made), "made.gltf: /images/0/uri names \"no.png\": no such file: check the path");
-        made.root["images"][0] = {{"uri", "../no.png"}};
-        EXPECT_NE(error_of(made).find("leaves the folder"), std::string::npos);
-        made.root["images"][0] = {{"name", "nothing"}};
-        EXPECT_EQ(error_of(made),
-                  "made.gltf: /images/0 has neither bufferView nor uri: export the file again");
-    }};
+const Test bad_images("unit.gltf.material.absent_images_are_errors_only_if_used", [] {
+    MadeGltf made = with_material(R"({"emissiveTexture": {"index": 1}})");
+    made.root["images"][1] = {{"uri", "../no.png"}};
+    EXPECT_EQ(error_of(made), "");
+    made.root["images"][0] = {{"uri", "no.png"}};
+    EXPECT_EQ(error_of(made), "made.gltf: /images/0/uri names \"no.png\": no such file: check the path");
+    made.root["images"][0] = {{"uri", "../no.png"}};
+    EXPECT_NE(error_of(made).find("leaves the folder"), std::string::npos);
+    made.root["images"][0] = {{"name", "nothing"}};
+    EXPECT_EQ(error_of(made), "made.gltf: /images/0 has neither bufferView nor uri: export the file again");
+});
 
-const Test foreign_texture{"unit.gltf.material.a_texture_without_image_is_warned_of", [] {
-                               MadeGltf made = with_material(R"({"emissiveTexture": {"index": 0}})");
-                               made.root["textures"][0].erase("source");
-                               const gltf::Loaded loaded = load(made);
-                               EXPECT_FALSE(loaded.scene.materials.at(0).emission_texture.is_present());
-                               EXPECT_TRUE(
-                                   warns_once(loaded, "a texture has no image in a supported format"));
-                           }};
+const Test foreign_texture("unit.gltf.material.a_texture_without_image_is_warned_of", [] {
+    MadeGltf made = with_material(R"({"emissiveTexture": {"index": 0}})");
+    made.root["textures"][0].erase("source");
+    const gltf::Loaded loaded = load(made);
+    EXPECT_FALSE(loaded.scene.materials.at(0).emission_texture.is_present());
+    EXPECT_TRUE(warns_once(loaded, "a texture has no image in a supported format"));
+});
 
 } // namespace

@@ -57,36 +57,33 @@ Triangles one_triangle() {
             {0, 1, 2}};
 }
 
-const Test reference{"unit.gltf.mikktspace.equals_the_reference", [] {
-                         const std::vector<vec4> tangents = torus().tangents();
-                         ASSERT_EQ(tangents.size(), std::size(sr::testing::torus_tangents));
-                         for (std::size_t i = 0; i < tangents.size(); ++i)
-                             EXPECT_LT(glm::length(tangents[i] - sr::testing::torus_tangents[i]), 2e-6f)
-                                 << "corner " << i;
-                     }};
+const Test reference("unit.gltf.mikktspace.equals_the_reference", [] {
+    const std::vector<vec4> tangents = torus().tangents();
+    ASSERT_EQ(tangents.size(), std::size(sr::testing::torus_tangents));
+    for (std::size_t i = 0; i < tangents.size(); ++i)
+        EXPECT_LT(glm::length(tangents[i] - sr::testing::torus_tangents[i]), 2e-6f) << "corner " << i;
+});
 
-const Test upright{"unit.gltf.mikktspace.bitangent_points_up_the_picture", [] {
-                       for (const vec4 tangent : one_triangle().tangents()) {
-                           EXPECT_EQ(tangent, vec4(1, 0, 0, 1));
-                           EXPECT_EQ(tangent.w * glm::cross(vec3(0, 0, 1), vec3(tangent)), vec3(0, 1, 0));
-                       }
-                   }};
+const Test upright("unit.gltf.mikktspace.bitangent_points_up_the_picture", [] {
+    for (const vec4 tangent : one_triangle().tangents()) {
+        EXPECT_EQ(tangent, vec4(1, 0, 0, 1));
+        EXPECT_EQ(tangent.w * glm::cross(vec3(0, 0, 1), vec3(tangent)), vec3(0, 1, 0));
+    }
+});
 
-const Test mirrored{"unit.gltf.mikktspace.mirrored_texture_turns_w", [] {
-                        Triangles mesh = one_triangle();
-                        for (vec2& uv : mesh.texcoords) uv.x = -uv.x;
-                        for (const vec4 tangent : mesh.tangents()) EXPECT_EQ(tangent, vec4(-1, 0, 0, -1));
-                    }};
+const Test mirrored("unit.gltf.mikktspace.mirrored_texture_turns_w", [] {
+    Triangles mesh = one_triangle();
+    for (vec2& uv : mesh.texcoords) uv.x = -uv.x;
+    for (const vec4 tangent : mesh.tangents()) EXPECT_EQ(tangent, vec4(-1, 0, 0, -1));
+});
 
-const Test degenerate{"unit.gltf.mikktspace.no_area_gives_a_unit_tangent", [] {
-                          Triangles flat_texture = one_triangle();
-                          flat_texture.texcoords.assign(3, vec2(0.5f));
-                          for (const vec4 tangent : flat_texture.tangents())
-                              EXPECT_EQ(glm::length(vec3(tangent)), 1.0f);
-                          Triangles point = one_triangle();
-                          point.positions.assign(3, vec3(1.0f));
-                          for (const vec4 tangent : point.tangents())
-                              EXPECT_EQ(glm::length(vec3(tangent)), 1.0f);
-                      }};
+const Test degenerate("unit.gltf.mikktspace.no_area_gives_a_unit_tangent", [] {
+    Triangles flat_texture = one_triangle();
+    flat_texture.texcoords.assign(3, vec2(0.5f));
+    for (const vec4 tangent : flat_texture.tangents()) EXPECT_EQ(glm::length(vec3(tangent)), 1.0f);
+    Triangles point = one_triangle();
+    point.positions.assign(3, vec3(1.0f));
+    for (const vec4 tangent : point.tangents()) EXPECT_EQ(glm::length(vec3(tangent)), 1.0f);
+});
 
 } // namespace

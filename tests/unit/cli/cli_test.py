@@ -1,0 +1,158 @@
+#!/usr/bin/env python3
+"""The command line as a person or a script meets it: exit status, what goes to stdout and stderr, what is written.
+
+usage: cli_test.py STERADIAN SCENES_FOLDER TEST_NAME     (TEST_NAME is a method of CommandLine below)
+"""
+import json
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+from pathlib import Path
+
+STERADIAN = SCENE = None
+
+
+def run(*arguments, **options):
+    return subprocess.run([STERADIAN, *map(str, arguments)], capture_output=True, text=True, timeout=100, **options)
+
+
+class CommandLine(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+    def render(self, output, *arguments):
+        return run("render", SCENE, "-o", self.folder / output, "--size", "48x48", "--samples", "2", "--gl-debug", *arguments)
+
+    def assert_refused(self, result, *words, status=3):
+        """One line on stderr that contains the words, nothing on stdout, nothing written."""
+        self.assertEqual(result.returncode, status, result.stderr)
+        self.assertEqual(result.stdout, "")
+        self.assertEqual(len(result.stderr.strip().splitlines()), 1, result.stderr)
+        for word in words:
+            self.assertIn(word, result.stderr)
+        self.assertEqual([p.name for p in self.folder.iterdir() if p.suffix in (".png", ".exr", ".tmp")], [])
+
+    def test_help_shows_examples(self):
+        for command in ([], ["render"], ["info"], ["expand"]):
+            result = run(*command, "--help")
+            self.assertEqual(result.returncode, 0)
+            self.assertIn("Examples:", result.stdout)
+
+    def test_usage_errors_exit_with_2(self):
+        for arguments in ([], ["frobnicate"], ["render"], ["render", SCENE], ["render", SCENE, "-o", "a.png", "--size", "12"],
+                          ["render", SCENE, "-o", "a.png", "--samples", "0"],
+                          ["render", SCENE, "-o", "a.png", "--tone-curve", "filmic"]):
+            result = run(*arguments)
+            self.assertEqual(result.returncode, 2, arguments)
+            self.assertEqual(result.stdout, "")
+            self.assertNotEqual(result.stderr, "")
+
+    def test_a_missing_scene_is_one_line(self):
+        self.assert_refused(run("render", self.folder / "no.gltf", "-o", self.folder / "a.png"), "no.gltf")
+
+    def test_broken_json_names_line_and_column(self):
+        scene = self.folder / "broken.gltf"
+        scene.write_text('{\n  "asset": { "version": "2.0" },\n  "nodes": [ { ] }\n}\n')
+        self.assert_refused(run("render", scene, "-o", self.folder / "a.png"), "broken.gltf:3:")
+
+    def test_an_unknown_format_is_refused_before_any_work(self):
+        self.assert_refused(self.render("a.tiff"), ".tiff", ".exr")
+
+    def test_a_missing_folder_is_one_line(self):
+        result = run("render", SCENE, "-o", self.folder / "no" / "a.png", "--size", "16x16", "--samples", "1")
+        self.assert_refused(result, "a.png")
+
+    def test_an_unknown_camera_lists_those_there_are(self):
+        self.assert_refused(self.render("a.png", "--camera", "nobody"), "nobody", "auto")
+
+    def test_a_broken_shader_names_its_line(self):
+        (self.folder / "visibility").mkdir()
+        (self.folder / "visibility" / "visibility.glsl").write_text(
+            "float visibility(vec3 x, vec3 wi, float distance) {\n    return darkness;\n}\n")
+        self.assert_refused(self.render("a.png", "--shaders", self.folder), "visibility.glsl:2", "darkness")
+
+    def test_a_missing_include_names_who_asks(self):
+        (self.folder / "visibility").mkdir()
+        (self.folder / "visibility" / "visibility.glsl").write_text('#include "no/such.glsl"\n')
+        self.assert_refused(self.render("a.png", "--shaders", self.folder), "visibility.glsl:1", "no/such.glsl")
+
+    def test_too_large_a_picture_is_one_line(self):
+        result = run("render", SCENE, "-o", self.folder / "a.png", "--size", "65536x16", "--samples", "1")
+        self.assert_refused(result, "65536")
+
+    def test_two_runs_write_the_same_bytes(self):
+        for name in ("a.exr", "b.exr"):
+            self.assertEqual(self.render(name).returncode, 0)
+        self.assertEqual((self.folder / "a.exr").read_bytes(), (self.folder / "b.exr").read_bytes())
+
+    def test_an_exr_says_what_it_holds(self):
+        result = self.render("a.exr", "--seed", "7")
+        self.assertEqual((result.returncode, result.stdout), (0, ""), result.stderr)
+        header = (self.folder / "a.exr").read_bytes()[:4096]
+        for words in (b"steradian:unit", b"cd/m^2", b"steradian:estimator", b"sampled", b"steradian:samples",
+                      b"steradian:seed", b"steradian:GL_RENDERER", b"steradian:GL_VERSION", b"steradian:version",
+                      b"steradian:camera"):
+            self.assertIn(words, header)
+
+    def test_every_format_is_written(self):
+        magic = {"a.exr": b"\x76\x2f\x31\x01", "a.hdr": b"#?", "a.png": b"\x89PNG", "a.jpg": b"\xff\xd8"}
+        for name, begin in magic.items():
+            self.assertEqual(self.render(name).returncode, 0)
+            self.assertTrue((self.folder / name).read_bytes().startswith(begin), name)
+
+    def test_json_is_all_of_stdout(self):
+        result = self.render("a.png", "--json")
+        summary = json.loads(result.stdout)
+        self.assertEqual((summary["width"], summary["height"], summary["samples"]), (48, 48, 2))
+        self.assertEqual(summary["unit"], "cd/m^2")
+        self.assertGreater(summary["triangles"], 0)
+        for phase in ("start", "upload", "compile", "draw", "read", "write", "total"):
+            self.assertGreaterEqual(summary["seconds"][phase], 0.0)
+
+    def test_exposure_is_a_matter_of_the_picture_alone(self):
+        self.render("dark.png", "--exposure", "20")
+        self.render("bright.png", "--exposure", "2")
+        self.assertNotEqual((self.folder / "dark.png").read_bytes(), (self.folder / "bright.png").read_bytes())
+        self.render("a.exr", "--exposure", "20")
+        self.render("b.exr", "--exposure", "2")
+        self.assertEqual((self.folder / "a.exr").read_bytes(), (self.folder / "b.exr").read_bytes())
+
+    def test_info_lists_backends_and_scenes(self):
+        backends = json.loads(run("info", "--json").stdout)
+        self.assertEqual([b["name"] for b in backends], ["egl", "osmesa", "window"])
+        self.assertTrue(any(b["works"] for b in backends))
+        scene = json.loads(run("info", SCENE, "--json").stdout)
+        self.assertGreater(scene["triangles"], 0)
+        self.assertEqual(scene["lights"][0]["kind"], "rectangle")
+
+    def test_expand_prints_a_whole_shader(self):
+        result = run("expand", "forward.frag")
+        self.assertTrue(result.stdout.startswith("#version 410 core\n"))
+        self.assertNotIn("#include", result.stdout)
+        self.assert_refused(run("expand", "no.frag"), "no.frag")
+
+    def test_ctrl_c_ends_without_a_file(self):
+        process = subprocess.Popen([STERADIAN, "render", SCENE, "-o", str(self.folder / "a.exr"), "--samples", "1000000"],
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        time.sleep(3.0)
+        process.send_signal(signal.SIGINT)
+        _, stderr = process.communicate(timeout=60)
+        self.assertEqual(process.returncode, 130, stderr)
+        self.assertIn("nothing was written", stderr)
+        self.assertEqual(list(self.folder.iterdir()), [])
+
+
+def main():
+    global STERADIAN, SCENE
+    STERADIAN, SCENE = sys.argv[1], Path(sys.argv[2], "cornell.gltf")
+    suite = unittest.TestSuite([CommandLine("test_" + sys.argv[3])])
+    return 0 if unittest.TextTestRunner(verbosity=0).run(suite).wasSuccessful() else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,31 @@
+# Sourced by the scripts of this folder: where things are, how they speak.
+set -euo pipefail
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+cd "$root"
+
+say() { printf '\033[1m== %s\033[0m\n' "$*" >&2; }
+fail() { printf '%s\n' "$*" >&2; exit 3; }
+
+# Runs a phase and says how long it took.
+phase() {
+  local what=$1 begin=$SECONDS
+  shift
+  say "$what"
+  "$@"
+  say "$what: $((SECONDS - begin)) s"
+}
+
+# The text between the first line and the first empty line of a script's leading comment is its help.
+help_if_asked() {
+  case " $* " in
+    *' --help '* | *' -h '*) sed -n '2,/^$/s/^# \{0,1\}//p' "$0"; exit 0 ;;
+  esac
+}
+
+configure_and_build() { # PRESET [TARGET...]
+  local preset=$1
+  shift
+  # A warning is an error where it can be acted on; a newer compiler's new warnings must not stop a user.
+  cmake --preset "$preset" -DSTERADIAN_WERROR="${CI:-OFF}" >/dev/null
+  cmake --build --preset "$preset" ${1:+--target "$@"}
+}
