@@ -21,6 +21,7 @@ int main(int argc, char** argv) {
     add_render_command(app);
     add_info_command(app);
     add_expand_command(app);
+    add_compare_command(app);
     try {
         app.parse(argc, argv);
         return done;

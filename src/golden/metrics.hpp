@@ -6,7 +6,7 @@
 
 namespace sr::golden {
 
-/// An image of numbers that are not there: what a metric is when it cannot be computed.
+/// What a metric is that cannot be computed.
 inline constexpr double not_measured = std::numeric_limits<double>::quiet_NaN();
 
 /// Every number of a comparison. Colours are R, G and B (or grey), with alpha as one more channel where both

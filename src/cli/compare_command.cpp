@@ -1,0 +1,246 @@
+#include "cli/commands.hpp"
+#include "core/error.hpp"
+#include "golden/compare.hpp"
+#include "golden/comparison_json.hpp"
+#include "golden/pictures.hpp"
+#include "image/file.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <fmt/format.h>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+namespace sr::cli {
+namespace {
+
+struct CompareCommand {
+    std::string test;
+    std::string reference;
+    std::vector<std::string> limits;
+    std::string region;
+    std::string mask;
+    std::vector<std::string> noise;
+    std::string encoding;
+    std::string exposures;
+    std::string heat_map;
+    std::string side_by_side;
+    golden::CompareOptions options;
+    bool json = false;
+};
+
+/// Whether the extension is that of a format that holds codes for a screen.
+bool is_for_screens(const std::string& file) {
+    std::string extension = std::filesystem::path(file).extension().string();
+    std::ranges::transform(extension, extension.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    constexpr std::array screen_formats{".png", ".jpg", ".jpeg", ".bmp", ".gif", ".tga", ".webp", ".ppm"};
+    return std::ranges::find(screen_formats, extension) != screen_formats.end();
+}
+
+golden::Encoding encoding_of(const CompareCommand& command) {
+    using enum golden::Encoding;
+    if (command.encoding == "linear") return scene_referred;
+    if (command.encoding == "srgb") return display_referred;
+    const bool test = is_for_screens(command.test), reference = is_for_screens(command.reference);
+    if (test != reference)
+        fmt::print(stderr,
+                   "one image holds light and the other codes for a screen: their numbers are compared as "
+                   "they are (--encoding tells what they are)\n");
+    return test && reference ? display_referred : scene_referred;
+}
+
+std::optional<golden::Region> parsed_region(const std::string& text) {
+    golden::Region region;
+    int end = 0;
+    const int fields =
+        std::sscanf(text.c_str(), "%d,%d,%dx%d%n", &region.x, &region.y, &region.width, &region.height, &end);
+    if (fields != 4 || static_cast<std::size_t>(end) != text.size()) return std::nullopt;
+    return region;
+}
+
+std::optional<golden::Exposures> parsed_exposures(const std::string& text) {
+    golden::Exposures exposures;
+    int end = 0;
+    const int fields =
+        std::sscanf(text.c_str(), "%lf,%lf,%d%n", &exposures.start, &exposures.stop, &exposures.count, &end);
+    const bool is_whole = fields == 3 && static_cast<std::size_t>(end) == text.size();
+    if (!is_whole || !std::isfinite(exposures.start) || !std::isfinite(exposures.stop) || exposures.count < 1
+        || exposures.count > 64)
+        return std::nullopt;
+    return exposures;
+}
+
+/// A number for all pixels, or an image file.
+image::Image read_noise(const std::string& text) {
+    char* end = nullptr;
+    const float number = std::strtof(text.c_str(), &end);
+    if (text.empty() || *end != '\0') return image::read(text);
+    image::Image noise(1, 1, 1);
+    noise.pixels[0] = number;
+    return noise;
+}
+
+golden::CompareOptions options_of(const CompareCommand& command) {
+    golden::CompareOptions options = command.options;
+    options.encoding = encoding_of(command);
+    if (!command.region.empty()) options.region = parsed_region(command.region);
+    if (!command.exposures.empty()) options.exposures = parsed_exposures(command.exposures);
+    if (!command.mask.empty()) options.mask = image::read(command.mask);
+    for (const std::string& noise : command.noise) options.noise.push_back(read_noise(noise));
+    options.tolerances = golden::parsed_tolerances(command.limits);
+    return options;
+}
+
+void print_metrics(const golden::Metrics& m) {
+    if (m.pixels == 0) return;
+    fmt::print("  {:<7} max_abs {:.4g}, mean_abs {:.4g}, rmse {:.4g}; max_rel {:.4g}, mean_rel {:.4g}, "
+               "rel_mse {:.4g}\n",
+               "numbers", m.max_abs, m.mean_abs, m.rmse, m.max_rel, m.mean_rel, m.rel_mse);
+    fmt::print("  {:<7} Σtest/Σreference {:.6g}, {:.6g}, {:.6g}; ssim {:.6g}, flip {:.4g}", "",
+               m.energy_ratio[0], m.energy_ratio[1], m.energy_ratio[2], m.ssim, m.flip);
+    if (!std::isnan(m.hdr_flip)) fmt::print(", hdr_flip {:.4g}", m.hdr_flip);
+    fmt::print("\n  {:<7} {:.4g} % of {} pixels fail, {:.4g} % in the densest 16x16 window\n", "",
+               100.0 * m.failing_fraction, m.pixels, 100.0 * m.density);
+}
+
+void print(const golden::Comparison& comparison, const CompareCommand& command) {
+    fmt::print("{} {} against {}\n", comparison.passed ? "PASS" : "FAIL", command.test, command.reference);
+    for (const golden::Verdict& verdict : comparison.verdicts)
+        fmt::print("  {:<7} {}\n", verdict.passed ? "ok" : "FAIL", verdict.line);
+    print_metrics(comparison.metrics);
+    if (const auto& diagnosis = comparison.diagnosis)
+        fmt::print("  {:<7} {} ({}; {:.2g} of the difference is left)\n", "cause", diagnosis->statement,
+                   diagnosis->name, diagnosis->residual);
+    else if (!comparison.passed)
+        fmt::print("  {:<7} no mistake with a name explains the difference\n", "cause");
+}
+
+void print_json(const golden::Comparison& comparison, const CompareCommand& command) {
+    nlohmann::ordered_json json{{"test", command.test}, {"reference", command.reference}};
+    json.update(golden::json_of(comparison));
+    fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+}
+
+ExitStatus compare(const CompareCommand& command) {
+    const image::Image test = image::read(command.test), reference = image::read(command.reference);
+    const golden::CompareOptions options = options_of(command);
+    const golden::Comparison comparison = golden::compare(test, reference, options);
+    if (!command.heat_map.empty())
+        image::write(golden::heat_map(comparison), command.heat_map, image::SampleType::integer8);
+    if (!command.side_by_side.empty())
+        image::write(golden::side_by_side(test, reference, comparison, options), command.side_by_side,
+                     image::SampleType::integer8);
+    if (command.json)
+        print_json(comparison, command);
+    else
+        print(comparison, command);
+    return comparison.passed ? done : failed_check;
+}
+
+/// A check that refuses what `parse` does; CLI11 then says what was expected.
+template<typename Parse>
+std::function<std::string(const std::string&)> accepted_by(Parse parse, const char* expected) {
+    return [=](const std::string& text) {
+        return parse(text) ? std::string() : fmt::format("'{}' is not {}", text, expected);
+    };
+}
+
+std::string refusal_of_limit(const std::string& text) {
+    try {
+        golden::parsed_tolerance(text);
+        return {};
+    } catch (const Error& error) {
+        return error.what();
+    }
+}
+
+std::string refusal_of_picture(const std::string& file) {
+    try {
+        return image::is_scene_referred(file) ? "a picture is a .png or .jpg" : "";
+    } catch (const Error& error) {
+        return error.what();
+    }
+}
+
+void declare_judgement(CLI::App& command, CompareCommand& o) {
+    command.add_option("TEST", o.test, "the image in question, any format")->required();
+    command.add_option("REF", o.reference, "the image that is right")->required();
+    command
+        .add_option(
+            "--max,--min", o.limits,
+            "a limit, instead of the default ones (repeatable): rel, abs, z, flip or hdr_flip, with "
+            "@PERCENT% "
+            "of the pixels that must keep it; flip, hdr_flip (means), mean_rel, mean_abs, rmse, rel_mse, "
+            "energy, density; ssim is at least so much")
+        ->type_name("NAME=LIMIT[@PERCENT%]")
+        ->check(refusal_of_limit);
+    command.add_flag("--allow-nonfinite", o.options.allow_nonfinite,
+                     "leave NaN and infinite pixels out instead of failing");
+    command
+        .add_option(
+            "--noise", o.noise,
+            "standard error of each pixel's mean, as a number or an image: differences are then judged as "
+            "z-scores (repeatable, one for TEST and one for REF: their squares add up)")
+        ->type_name("NUMBER|FILE");
+}
+
+void declare_scope(CLI::App& command, CompareCommand& o) {
+    command.add_option("--region", o.region, "compare only these pixels, counted from the upper left")
+        ->type_name("X,Y,WIDTHxHEIGHT")
+        ->check(accepted_by(parsed_region, "X,Y,WIDTHxHEIGHT, such as 0,0,64x64"));
+    command.add_option("--mask", o.mask, "compare only where this image's first channel exceeds 0.5")
+        ->type_name("FILE");
+    command
+        .add_option("--layer", o.options.layer, "compare this layer of both files (NAME.R, NAME.G, NAME.B)")
+        ->type_name("NAME");
+    command
+        .add_option(
+            "--encoding", o.encoding,
+            "what the numbers are: linear light or sRGB codes (default: codes if both are .png, .jpg, …)")
+        ->check(CLI::IsMember({"linear", "srgb"}));
+    command
+        .add_option("--exposures", o.exposures, "of HDR-FLIP, in stops (default: from what is lit in REF)")
+        ->type_name("START,STOP,COUNT")
+        ->check(accepted_by(parsed_exposures, "START,STOP,COUNT, such as -2,6,9 (at most 64)"));
+    command.add_option("--pixels-per-degree", o.options.pixels_per_degree, "of the screen, for FLIP")
+        ->check(CLI::Range(1.0f, 1000.0f))
+        ->capture_default_str();
+}
+
+} // namespace
+
+void add_compare_command(CLI::App& app) {
+    const auto o = std::make_shared<CompareCommand>();
+    CLI::App* command =
+        app.add_subcommand("compare", "compare two images, and say by how much and why they differ");
+    declare_judgement(*command, *o);
+    declare_scope(*command, *o);
+    command->add_option("--heat-map", o->heat_map, "write each pixel's error over its limit as colours")
+        ->type_name("OUT.png")
+        ->check(refusal_of_picture);
+    command->add_option("--side-by-side", o->side_by_side, "write test, reference and heat map side by side")
+        ->type_name("OUT.png")
+        ->check(refusal_of_picture);
+    command->add_flag("--json", o->json, "print JSON");
+    command->footer(
+        "Default limits: of light rel=0.01@99.9% and energy=0.005, of codes for a screen abs=0.0079@99.9% "
+        "and\n"
+        "energy=0.01, with --noise z=auto; and, wherever some pixels may fail, density=0.25.\n\n"
+        "Examples:\n"
+        "  steradian compare test.exr golden.exr\n"
+        "  steradian compare test.exr golden.exr --max rel=0.02@99.5% --max flip=0.03 --heat-map heat.png\n"
+        "  steradian compare mine.exr truth.exr --noise truth_stderr.exr --region 0,0,64x64\n"
+        "  steradian compare screenshot.png golden.png --min ssim=0.99 --side-by-side both.png\n"
+        "  steradian compare test.exr golden.exr --json | jq .diagnosis\n\n"
+        "Exit status: 0 they agree, 1 they differ, 2 usage, 3 a file is at fault.");
+    command->callback([o] {
+        const ExitStatus status = compare(*o);
+        if (status != done) throw CLI::RuntimeError(status);
+    });
+}
+
+} // namespace sr::cli

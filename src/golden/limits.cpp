@@ -1,0 +1,121 @@
+#include "golden/limits.hpp"
+
+#include "core/error.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace sr::golden {
+namespace {
+
+double limit_of(const Tolerance& tolerance, const Measured& measured) {
+    const bool is_automatic = tolerance.measure == Measure::z && tolerance.limit == 0.0;
+    return is_automatic && measured.noise ? measured.noise->limits.pixel : tolerance.limit;
+}
+
+PixelValues at_compared(const Plane& plane, const Pair& pair) {
+    PixelValues values;
+    for (const std::size_t i : pair.compared) values.push_back(plane.values[i]);
+    return values;
+}
+
+/// What the tolerance limits, at each compared pixel.
+PixelValues pixel_values(Measure measure, const Pair& pair, const Measured& measured) {
+    switch (measure) {
+    case Measure::rel: return measured.rel;
+    case Measure::abs: return measured.abs;
+    case Measure::flip: return at_compared(measured.flip, pair);
+    case Measure::hdr_flip:
+        if (measured.hdr_flip.values.empty())
+            throw Error("hdr_flip is for images of light (.exr, .hdr)", "use flip");
+        return at_compared(measured.hdr_flip, pair);
+    case Measure::z:
+        if (!measured.noise) throw Error("z needs a noise floor", "give one, or use rel");
+        return measured.noise->pixels;
+    default: require(false, "only measures of pixels have pixel values"); return {};
+    }
+}
+
+Verdict judged_by_pixel(const Tolerance& tolerance, const Pair& pair, const Measured& measured) {
+    const double limit = limit_of(tolerance, measured);
+    const PixelValues values = pixel_values(tolerance.measure, pair, measured);
+    const auto over = std::ranges::count_if(values, [limit](float value) { return !(value <= limit); });
+    const auto count = static_cast<double>(values.size());
+    // Half a pixel of slack: the product of a share and a count is rarely whole.
+    Verdict verdict{static_cast<double>(over) <= (1.0 - tolerance.quantile) * count + 1e-9 * count, {}};
+    verdict.line = fmt::format("{} ≤ {:.4g} in {:.6g} % of the pixels: in {:.6g} %, largest {:.4g}",
+                               name_of(tolerance.measure), limit, 100.0 * tolerance.quantile,
+                               100.0 * (count - static_cast<double>(over)) / count,
+                               static_cast<double>(std::ranges::max(values)));
+    if (tolerance.measure != Measure::z) return verdict;
+    const NoiseScores& noise = *measured.noise;
+    verdict.passed =
+        verdict.passed && noise.max_block <= noise.limits.block && noise.total <= noise.limits.total;
+    verdict.line += fmt::format("; of block sums {:.4g} (≤ {:.4g}), of the whole sum {:.4g} (≤ {:.4g})",
+                                noise.max_block, noise.limits.block, noise.total, noise.limits.total);
+    return verdict;
+}
+
+/// Σt/Σr of the channel that is furthest from 1.
+double worst_energy_ratio(const Metrics& metrics) {
+    return *std::ranges::max_element(metrics.energy_ratio, {}, [](double ratio) {
+        return std::isnan(ratio) ? INFINITY : std::abs(ratio - 1.0);
+    });
+}
+
+double image_value(Measure measure, const Measured& measured) {
+    const Metrics& m = measured.metrics;
+    switch (measure) {
+    case Measure::flip: return m.flip;
+    case Measure::hdr_flip:
+        if (measured.hdr_flip.values.empty())
+            throw Error("hdr_flip is for images of light (.exr, .hdr)", "use flip");
+        return m.hdr_flip;
+    case Measure::mean_rel: return m.mean_rel;
+    case Measure::mean_abs: return m.mean_abs;
+    case Measure::rmse: return m.rmse;
+    case Measure::rel_mse: return m.rel_mse;
+    case Measure::ssim: return m.ssim;
+    case Measure::density: return m.density;
+    case Measure::energy: return std::abs(worst_energy_ratio(m) - 1.0);
+    default: require(false, "measures of pixels have no value for the image"); return 0.0;
+    }
+}
+
+} // namespace
+
+PixelValues errors_over_limits(const Pair& pair, const Measured& measured,
+                               std::span<const Tolerance> tolerances) {
+    PixelValues errors(pair.compared.size(), 0.0f);
+    for (const Tolerance& tolerance : tolerances) {
+        if (!tolerance.by_pixel) continue;
+        const double limit = limit_of(tolerance, measured);
+        const PixelValues values = pixel_values(tolerance.measure, pair, measured);
+        for (std::size_t k = 0; k < values.size(); ++k)
+            if (values[k] > 0.0f)
+                errors[k] = std::max(errors[k], static_cast<float>(static_cast<double>(values[k]) / limit));
+    }
+    return errors;
+}
+
+Verdict judged(const Tolerance& tolerance, const Pair& pair, const Measured& measured) {
+    if (tolerance.by_pixel) return judged_by_pixel(tolerance, pair, measured);
+    const double value = image_value(tolerance.measure, measured);
+    switch (tolerance.measure) {
+    case Measure::ssim: // NaN fails every one of these
+        return {value >= tolerance.limit, fmt::format("ssim ≥ {:.6g}: {:.6g}", tolerance.limit, value)};
+    case Measure::energy:
+        return {value <= tolerance.limit, fmt::format("Σtest/Σreference within {:.4g} of 1: {:.6g}",
+                                                      tolerance.limit, worst_energy_ratio(measured.metrics))};
+    case Measure::density:
+        return {value <= tolerance.limit,
+                fmt::format("failing pixels ≤ {:.4g} % of any 16x16 window: {:.4g} %",
+                            100.0 * tolerance.limit, 100.0 * value)};
+    default:
+        return {value <= tolerance.limit,
+                fmt::format("{} ≤ {:.4g}: {:.4g}", name_of(tolerance.measure), tolerance.limit, value)};
+    }
+}
+
+} // namespace sr::golden

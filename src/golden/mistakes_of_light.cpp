@@ -1,0 +1,135 @@
+#include "golden/layer.hpp"
+#include "golden/mistakes.hpp"
+
+#include <fmt/format.h>
+
+namespace sr::golden {
+namespace {
+
+/// A light's own contribution to the reference.
+struct Light {
+    std::string name;
+    std::vector<float> values; // as Evidence::reference
+
+    float at(std::size_t pixel, std::size_t channel) const { return values[pixel * 3 + channel]; }
+    float sum_at(std::size_t pixel) const { return at(pixel, 0) + at(pixel, 1) + at(pixel, 2); }
+};
+
+std::vector<Light> lights_of(const image::Image& reference) {
+    std::vector<Light> lights;
+    for (const std::string& name : layer_names(reference))
+        lights.push_back({name, extracted(reference, layer_of(reference, name)->colors).pixels});
+    return lights;
+}
+
+/// k of t = r + k L, by least squares of relative differences.
+double fitted_share(const Evidence& e, const Light& light) {
+    double product = 0.0, square = 0.0;
+    for (const std::size_t i : e.pixels)
+        for (std::size_t c = 0; c < 3; ++c) {
+            const double scale = static_cast<double>(std::max(std::abs(e.r(i, c)), e.floor));
+            const double L = static_cast<double>(light.at(i, c)) / scale;
+            product += static_cast<double>(e.t(i, c) - e.r(i, c)) / scale * L;
+            square += L * L;
+        }
+    return square > 0.0 ? product / square : 0.0;
+}
+
+void try_strength(const Evidence& e, const Light& light, Trials& trials) {
+    const auto rest = [&](float k) {
+        return residual(e, [&](std::size_t i, std::size_t c) { return e.r(i, c) + k * light.at(i, c); });
+    };
+    trials.push_back({{"light_missing", fmt::format("test = reference without the light '{}'", light.name),
+                       rest(-1.0f), light.name},
+                      1});
+    trials.push_back(
+        {{"light_doubled", fmt::format("test = reference with the light '{}' counted twice", light.name),
+          rest(1.0f), light.name},
+         2});
+    const auto k = static_cast<float>(fitted_share(e, light));
+    trials.push_back({{"light_scaled",
+                       fmt::format("test = reference with the light '{}' at {:.4g} times its strength",
+                                   light.name, 1.0f + k),
+                       rest(k), light.name},
+                      5});
+}
+
+void try_pairs_missing(const Evidence& e, const std::vector<Light>& lights, Trials& trials) {
+    for (std::size_t a = 0; a < lights.size(); ++a)
+        for (std::size_t b = a + 1; b < lights.size(); ++b) {
+            const double rest = residual(e, [&](std::size_t i, std::size_t c) {
+                return e.r(i, c) - lights[a].at(i, c) - lights[b].at(i, c);
+            });
+            trials.push_back({{"lights_missing",
+                               fmt::format("test = reference without the lights '{}' and '{}'",
+                                           lights[a].name, lights[b].name),
+                               rest, lights[a].name + ", " + lights[b].name},
+                              3});
+        }
+}
+
+/// Where a light does not reach, and whether the test is brighter just there.
+struct Dark {
+    double unexplained = 1.0; // share of the difference that lies elsewhere, or darkens
+    double brightened = 0.0;  // share of the dark pixels
+};
+
+Dark darkness(const Evidence& e, const Light& light) {
+    float brightest = 0.0f;
+    for (const std::size_t i : e.pixels) brightest = std::max(brightest, light.sum_at(i));
+    double all = 0.0, explained = 0.0;
+    std::size_t dark = 0, brightened = 0;
+    for (const std::size_t i : e.pixels) {
+        double difference = 0.0, rise = 0.0;
+        for (std::size_t c = 0; c < 3; ++c) {
+            difference += static_cast<double>(e.distance(e.t(i, c), e.r(i, c)));
+            rise += static_cast<double>(e.t(i, c) - e.r(i, c));
+        }
+        all += difference;
+        const bool shows_something = e.t(i, 0) + e.t(i, 1) + e.t(i, 2) > e.floor;
+        if (!shows_something || light.sum_at(i) > 1e-3f * brightest) continue;
+        ++dark;
+        if (rise <= 0.0) continue;
+        explained += difference;
+        brightened += difference > 0.03;
+    }
+    if (all == 0.0 || dark == 0) return {};
+    return {1.0 - explained / all, static_cast<double>(brightened) / static_cast<double>(dark)};
+}
+
+/// The light whose darkness was lit up: of those that explain it, the one whose darkness was lit up most.
+void try_shadows(const Evidence& e, const std::vector<Light>& lights, Trials& trials) {
+    constexpr double least_brightened = 0.25; // the rest of the darkness is on surfaces that face away
+    const Light* best = nullptr;
+    Dark best_dark;
+    for (const Light& light : lights) {
+        const Dark dark = darkness(e, light);
+        if (dark.brightened < least_brightened) continue;
+        const bool is_better =
+            dark.unexplained < best_dark.unexplained - 0.05
+            || (dark.unexplained < best_dark.unexplained + 0.05 && dark.brightened > best_dark.brightened);
+        if (best && !is_better) continue;
+        best = &light;
+        best_dark = dark;
+    }
+    if (!best) return;
+    trials.push_back({{"shadow_missing",
+                       fmt::format("test is brighter just where the light '{}' does not reach in the "
+                                   "reference: its shadow is missing",
+                                   best->name),
+                       best_dark.unexplained, best->name},
+                      6});
+}
+
+} // namespace
+
+void try_lights(const Evidence& e, const image::Image& reference, Trials& trials) {
+    constexpr std::size_t most_in_pairs = 8;
+    if (e.colors != 3) return;
+    const std::vector<Light> lights = lights_of(reference);
+    for (const Light& light : lights) try_strength(e, light, trials);
+    if (lights.size() <= most_in_pairs) try_pairs_missing(e, lights, trials);
+    try_shadows(e, lights, trials);
+}
+
+} // namespace sr::golden
