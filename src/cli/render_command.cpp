@@ -95,8 +95,9 @@ std::optional<float> write_output(const image::Image& film, const RenderCommand&
         return std::nullopt;
     }
     const float ev100 = command.ev100 ? *command.ev100 : image::auto_ev100(film);
-    image::write(image::displayed(film, ev100, command.tone_curve), command.output,
-                 image::SampleType::integer8);
+    image::Image picture = image::displayed(film, ev100, command.tone_curve);
+    picture.attributes = film.attributes;
+    image::write(picture, command.output, image::SampleType::integer8);
     return ev100;
 }
 

@@ -28,7 +28,7 @@ struct Approval {
     std::filesystem::path golden;
     std::string change; // "new", "equal", or what differs from the golden that it replaces
     std::vector<Refusal> refusals;
-    std::string bytes; // of the candidate, read once: what was checked is what is written
+    std::string bytes; // of the candidate; empty if there is none
 };
 
 struct ApprovalPlan {
@@ -40,10 +40,10 @@ struct ApprovalPlan {
 };
 
 /// Looks at everything and writes nothing. Refused without regard to force: a test that the last run did not
-/// have, a candidate that is missing or is not the one that was compared (by its SHA-256), one with pixels
-/// that are not finite where the test does not allow them. Refused unless forced: a failing pixel known in
-/// closed form, a failing law or truth test, a renderer that is not the suite's reference (or, where the
-/// suite names none, not the one that made the golden).
+/// have, a candidate that is missing or is not the one that was compared (by its fingerprint), one with
+/// pixels that are not finite where the test does not allow them. Refused unless forced: a failing pixel
+/// known in closed form, a failing law or truth test, a renderer that is not the suite's reference (or, where
+/// the suite names none, not the one that made the golden).
 /// @throws Error if there are no results, or they are another suite's, or no test fits the names.
 ApprovalPlan plan_approval(const Suite& suite, const ApproveOptions& options);
 

@@ -5,8 +5,8 @@
 #include "golden/child.hpp"
 #include "golden/comparison_json.hpp"
 #include "golden/escape.hpp"
+#include "golden/fingerprint.hpp"
 #include "golden/known_pixels.hpp"
-#include "golden/sha256.hpp"
 #include "image/file.hpp"
 
 #include <algorithm>
@@ -141,7 +141,7 @@ TestResult run_test(const Suite& suite, const GoldenTest& test, const RunOptions
         if (!made_image(result, suite, test, options, candidate)) return result;
         const image::Image image = image::read(candidate);
         result.candidate = file;
-        result.candidate_sha256 = sha256_of_file(candidate);
+        result.candidate_sha256 = fingerprint(image);
         result.candidate_renderer = renderer_of(image);
         judge(result, image, suite, test);
     } catch (const Error& error) {

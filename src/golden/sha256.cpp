@@ -1,7 +1,5 @@
 #include "golden/sha256.hpp"
 
-#include "golden/bytes_of_file.hpp"
-
 #include <bit>
 #include <cmath>
 #include <fmt/format.h>
@@ -92,11 +90,6 @@ std::string hexadecimal(const Digest& digest) {
     std::string text;
     for (const std::uint8_t byte : digest) text += fmt::format("{:02x}", byte);
     return text;
-}
-
-std::string sha256_of_file(const std::filesystem::path& file) {
-    const std::string bytes = bytes_of_file(file);
-    return hexadecimal(sha256({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}));
 }
 
 } // namespace sr::golden

@@ -1,8 +1,7 @@
 #pragma once
-// A fingerprint of a file's bytes.
+// A fingerprint of bytes.
 #include <array>
 #include <cstdint>
-#include <filesystem>
 #include <span>
 #include <string>
 
@@ -15,8 +14,5 @@ Digest sha256(std::span<const std::uint8_t> bytes);
 
 /// 64 lower-case hexadecimal digits.
 std::string hexadecimal(const Digest& digest);
-
-/// The SHA-256 of a file's bytes in hexadecimal. @throws Error if it cannot be read.
-std::string sha256_of_file(const std::filesystem::path& file);
 
 } // namespace sr::golden
