@@ -130,8 +130,11 @@ void add_choice(CLI::App& command, golden::RunOptions& run) {
     command
         .add_option("--filter", run.filters,
                     "only tests whose name fits the pattern, e.g. 'cornell*' (repeatable)")
+        ->allow_extra_args(false)
         ->type_name("PATTERN");
-    command.add_option("--tag", run.tags, "only tests with this tag (repeatable)")->type_name("TAG");
+    command.add_option("--tag", run.tags, "only tests with this tag (repeatable)")
+        ->allow_extra_args(false)
+        ->type_name("TAG");
 }
 
 void add_run(CLI::App& app, const std::shared_ptr<GoldenArguments>& arguments) {
@@ -143,6 +146,7 @@ void add_run(CLI::App& app, const std::shared_ptr<GoldenArguments>& arguments) {
         ->capture_default_str();
     command
         ->add_option("--shaders", arguments->run.shaders, "render with these shaders in front (repeatable)")
+        ->allow_extra_args(false)
         ->type_name("DIR");
     command->footer(
         "Writes results.json, junit.xml and report.html. Exit status 0 only if every test passed.\n"

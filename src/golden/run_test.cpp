@@ -24,6 +24,8 @@ std::string replaced(std::string word, std::string_view placeholder, std::string
     return word;
 }
 
+constexpr int first_option = 5; // of {steradian} render SCENE -o {out} …
+
 std::vector<std::string> command_words(const GoldenTest& test, const RunOptions& options,
                                        std::string_view program, std::string_view out) {
     std::vector<std::string> words;
@@ -31,7 +33,7 @@ std::vector<std::string> command_words(const GoldenTest& test, const RunOptions&
         words.push_back(replaced(replaced(word, "{steradian}", program), "{out}", out));
     if (!test.scene.empty())
         for (auto folder = options.shaders.rbegin(); folder != options.shaders.rend(); ++folder)
-            words.insert(words.begin() + 2, {"--shaders", fs::absolute(*folder).string()});
+            words.insert(words.begin() + first_option, {"--shaders", fs::absolute(*folder).string()});
     return words;
 }
 
@@ -46,10 +48,16 @@ std::string tail_of(const fs::path& log) {
     return "…\n" + text.substr(line == std::string::npos ? text.size() - most : line + 1);
 }
 
+/// The last line that says something; a usage error ends with a hint that does not.
 std::string last_line(std::string_view text) {
-    while (!text.empty() && (text.back() == '\n' || text.back() == '\r')) text.remove_suffix(1);
-    const auto line_break = text.rfind('\n');
-    return std::string(line_break == std::string_view::npos ? text : text.substr(line_break + 1));
+    std::string last;
+    for (std::size_t begin = 0; begin < text.size();) {
+        const auto end = std::min(text.find('\n', begin), text.size());
+        const std::string_view line = text.substr(begin, end - begin);
+        if (!line.empty() && !line.starts_with("Run with --help")) last = line;
+        begin = end + 1;
+    }
+    return last;
 }
 
 std::string renderer_of(const image::Image& image) {

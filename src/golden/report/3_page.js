@@ -211,6 +211,11 @@ function start() {
   main.replaceChildren(header(), element("div", { classes: "columns" }, page.list, page.article));
   fill_list();
   document.addEventListener("keydown", on_key);
+  // A button that the mouse pressed lets go of the keyboard, so that space is the page's again.
+  document.addEventListener("click", (event) => {
+    const button = event.target.closest("button");
+    if (button && event.detail > 0) button.blur();
+  });
   window.addEventListener("resize", () => page.viewer && page.viewer.draw());
   const wanted = decodeURIComponent(location.hash.slice(1));
   choose(Math.max(0, data.tests.findIndex((test) => test.name === wanted)));
