@@ -132,7 +132,8 @@ Comparison compare(const Image& test, const Image& reference, const CompareOptio
     comparison.passed = std::ranges::all_of(comparison.verdicts, &Verdict::passed);
     comparison.metrics = measured.metrics;
     if (!comparison.passed && !pair.compared.empty())
-        comparison.diagnosis = diagnosed(pair, comparison, reference, options);
+        comparison.diagnosis = diagnosed(pair, comparison, reference, options,
+                                         measured.noise ? &measured.noise->pixels : nullptr);
     return comparison;
 }
 

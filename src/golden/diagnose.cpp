@@ -5,38 +5,46 @@
 #include "golden/screen.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <utility>
 
 namespace sr::golden {
 namespace {
 
 using image::Image;
 
-// "By far": a fifth of the difference is left, or a tenth where the pixels were chosen because they differ.
-constexpr double largest_residual_whole = 0.2;
-constexpr double largest_residual_failing = 0.1;
+// "By far": a fifth of the difference is left, or a tenth where there is more freedom: numbers are fitted, or
+// the pixels were chosen because they differ.
+constexpr double largest_residual = 0.2;
+constexpr double largest_residual_of_fits = 0.1;
+constexpr int most_freedom_without_fits = 2;
+// Pixels chosen because noise does not explain them differ by more than the mistake itself: what is fitted
+// there is wrong, what has nothing to fit is not.
+constexpr std::size_t fewest_significant = 32;
 constexpr double as_good = 0.02; // residuals this near to the best explain as much
 
+bool explains(const Trial& trial) {
+    const bool fits = trial.freedom > most_freedom_without_fits;
+    return trial.diagnosis.residual <= (fits ? largest_residual_of_fits : largest_residual);
+}
+
 /// The least free of those that explain as much as the best does.
-std::optional<Diagnosis> best_of(const Trials& trials, double largest_residual) {
-    double least = largest_residual;
-    for (const Trial& trial : trials) least = std::min(least, trial.diagnosis.residual);
-    const Trial* best = nullptr;
-    for (const Trial& trial : trials) {
-        if (trial.diagnosis.residual > std::min(least + as_good, largest_residual)) continue;
-        const auto rank = [](const Trial& t) { return std::pair(t.freedom, t.diagnosis.residual); };
-        if (!best || rank(trial) < rank(*best)) best = &trial;
-    }
-    if (!best) return std::nullopt;
-    return best->diagnosis;
+std::optional<Diagnosis> best_of(Trials trials) {
+    std::erase_if(trials, [](const Trial& trial) { return !explains(trial); });
+    if (trials.empty()) return std::nullopt;
+    const auto residual_of = [](const Trial& trial) { return trial.diagnosis.residual; };
+    const double least = residual_of(std::ranges::min(trials, {}, residual_of));
+    std::erase_if(trials, [&](const Trial& trial) { return residual_of(trial) > least + as_good; });
+    return std::ranges::min(trials, {}, [&](const Trial& t) { return std::pair(t.freedom, residual_of(t)); })
+        .diagnosis;
 }
 
 } // namespace
 
 std::optional<Diagnosis> diagnosed(const Pair& pair, const Comparison& comparison, const Image& reference,
-                                   const CompareOptions& options) {
-    const Evidence whole = whole_evidence(pair, options.encoding);
+                                   const CompareOptions& options, const PixelValues* z) {
+    const Evidence whole = whole_evidence(pair, options.encoding, z);
     if (whole.floor == 0.0f) return std::nullopt; // a black reference explains nothing
+    if (z && whole.pixels.size() < fewest_significant) return std::nullopt;
     Trials trials;
     try_blank(whole, trials);
     try_factors(whole, trials);
@@ -45,7 +53,9 @@ std::optional<Diagnosis> diagnosed(const Pair& pair, const Comparison& compariso
     try_places(whole, trials);
     if (options.layer.empty() && options.encoding == Encoding::scene_referred)
         try_lights(whole, reference, trials);
-    if (auto diagnosis = best_of(trials, largest_residual_whole)) return diagnosis;
+    if (z)
+        std::erase_if(trials, [](const Trial& trial) { return trial.freedom > most_freedom_without_fits; });
+    if (auto diagnosis = best_of(trials); diagnosis || z) return diagnosis;
 
     const auto failing = failing_evidence(whole, pair, comparison.error);
     if (!failing) return std::nullopt;
@@ -53,7 +63,9 @@ std::optional<Diagnosis> diagnosed(const Pair& pair, const Comparison& compariso
     try_factors(*failing, local);
     try_curves(*failing, local);
     try_channel_orders(*failing, local);
-    return best_of(local, largest_residual_failing);
+    std::erase_if(local,
+                  [](const Trial& trial) { return trial.diagnosis.residual > largest_residual_of_fits; });
+    return best_of(local);
 }
 
 std::optional<Diagnosis> diagnosed_unequal_sizes(const Image& test, const Image& reference,
@@ -66,7 +78,7 @@ std::optional<Diagnosis> diagnosed_unequal_sizes(const Image& test, const Image&
     const Image t = extracted(test, test_layer->colors), r = extracted(reference, reference_layer->colors);
     Trials trials;
     try_turned(t, r, trials);
-    return best_of(trials, largest_residual_whole);
+    return best_of(trials);
 }
 
 } // namespace sr::golden

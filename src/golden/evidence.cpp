@@ -1,6 +1,5 @@
 #include "golden/evidence.hpp"
 
-#include "golden/differences.hpp"
 #include "golden/screen.hpp"
 
 #include <fmt/format.h>
@@ -52,9 +51,16 @@ std::string place_of(const std::vector<std::size_t>& pixels, std::size_t width, 
                        right, pixels.front() / width, pixels.back() / width);
 }
 
+std::vector<std::size_t> significant(const Pair& pair, const PixelValues& z) {
+    std::vector<std::size_t> pixels;
+    for (std::size_t k = 0; k < z.size(); ++k)
+        if (z[k] > 4.0f) pixels.push_back(pair.compared[k]);
+    return pixels;
+}
+
 } // namespace
 
-Evidence whole_evidence(const Pair& pair, Encoding encoding) {
+Evidence whole_evidence(const Pair& pair, Encoding encoding, const PixelValues* z) {
     Evidence evidence;
     evidence.width = pair.reference.width;
     evidence.height = pair.reference.height;
@@ -62,7 +68,8 @@ Evidence whole_evidence(const Pair& pair, Encoding encoding) {
     evidence.test = as_light(pair.test, evidence.colors, encoding);
     evidence.reference = as_light(pair.reference, evidence.colors, encoding);
     for (const Pixel pixel : pair.pixels) evidence.known.push_back(pixel == Pixel::compared);
-    evidence.pixels = sampled(pair.compared);
+    evidence.fitted = sampled(pair.compared);
+    evidence.pixels = sampled(z ? significant(pair, *z) : pair.compared);
     evidence.floor = static_cast<float>(relative_floor(pair));
     if (encoding == Encoding::display_referred) {
         evidence.most = 1.0f;
@@ -84,7 +91,7 @@ std::optional<Evidence> failing_evidence(const Evidence& whole, const Pair& pair
     Evidence evidence = whole;
     evidence.is_whole = false;
     evidence.where = place_of(failing, static_cast<std::size_t>(whole.width), pair.compared.size());
-    evidence.pixels = sampled(failing);
+    evidence.pixels = evidence.fitted = sampled(failing);
     return evidence;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 // What mistakes are tried on: two images as linear light, and the pixels in question.
-#include "golden/pair.hpp"
+#include "golden/differences.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -22,6 +22,7 @@ struct Evidence {
     std::vector<float> test; // width * height * colors
     std::vector<float> reference;
     std::vector<bool> known;         // by pixel: compared, so that the reference can be moved from there
+    std::vector<std::size_t> fitted; // where factors are read off: chosen without regard to the difference
     std::vector<std::size_t> pixels; // in question; a sample of at most 2^16 of a larger image's
     float floor = 0.0f;              // differences below it do not count as relative ones
     float most = std::numeric_limits<float>::infinity(); // 1 where a screen ends
@@ -38,8 +39,9 @@ struct Evidence {
     float on_screen(float value) const { return std::min(value, most); }
 };
 
-/// All compared pixels.
-Evidence whole_evidence(const Pair& pair, Encoding encoding);
+/// All compared pixels; if the noise is known (z-scores), those that differ by more than four of its
+/// standard errors.
+Evidence whole_evidence(const Pair& pair, Encoding encoding, const PixelValues* z);
 
 /// The failing pixels alone, which the error map tells; none if they are too few or too alike to tell one
 /// mistake from another, or nearly all.

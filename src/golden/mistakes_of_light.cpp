@@ -64,21 +64,34 @@ void try_pairs_missing(const Evidence& e, const std::vector<Light>& lights, Tria
                                fmt::format("test = reference without the lights '{}' and '{}'",
                                            lights[a].name, lights[b].name),
                                rest, lights[a].name + ", " + lights[b].name},
-                              3});
+                              2});
         }
+}
+
+void try_all_missing(const Evidence& e, const std::vector<Light>& lights, Trials& trials) {
+    std::string names;
+    for (const Light& light : lights) names += (names.empty() ? "" : ", ") + light.name;
+    const double rest = residual(e, [&](std::size_t i, std::size_t c) {
+        float left = e.r(i, c);
+        for (const Light& light : lights) left -= light.at(i, c);
+        return left;
+    });
+    trials.push_back({{"lights_missing", "test = reference without any of its lights", rest, names}, 2});
 }
 
 /// Where a light does not reach, and whether the test is brighter just there.
 struct Dark {
-    double unexplained = 1.0; // share of the difference that lies elsewhere, or darkens
-    double brightened = 0.0;  // share of the dark pixels
+    double residual = 1.0;   // the larger of two: the share of the difference that lies elsewhere or darkens,
+                             // and how much a lit pixel differs beside a dark one
+    double brightened = 0.0; // share of the dark pixels
+    double lit = 0.0;        // share of the pixels that the light reaches
 };
 
 Dark darkness(const Evidence& e, const Light& light) {
     float brightest = 0.0f;
     for (const std::size_t i : e.pixels) brightest = std::max(brightest, light.sum_at(i));
-    double all = 0.0, explained = 0.0;
-    std::size_t dark = 0, brightened = 0;
+    double all = 0.0, in_light = 0.0, in_dark = 0.0;
+    double lit = 0.0, dark = 0.0, brightened = 0.0;
     for (const std::size_t i : e.pixels) {
         double difference = 0.0, rise = 0.0;
         for (std::size_t c = 0; c < 3; ++c) {
@@ -86,39 +99,41 @@ Dark darkness(const Evidence& e, const Light& light) {
             rise += static_cast<double>(e.t(i, c) - e.r(i, c));
         }
         all += difference;
-        const bool shows_something = e.t(i, 0) + e.t(i, 1) + e.t(i, 2) > e.floor;
-        if (!shows_something || light.sum_at(i) > 1e-3f * brightest) continue;
-        ++dark;
-        if (rise <= 0.0) continue;
-        explained += difference;
-        brightened += difference > 0.03;
+        if (e.t(i, 0) + e.t(i, 1) + e.t(i, 2) <= e.floor) continue; // nothing to see here
+        const bool is_lit = light.sum_at(i) > 1e-3f * brightest;
+        lit += is_lit;
+        dark += !is_lit;
+        (is_lit ? in_light : in_dark) += is_lit || rise > 0.0 ? difference : 0.0;
+        brightened += !is_lit && rise > 0.0 && difference > 0.03;
     }
-    if (all == 0.0 || dark == 0) return {};
-    return {1.0 - explained / all, static_cast<double>(brightened) / static_cast<double>(dark)};
+    if (in_dark == 0.0 || lit == 0.0) return {};
+    return {std::max(1.0 - in_dark / all, in_light / lit / (in_dark / dark)), brightened / dark,
+            lit / (lit + dark)};
 }
 
 /// The light whose darkness was lit up: of those that explain it, the one whose darkness was lit up most.
 void try_shadows(const Evidence& e, const std::vector<Light>& lights, Trials& trials) {
     constexpr double least_brightened = 0.25; // the rest of the darkness is on surfaces that face away
+    constexpr double least_lit = 0.25;        // of a light that reaches little, the darkness says little
+    constexpr double largest_residual = 0.1;
     const Light* best = nullptr;
     Dark best_dark;
     for (const Light& light : lights) {
         const Dark dark = darkness(e, light);
-        if (dark.brightened < least_brightened) continue;
-        const bool is_better =
-            dark.unexplained < best_dark.unexplained - 0.05
-            || (dark.unexplained < best_dark.unexplained + 0.05 && dark.brightened > best_dark.brightened);
-        if (best && !is_better) continue;
+        if (dark.brightened < least_brightened || dark.lit < least_lit || dark.residual > largest_residual)
+            continue;
+        if (best && dark.brightened <= best_dark.brightened) continue;
         best = &light;
         best_dark = dark;
     }
     if (!best) return;
-    trials.push_back({{"shadow_missing",
-                       fmt::format("test is brighter just where the light '{}' does not reach in the "
-                                   "reference: its shadow is missing",
-                                   best->name),
-                       best_dark.unexplained, best->name},
-                      6});
+    trials.push_back(
+        {{"shadow_missing",
+          fmt::format("test is brighter just where the light '{}' does not reach in the reference: its "
+                      "shadow is missing",
+                      best->name),
+          best_dark.residual, best->name},
+         6});
 }
 
 } // namespace
@@ -129,6 +144,7 @@ void try_lights(const Evidence& e, const image::Image& reference, Trials& trials
     const std::vector<Light> lights = lights_of(reference);
     for (const Light& light : lights) try_strength(e, light, trials);
     if (lights.size() <= most_in_pairs) try_pairs_missing(e, lights, trials);
+    if (lights.size() > 2) try_all_missing(e, lights, trials);
     try_shadows(e, lights, trials);
 }
 

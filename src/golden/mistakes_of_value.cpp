@@ -25,17 +25,17 @@ constexpr std::array named_factors{NamedFactor{pi, "pi_missing", "a division by 
                                    NamedFactor{0.25 / pi, "four_pi_twice", "a division by 4π too many"},
                                    NamedFactor{683.0, "lumens_for_watts", "683 lm/W applied once too often"},
                                    NamedFactor{1.0 / 683.0, "watts_for_lumens", "683 lm/W is missing"}};
-constexpr double same_factor = 0.005; // relative: what a median still misses in a noisy image
+constexpr double same_factor = 0.01; // relative: what a median still misses in a noisy image
 
 /// Whether a value tells a factor: above the floor, and not where a screen clips.
 bool tells(const Evidence& e, float t, float r) {
-    return r > e.floor && t > e.floor && r < 0.98f * e.most && t < 0.98f * e.most;
+    return r > e.floor && t > 0.0f && r < 0.98f * e.most && t < 0.98f * e.most;
 }
 
 /// The median of t / r over the channels from `first` up to `last`; 1 where nothing tells.
 float fitted_factor(const Evidence& e, std::size_t first, std::size_t last) {
     std::vector<float> ratios;
-    for (const std::size_t i : e.pixels)
+    for (const std::size_t i : e.fitted)
         for (std::size_t c = first; c < last; ++c)
             if (tells(e, e.t(i, c), e.r(i, c))) ratios.push_back(e.t(i, c) / e.r(i, c));
     return ratios.empty() ? 1.0f : median(std::move(ratios));
@@ -122,6 +122,7 @@ void try_blank(const Evidence& e, Trials& trials) {
 
 void try_factors(const Evidence& e, Trials& trials) {
     try_factor(e, trials);
+    if (!e.is_whole) return; // a few pixels fit too many tints
     if (e.colors == 3) try_gains(e, trials);
     try_offset(e, trials);
 }
