@@ -118,8 +118,8 @@ GoldenTest read_test(const SuiteReader& entry, const SuiteReader& defaults, cons
     allow_test_keys(entry);
     GoldenTest test;
     test.name = checked_name(entry, used);
-    test.description = entry.text("description", "");
-    test.tags = entry.texts("tags");
+    test.description = holder(entry, defaults, "description").text("description", "");
+    test.tags = holder(entry, defaults, "tags").texts("tags");
     if (entry.has("scene") == entry.has("command"))
         entry.fail("a test has either a \"scene\" or a \"command\"", "write one of the two");
     if (entry.has("scene")) {
@@ -166,7 +166,7 @@ Suite load_suite(const fs::path& file) {
     const SuiteReader defaults(text, SuiteReader::Pointer(root.has("defaults") ? "/defaults" : ""));
     if (root.has("defaults")) {
         allow_test_keys(defaults);
-        for (const char* key : {"name", "scene", "command", "pixels"})
+        for (const char* key : {"name", "scene", "command", "region", "mask", "noise", "pixels"})
             if (defaults.has(key))
                 defaults.fail_at(key, fmt::format("\"{}\" has no default", key), "write it in each test");
     }

@@ -84,7 +84,15 @@ function relative_floor(image) {
   return Math.max((0.01 * sum) / image.rgb.length, 1e-30);
 }
 
-/** Relative difference times `gain`: brighter than the golden is warm, darker is cold, white is 1 and more. */
+/** The gain, 1 to 10000 in tens, at which all but the largest hundredth of the differences are seen. */
+function automatic_gain(test, golden) {
+  const floor = relative_floor(golden);
+  const sizes = golden.rgb.map((g, i) => Math.abs(test.rgb[i] - g) / (Math.abs(g) + floor)).filter(Number.isFinite).sort();
+  const large = sizes[Math.floor(0.99 * (sizes.length - 1))] || 1;
+  return 10 ** Math.max(0, Math.min(4, Math.round(-Math.log10(large))));
+}
+
+/** Relative difference times `gain`: brighter than the golden is warm, darker is cold, palest from 1 on. */
 function paint_difference(canvas, test, golden, gain) {
   const floor = relative_floor(golden);
   paint(canvas, golden, (i) => {
@@ -96,7 +104,6 @@ function paint_difference(canvas, test, golden, gain) {
     }
     const a = Math.min(1, Math.abs(signed) * gain);
     const bright = 255 * a ** 0.6;
-    const pale = 255 * Math.max(0, 2 * a - 1);
-    return signed >= 0 ? [bright, 0.55 * bright * a + 0.45 * pale, pale] : [pale, 0.6 * bright * a + 0.4 * pale, bright];
+    return signed >= 0 ? [bright, 0.8 * bright * a, 0.35 * bright * a] : [0.3 * bright * a, 0.65 * bright * a, bright];
   });
 }

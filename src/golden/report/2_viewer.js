@@ -26,7 +26,7 @@ class Viewer {
     this.images = images;
     this.base = automatic_exposure(images.golden || images.test);
     this.stops = 0;
-    this.gain = 10;
+    this.gain = images.golden ? automatic_gain(images.test, images.golden) : 1;
     this.zoom = null; // fits the pane
     this.split = 0.5;
     this.mode = images.golden ? modes[0] : modes[1];
@@ -52,7 +52,7 @@ class Viewer {
     this.gain_label = element("output", {});
     this.stops_slider = element("input", { type: "range", min: -12, max: 12, step: 0.25, value: 0 });
     this.stops_slider.oninput = () => this.expose(Number(this.stops_slider.value));
-    this.gain_slider = element("input", { type: "range", min: 0, max: 4, step: 0.25, value: 1 });
+    this.gain_slider = element("input", { type: "range", min: 0, max: 4, step: 0.25, value: Math.log10(this.gain) });
     this.gain_slider.oninput = () => this.amplify(10 ** Number(this.gain_slider.value));
     const step = (label, title, by) =>
       element("button", { type: "button", textContent: label, title, onclick: () => this.step_zoom(by) });

@@ -17,7 +17,8 @@ using sr::testing::Test;
 namespace {
 
 json stored() {
-    return json::parse(std::ifstream(sr::testing::source_folder() / "tests/unit/golden/data/appearance.json"));
+    return json::parse(
+        std::ifstream(sr::testing::source_folder() / "tests/unit/golden/data/appearance.json"));
 }
 
 Image image_of(const json& cases, const json& values, float scale) {
