@@ -6,13 +6,14 @@ cd "$root"
 say() { printf '\033[1m== %s\033[0m\n' "$*" >&2; }
 fail() { printf '%s\n' "$*" >&2; exit 3; }
 
-# Runs a phase and says how long it took.
+# Runs a phase, says how long it took, and returns its status. (Within it `set -e` is off: join commands with &&.)
 phase() {
-  local what=$1 begin=$SECONDS
+  local what=$1 begin=$SECONDS status=0
   shift
   say "$what"
-  "$@"
+  "$@" || status=$?
   say "$what: $((SECONDS - begin)) s"
+  return "$status"
 }
 
 # The text between the first line and the first empty line of a script's leading comment is its help.
@@ -26,6 +27,6 @@ configure_and_build() { # PRESET [TARGET...]
   local preset=$1
   shift
   # A warning is an error where it can be acted on; a newer compiler's new warnings must not stop a user.
-  cmake --preset "$preset" -DSTERADIAN_WERROR="${CI:-OFF}" >/dev/null
-  cmake --build --preset "$preset" ${1:+--target "$@"}
+  cmake --preset "$preset" -DSTERADIAN_WERROR="${CI:-OFF}" >/dev/null &&
+    cmake --build --preset "$preset" ${1:+--target "$@"}
 }

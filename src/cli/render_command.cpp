@@ -88,6 +88,27 @@ void describe(image::Image& film, const RenderCommand& command, const scene::Sta
                        {"steradian:GL_VERSION", gl.version}};
 }
 
+/// Says why a picture is black, and if it has holes.
+void remark_on(const image::Image& film, const RenderCommand& command, const scene::Stage& stage) {
+    std::size_t covered = 0, lit = 0, broken = 0;
+    for (std::size_t i = 0; i < film.pixels.size(); i += 4) {
+        const vec3 L(film.pixels[i], film.pixels[i + 1], film.pixels[i + 2]);
+        covered += film.pixels[i + 3] > 0.0f;
+        lit += L.r > 0.0f || L.g > 0.0f || L.b > 0.0f;
+        broken += !std::isfinite(L.r + L.g + L.b);
+    }
+    const auto& file = command.scene;
+    if (broken > 0)
+        fmt::print(stderr, "{}: {} pixels are not finite: they are magenta in .png and .jpg\n", file, broken);
+    if (stage.scene.instances.empty()) return; // the loader has said so
+    if (covered == 0)
+        fmt::print(stderr, "{}: camera '{}' sees no surface: --camera auto frames the scene\n", file,
+                   stage.camera.name);
+    else if (lit == 0)
+        fmt::print(stderr, "{}: no light reaches what camera '{}' sees: the picture is black\n", file,
+                   stage.camera.name);
+}
+
 /// Writes the film in the form that the file's extension asks for. @return the EV100 in use, if any was.
 std::optional<float> write_output(const image::Image& film, const RenderCommand& command) {
     if (image::is_scene_referred(command.output)) {
@@ -158,6 +179,7 @@ ExitStatus render(const RenderCommand& command) {
     image::Image film = renderer.film();
     context->require_silence();
     times.end("read");
+    remark_on(film, command, stage);
     describe(film, command, stage, context->info());
     const auto ev100 = write_output(film, command);
     times.end("write");

@@ -12,6 +12,7 @@
 #include <cstring>
 #include <fmt/format.h>
 #include <glad/gl.h>
+#include <vector>
 
 namespace sr::gl {
 namespace {
@@ -20,7 +21,6 @@ namespace {
 struct Egl {
     decltype(&eglGetProcAddress) get_proc_address;
     decltype(&eglInitialize) initialize;
-    decltype(&eglTerminate) terminate;
     decltype(&eglBindAPI) bind_api;
     decltype(&eglChooseConfig) choose_config;
     decltype(&eglCreateContext) create_context;
@@ -45,7 +45,6 @@ Egl load_egl() {
             library->function<std::remove_pointer_t<std::remove_reference_t<decltype(function)>>>(name);
     };
     load(egl.initialize, "eglInitialize");
-    load(egl.terminate, "eglTerminate");
     load(egl.bind_api, "eglBindAPI");
     load(egl.choose_config, "eglChooseConfig");
     load(egl.create_context, "eglCreateContext");
@@ -113,10 +112,10 @@ private:
         loaded(backend, egl_.get_proc_address, debug);
     }
 
+    // The display is not terminated: it is the process's, and shared by all contexts on it.
     void close() {
         egl_.make_current(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
         if (context_ != EGL_NO_CONTEXT) egl_.destroy_context(display_, context_);
-        egl_.terminate(display_);
     }
 
     Egl egl_;
@@ -132,47 +131,50 @@ std::unique_ptr<Context> open_surfaceless(const Egl& egl, bool debug) {
         debug);
 }
 
-/// The first device that works; GPUs before software, and software only if asked.
-std::unique_ptr<Context> open_device(const Egl& egl, bool debug, bool allow_software) {
-    std::array<EGLDeviceEXT, 16> devices{};
+/// The devices that are GPUs, or those that are software.
+std::vector<EGLDeviceEXT> devices_of(const Egl& egl, bool is_software) {
+    std::array<EGLDeviceEXT, 16> all{};
     EGLint count = 0;
-    if (egl.query_devices) egl.query_devices(static_cast<EGLint>(devices.size()), devices.data(), &count);
-    for (const bool software : {false, true}) {
-        for (EGLint i = 0; i < count; ++i) {
-            const char* extensions =
-                egl.query_device_string ? egl.query_device_string(devices[i], EGL_EXTENSIONS) : nullptr;
-            if (lists(extensions, "EGL_MESA_device_software") != software || (software && !allow_software))
-                continue;
-            try {
-                return std::make_unique<EglContext>(
-                    egl, egl.get_platform_display(EGL_PLATFORM_DEVICE_EXT, devices[i], nullptr), "EGL device",
-                    debug);
-            } catch (const Error&) { // the next device may do
-            }
+    if (egl.query_devices) egl.query_devices(static_cast<EGLint>(all.size()), all.data(), &count);
+    std::vector<EGLDeviceEXT> devices;
+    for (EGLint i = 0; i < count; ++i) {
+        const EGLDeviceEXT device = all[static_cast<std::size_t>(i)];
+        const char* extensions =
+            egl.query_device_string ? egl.query_device_string(device, EGL_EXTENSIONS) : nullptr;
+        if (lists(extensions, "EGL_MESA_device_software") == is_software) devices.push_back(device);
+    }
+    return devices;
+}
+
+/// The first of the devices that works; null if none does.
+std::unique_ptr<Context> open_device(const Egl& egl, const std::vector<EGLDeviceEXT>& devices, bool debug) {
+    for (const EGLDeviceEXT device : devices) {
+        try {
+            return std::make_unique<EglContext>(
+                egl, egl.get_platform_display(EGL_PLATFORM_DEVICE_EXT, device, nullptr), "EGL device", debug);
+        } catch (const Error&) { // the next device may do
         }
     }
-    throw Error("EGL device: none works", "check that this user may open /dev/dri/*");
+    return nullptr;
 }
 
 } // namespace
 
 std::unique_ptr<Context> open_egl(bool debug) {
     const Egl egl = load_egl();
+    const auto gpus = devices_of(egl, false);
     std::string failure;
     try {
         auto surfaceless = open_surfaceless(egl, debug);
-        if (!surfaceless->info().is_software()) return surfaceless;
+        if (!surfaceless->info().is_software() || gpus.empty()) return surfaceless;
     } catch (const Error& error) {
         failure = error.what();
     }
     // Surfaceless is Mesa's alone: a GPU with another driver is found among the devices.
-    try {
-        return open_device(egl, debug, !failure.empty());
-    } catch (const Error& error) {
-        if (!failure.empty())
-            throw Error(fmt::format("{}; {}", failure, error.what()), "try --backend osmesa");
-    }
-    return open_surfaceless(egl, debug);
+    if (auto context = open_device(egl, gpus, debug)) return context;
+    if (failure.empty()) return open_surfaceless(egl, debug);
+    if (auto context = open_device(egl, devices_of(egl, true), debug)) return context;
+    throw Error(fmt::format("{}; no EGL device works", failure), "check that this user may open /dev/dri/*");
 }
 
 } // namespace sr::gl

@@ -42,7 +42,7 @@ Target::Target(const char* name, int width, int height, bool has_depth)
         glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth_.id(), 0);
     }
     const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
-    if (status != GL_FRAMEBUFFER_COMPLETE)
+    if (status != GL_FRAMEBUFFER_COMPLETE || glGetError() == GL_OUT_OF_MEMORY)
         throw Error(fmt::format("the driver refuses a float picture of {}×{} pixels (status {:#x})", width,
                                 height, status),
                     "choose a smaller --size, or another --backend");

@@ -46,8 +46,8 @@ def quilt():
 def terrazzo():
     """Stone chips in a dark ground, sRGB colours."""
     random = Random(4)
-    ground = [(26, 27, 34)] * 3
-    chips = [(40, 42, 52), (58, 60, 70), (96, 92, 92), (150, 140, 128), (70, 48, 52), (38, 58, 66), (112, 84, 60)]
+    ground = [(46, 47, 58)] * 3
+    chips = [(40, 42, 52), (66, 68, 80), (92, 90, 92), (122, 114, 106), (70, 48, 52), (38, 58, 66), (112, 84, 60)]
     rows = [[random.below(len(ground)) for _ in range(SIZE * 2)] for _ in range(SIZE * 2)]
     for _ in range(150):
         center_x, center_y, radius = random.below(SIZE * 2), random.below(SIZE * 2), 1 + random.below(5)

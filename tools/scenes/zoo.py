@@ -38,13 +38,13 @@ class Furniture:
         matte = document.material("matte block", (0.75, 0.75, 0.75), roughness=1, lambert=True)
         metal = document.material("metal cone", (0.95, 0.93, 0.88), metallic=1, roughness=0.35)
         self.pip_material = document.material("pip", (0.9, 0.9, 0.9), roughness=0.6)
-        self.pip = document.mesh("pip", (sphere(0.022, 16), self.pip_material))
+        self.pip = document.mesh("pip", (sphere(0.022, 12), self.pip_material))
         self.roofed = document.mesh("booth", (booth_walls(True), paint))
         self.open = document.mesh("open booth", (booth_walls(False), paint))
         self.ground = document.mesh("ground", (floor(WIDTH + 0.2, DEPTH + 0.5), paint))
-        self.ball = document.mesh("ball", (sphere(0.13, 40), glossy))
+        self.ball = document.mesh("ball", (sphere(0.13, 32), glossy))
         self.block = document.mesh("block", (rounded_box(0.22, 0.3, 0.22, 0.01), matte))
-        self.cone = document.mesh("cone", (lathe([(0.15, 0), (0.0, 0.36)], segments=48), metal))
+        self.cone = document.mesh("cone", (lathe([(0.15, 0), (0.0, 0.36)], segments=40), metal))
 
     def place(self, number, x, has_roof):
         document = self.document
@@ -69,11 +69,11 @@ def add_lights(document):
     document.light("KHR_lights_punctual", {"name": "point", "type": "point", "color": [1.0, 0.62, 0.28], "intensity": 14.0},
                    translation=(booth_x("point"), LIGHT_HEIGHT, 0.1))
     document.light("KHR_lights_punctual",
-                   {"name": "spot", "type": "spot", "color": [0.4, 1.0, 0.45], "intensity": 22.0,
+                   {"name": "spot", "type": "spot", "color": [0.4, 1.0, 0.45], "intensity": 40.0,
                     "spot": {"innerConeAngle": math.radians(18), "outerConeAngle": math.radians(27)}},
                    **looking((booth_x("spot"), 1.0, 0.35), (booth_x("spot"), 0.1, -0.02)))
     document.light("KHR_lights_punctual", {"name": "directional", "type": "directional", "color": [0.5, 0.68, 1.0],
-                                           "intensity": 6.0}, rotation=rotation_facing((-0.25, -1.0, -0.3)))
+                                           "intensity": 12.0}, rotation=rotation_facing((-0.25, -1.0, -0.45)))
     document.light("EXT_lights_area", {"name": "rectangle", "type": "rect", "color": [1.0, 0.4, 0.75], "intensity": 120.0,
                                        "size": 0.3, "rect": {"aspect": 2.0}},
                    translation=(booth_x("rectangle"), LIGHT_HEIGHT, 0.1), rotation=down)
@@ -89,7 +89,7 @@ def make():
     for number, name in enumerate(BOOTHS, 1):
         furniture.place(number, booth_x(name), has_roof=name != "directional")
     add_lights(document)
-    document.camera("main", 0.3, 3.2, 0.01, **looking((0, 1.55, 7.6), (0, 0.5, 0)))
+    document.camera("main", 0.36, 3.0, 0.01, **looking((0, 1.55, 7.6), (0, 0.5, 0)))
     for name in BOOTHS:
         document.camera(name, 0.5, 1.0, 0.01, **looking((booth_x(name), 0.95, 2.9), (booth_x(name), 0.5, 0)))
     return document.text()

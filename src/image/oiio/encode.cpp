@@ -50,6 +50,7 @@ OIIO::ImageSpec spec_of(const Image& image, Format format, SampleType type) {
     for (const Attribute& attribute : image.attributes) spec.attribute(attribute.name, attribute.value);
     spec.attribute("oiio:ColorSpace", is_display ? "sRGB" : "Linear");
     spec.attribute("oiio:UnassociatedAlpha", 1); // write the values as they are
+    spec.attribute("DateTime", ""); // or OpenImageIO writes the time of day, and no two files are the same
     // The compression levels were measured, see README.md.
     if (format == Format::exr) spec.attribute("compression", "zip:2");
     if (format == Format::png) {

@@ -88,6 +88,7 @@ class CommandLine(unittest.TestCase):
     def test_two_runs_write_the_same_bytes(self):
         for name in ("a.exr", "b.exr"):
             self.assertEqual(self.render(name).returncode, 0)
+            time.sleep(1.1)  # a time of day in the file would show
         self.assertEqual((self.folder / "a.exr").read_bytes(), (self.folder / "b.exr").read_bytes())
 
     def test_an_exr_says_what_it_holds(self):
@@ -121,6 +122,26 @@ class CommandLine(unittest.TestCase):
         self.render("a.exr", "--exposure", "20")
         self.render("b.exr", "--exposure", "2")
         self.assertEqual((self.folder / "a.exr").read_bytes(), (self.folder / "b.exr").read_bytes())
+
+    def test_a_black_picture_has_a_reason(self):
+        triangle = {"asset": {"version": "2.0"}, "scenes": [{"nodes": [0, 1]}], "scene": 0,
+                    "nodes": [{"mesh": 0}, {"name": "away", "camera": 0, "translation": [0, 0, -5]}],
+                    "cameras": [{"type": "perspective", "perspective": {"yfov": 0.5, "znear": 0.1}}],
+                    "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+                    "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3",
+                                   "min": [0, 0, 0], "max": [1, 1, 0]}],
+                    "bufferViews": [{"buffer": 0, "byteLength": 36}],
+                    "buffers": [{"byteLength": 36, "uri": "data:application/octet-stream;base64,"
+                                 "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]}
+        scene = self.folder / "triangle.gltf"
+        scene.write_text(json.dumps(triangle))
+        away = run("render", scene, "-o", self.folder / "a.png", "--size", "32x32", "--samples", "1")
+        self.assertIn("camera 'away' sees no surface", away.stderr)
+        dark = run("render", scene, "-o", self.folder / "a.png", "--size", "32x32", "--samples", "1", "--camera", "auto",
+                   "--rig", "none")
+        self.assertIn("no light reaches", dark.stderr)
+        lit = run("render", scene, "-o", self.folder / "a.png", "--size", "32x32", "--samples", "1", "--camera", "auto")
+        self.assertEqual(len(lit.stderr.strip().splitlines()), 1, lit.stderr)  # only that the rig is in use
 
     def test_info_lists_backends_and_scenes(self):
         backends = json.loads(run("info", "--json").stdout)
