@@ -49,7 +49,9 @@ def make_run(program, source, scratch):
     out = scratch / "out"
     golden(program, "run", file, "-o", out, status=1)
     golden(program, "approve", file, "passes", "<img*", "-o", out, "--force")
-    mutant = source / "tests/golden/mutants/pi_missing"
+    mutant = scratch / "pi_missing"
+    (mutant / "brdf").mkdir(parents=True)
+    (mutant / "brdf/lambert.glsl").write_text("vec3 f_lambert(vec3 albedo) { return albedo; }\n")
     suite["tests"][1]["shaders"] = [str(mutant)]
     file.write_text(json.dumps(suite))
     golden(program, "run", file, "-o", out, status=1)
