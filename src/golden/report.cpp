@@ -50,6 +50,7 @@ public:
 
     void add(ordered_json& json, const TestResult& test) {
         json["images_left_out"] = room_ == 0;
+        json["is_display_referred"] = test.candidate.ends_with(".png");
         if (test.candidate.empty() || room_ == 0) return;
         json["test"] = packed_pixels(image::read(output_ / test.candidate));
         if (test.comparison.is_object()) {

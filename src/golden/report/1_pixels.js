@@ -68,12 +68,14 @@ function paint(canvas, image, colour) {
   canvas.getContext("2d").putImageData(picture, 0, 0);
 }
 
-function paint_light(canvas, image, factor) {
+/** Light through exposure and the sRGB curve; a picture for screens only through the exposure. */
+function paint_picture(canvas, image, factor, is_display_referred) {
   const { rgb } = image;
+  const code = is_display_referred ? (v) => 255 * v : srgb_code;
   paint(canvas, image, (i) => {
     const finite = Number.isFinite(rgb[i]) && Number.isFinite(rgb[i + 1]) && Number.isFinite(rgb[i + 2]);
     if (!finite) return nonfinite_colour;
-    return [srgb_code(rgb[i] * factor), srgb_code(rgb[i + 1] * factor), srgb_code(rgb[i + 2] * factor)];
+    return [code(rgb[i] * factor), code(rgb[i + 1] * factor), code(rgb[i + 2] * factor)];
   });
 }
 

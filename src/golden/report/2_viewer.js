@@ -20,11 +20,11 @@ const modes = [
   { key: "6", name: "flicker", panes: ["flicker"] },
 ];
 
-/** Shows `images` {test, golden}; golden may be absent. */
+/** Shows `images` {test, golden, is_display_referred}; golden may be absent. */
 class Viewer {
   constructor(images) {
     this.images = images;
-    this.base = automatic_exposure(images.golden || images.test);
+    this.base = images.is_display_referred ? 1 : automatic_exposure(images.golden || images.test);
     this.stops = 0;
     this.gain = images.golden ? automatic_gain(images.test, images.golden) : 1;
     this.zoom = null; // fits the pane
@@ -110,7 +110,7 @@ class Viewer {
     const canvas = element("canvas", {});
     const { test, golden } = this.images;
     if (what === "difference") paint_difference(canvas, test, golden, this.gain);
-    else paint_light(canvas, this.images[what], this.base * 2 ** this.stops);
+    else paint_picture(canvas, this.images[what], this.base * 2 ** this.stops, this.images.is_display_referred);
     canvas.style.width = `${canvas.width * this.scale}px`;
     canvas.style.height = `${canvas.height * this.scale}px`;
     return canvas;

@@ -128,7 +128,7 @@ async function pictures(test) {
     return element("p", { classes: "quiet", textContent: why });
   }
   try {
-    const images = { test: await unpacked(test.test) };
+    const images = { test: await unpacked(test.test), is_display_referred: test.is_display_referred };
     if (test.golden === "equal") images.golden = images.test;
     else if (test.golden) images.golden = await unpacked(test.golden);
     const is_comparable = images.golden && images.golden.width === images.test.width && images.golden.height === images.test.height;
