@@ -4,13 +4,13 @@
 #include "golden/bytes_of_file.hpp"
 #include "golden/fingerprint.hpp"
 #include "golden/law_record.hpp"
+#include "golden/run.hpp"
 #include "image/file.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <fnmatch.h>
 #include <optional>
 
 namespace sr::golden {
@@ -30,16 +30,13 @@ bool holds(const fs::path& golden, const std::string& picture) {
 std::vector<TestResult> chosen(const RunResult& run, const std::vector<std::string>& names) {
     std::vector<TestResult> tests;
     for (const TestResult& test : run.tests) {
-        const auto fits = [&](const std::string& pattern) {
-            return fnmatch(pattern.c_str(), test.name.c_str(), 0) == 0;
-        };
+        const auto fits = [&](const std::string& name) { return is_meant(name, test.name); };
         if (names.empty() ? test.outcome != Outcome::passed : std::ranges::any_of(names, fits))
             tests.push_back(test);
     }
     for (const std::string& name : names)
-        if (std::ranges::none_of(run.tests, [&](const TestResult& t) {
-                return fnmatch(name.c_str(), t.name.c_str(), 0) == 0;
-            }))
+        if (std::ranges::none_of(run.tests,
+                                 [&](const TestResult& test) { return is_meant(name, test.name); }))
             throw Error(fmt::format("the last run has no test {}", name),
                         "run it with steradian golden run, then approve it");
     return tests;

@@ -16,9 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 bool is_chosen(const GoldenTest& test, const RunOptions& options) {
-    const auto fits = [&](const std::string& pattern) {
-        return fnmatch(pattern.c_str(), test.name.c_str(), 0) == 0;
-    };
+    const auto fits = [&](const std::string& pattern) { return is_meant(pattern, test.name); };
     const auto has = [&](const std::string& tag) {
         return std::ranges::find(test.tags, tag) != test.tags.end();
     };
@@ -63,6 +61,10 @@ private:
 };
 
 } // namespace
+
+bool is_meant(const std::string& pattern, const std::string& name) {
+    return pattern == name || fnmatch(pattern.c_str(), name.c_str(), 0) == 0;
+}
 
 std::vector<GoldenTest> chosen_tests(const Suite& suite, const RunOptions& options) {
     std::vector<GoldenTest> tests;

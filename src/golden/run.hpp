@@ -20,6 +20,9 @@ struct RunOptions {
     std::function<bool()> is_interrupted; // asked often; once true, children are killed
 };
 
+/// Whether a test is meant by a pattern (* ? [a-z]); its own name, whatever is in it, always means it.
+bool is_meant(const std::string& pattern, const std::string& name);
+
 /// The tests that the filters and tags leave. @throws Error if none is left.
 std::vector<GoldenTest> chosen_tests(const Suite& suite, const RunOptions& options);
 
