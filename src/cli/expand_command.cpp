@@ -21,7 +21,8 @@ void add_expand_command(CLI::App& app) {
     command
         ->add_option("--shaders", arguments->shaders,
                      "look in this folder before the built-in shaders (repeatable)")
-        ->type_name("DIR");
+        ->type_name("DIR")
+        ->allow_extra_args(false);
     command->footer(
         "Examples:\n  steradian expand forward.frag\n  steradian expand brdf/f_r.glsl --shaders my_shaders");
     command->callback([arguments] {

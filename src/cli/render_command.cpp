@@ -109,16 +109,19 @@ void remark_on(const image::Image& film, const RenderCommand& command, const sce
                    stage.camera.name);
 }
 
-/// Writes the film in the form that the file's extension asks for. @return the EV100 in use, if any was.
-std::optional<float> write_output(const image::Image& film, const RenderCommand& command) {
-    if (image::is_scene_referred(command.output)) {
-        image::write(film, command.output, command.exr_type);
-        return std::nullopt;
+/// Writes the film in the form that each file's extension asks for. @return the EV100 in use, if any was.
+std::optional<float> write_outputs(const image::Image& film, const RenderCommand& command) {
+    std::optional<float> ev100;
+    for (const std::string& output : command.outputs) {
+        if (image::is_scene_referred(output)) {
+            image::write(film, output, command.exr_type);
+            continue;
+        }
+        if (!ev100) ev100 = command.ev100 ? *command.ev100 : image::auto_ev100(film);
+        image::Image picture = image::displayed(film, *ev100, command.tone_curve);
+        picture.attributes = film.attributes;
+        image::write(picture, output, image::SampleType::integer8);
     }
-    const float ev100 = command.ev100 ? *command.ev100 : image::auto_ev100(film);
-    image::Image picture = image::displayed(film, ev100, command.tone_curve);
-    picture.attributes = film.attributes;
-    image::write(picture, command.output, image::SampleType::integer8);
     return ev100;
 }
 
@@ -127,7 +130,7 @@ using nlohmann::ordered_json;
 ordered_json summary(const RenderCommand& command, const scene::Stage& stage, const gl::Context& context,
                      Size size) {
     return {{"scene", command.scene},
-            {"output", command.output},
+            {"outputs", command.outputs},
             {"width", size.width},
             {"height", size.height},
             {"samples", command.samples},
@@ -150,7 +153,8 @@ ordered_json seconds(const PhaseTimes& times) {
 
 ExitStatus render(const RenderCommand& command) {
     PhaseTimes times;
-    image::is_scene_referred(command.output); // an unknown extension is refused before any work
+    for (const std::string& output : command.outputs)
+        image::is_scene_referred(output); // refuses unknown formats
     // The context first: the dynamic loader has one lock, and behind OpenImageIO a driver would wait for
     // long.
     const auto context = gl::open_context({command.backend, command.gl_debug});
@@ -181,7 +185,7 @@ ExitStatus render(const RenderCommand& command) {
     times.end("read");
     remark_on(film, command, stage);
     describe(film, command, stage, context->info());
-    const auto ev100 = write_output(film, command);
+    const auto ev100 = write_outputs(film, command);
     times.end("write");
 
     if (command.json) {

@@ -79,6 +79,7 @@ void declare_machine(CLI::App& command, RenderCommand& o) {
     parsed(command, "--backend", "where OpenGL comes from (default: auto; see steradian info)",
            "auto|egl|osmesa|window", gl::backend_named, [&o](gl::Backend backend) { o.backend = backend; });
     command.add_option("--shaders", o.shaders, "look for shaders in this folder first (repeatable)")
+        ->allow_extra_args(false)
         ->type_name("DIR");
     command.add_flag("--gl-debug", o.gl_debug, "fail on any error or warning of the driver");
 }
@@ -88,8 +89,10 @@ void declare_machine(CLI::App& command, RenderCommand& o) {
 void declare(CLI::App& command, RenderCommand& options) {
     command.add_option("SCENE", options.scene, "a .gltf or .glb file")->required();
     command
-        .add_option("-o,--output", options.output,
-                    "OUT.exr or .hdr for radiance, OUT.png or .jpg for a picture")
+        .add_option("-o,--output", options.outputs,
+                    "OUT.exr or .hdr for radiance, OUT.png or .jpg for a picture (repeatable)")
+        ->type_name("OUT")
+        ->allow_extra_args(false) // one a flag: what follows may be the scene
         ->required();
     declare_picture(command, options);
     declare_output(command, options);
@@ -97,7 +100,7 @@ void declare(CLI::App& command, RenderCommand& options) {
     command.footer(
         "Examples:\n"
         "  steradian render scene.glb -o picture.png\n"
-        "  steradian render scene.glb -o radiance.exr --samples 256 --size 1920x1080\n"
+        "  steradian render scene.glb -o radiance.exr -o picture.png --samples 256 --size 1920x1080\n"
         "  steradian render scene.glb -o front.png --camera auto --exposure 9.5 --tone-curve agx\n"
         "  steradian render scene.glb -o mine.png --shaders my_shaders    (my_shaders/brdf/f_r.glsl wins)");
 }

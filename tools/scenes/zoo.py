@@ -89,7 +89,7 @@ def make():
     for number, name in enumerate(BOOTHS, 1):
         furniture.place(number, booth_x(name), has_roof=name != "directional")
     add_lights(document)
-    document.camera("main", 0.36, 3.0, 0.01, **looking((0, 1.55, 7.6), (0, 0.5, 0)))
+    document.camera("main", 0.275, 4.0, 0.01, **looking((0, 1.55, 7.6), (0, 0.5, 0)))
     for name in BOOTHS:
         document.camera(name, 0.5, 1.0, 0.01, **looking((booth_x(name), 0.95, 2.9), (booth_x(name), 0.5, 0)))
     return document.text()

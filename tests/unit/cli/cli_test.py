@@ -106,6 +106,16 @@ class CommandLine(unittest.TestCase):
             self.assertEqual(self.render(name).returncode, 0)
             self.assertTrue((self.folder / name).read_bytes().startswith(begin), name)
 
+    def test_options_may_stand_before_the_scene(self):
+        result = run("render", "-o", self.folder / "a.png", "--size", "16x16", "--samples", "1", "--shaders", self.folder, SCENE)
+        self.assertEqual(result.returncode, 0, result.stderr)
+
+    def test_one_rendering_makes_several_files(self):
+        self.assertEqual(self.render("a.exr", "-o", self.folder / "a.png").returncode, 0)
+        self.render("b.png")
+        self.assertTrue((self.folder / "a.exr").exists())
+        self.assertEqual((self.folder / "a.png").read_bytes(), (self.folder / "b.png").read_bytes())
+
     def test_json_is_all_of_stdout(self):
         result = self.render("a.png", "--json")
         summary = json.loads(result.stdout)

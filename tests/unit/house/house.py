@@ -38,11 +38,12 @@ def reachable(name: str, links: dict[str, set[str]]) -> set[str]:
 def floors(root: Path) -> list[str]:
     """A folder includes only itself and what it links, and no two folders link each other."""
     links = links_of(root)
+    folders = {p.name for p in (root / "src").iterdir() if p.is_dir()}
     broken = [f"src/{a} and src/{b} link each other" for a in links for b in links[a] if a in reachable(b, links)]
     for file in sources(root / "src", ".cpp", ".hpp"):
         folder = file.relative_to(root / "src").parts[0]
         for included in INCLUDE.findall(file.read_text()):
-            if included in links and included not in reachable(folder, links):
+            if included in folders and included not in reachable(folder, links):
                 broken.append(f"{file.relative_to(root)}: includes {included}/, which {folder}/ does not link")
     return broken
 
@@ -85,30 +86,35 @@ def readmes(root: Path) -> list[str]:
     return broken
 
 
-# For each rule, files of a tree that breaks it.
+# For each rule, files of a tree that breaks it in as many places as the number says.
 BAD_TREES = {
-    floors: {"src/core/CMakeLists.txt": "sr_library(core SOURCES a.cpp)",
-             "src/gl/CMakeLists.txt": "sr_library(gl SOURCES a.cpp\n LINKS sr_core)",
-             "src/core/a.cpp": '#include "gl/context.hpp"\n'},
-    terms: {"shaders/brdf/a.glsl": '#include "light/sample_light.glsl"\n'},
-    sizes: {"shaders/brdf/a.glsl": "\n" * 121, "src/core/a.cpp": "\n" * 300},
-    readmes: {"src/core/a.cpp": "", "src/README.md": "nothing"},
+    floors: (3, {"src/core/CMakeLists.txt": "sr_library(core SOURCES a.cpp)",
+                 "src/gl/CMakeLists.txt": "sr_library(gl SOURCES a.cpp\n LINKS sr_core)",
+                 "src/gl/a.cpp": '#include "core/error.hpp"\n',
+                 "src/core/a.cpp": '#include "gl/context.hpp"\n  #include "viewer/window.hpp"\n',
+                 "src/viewer/a.cpp": '#include "core/error.hpp"\n'}),
+    terms: (2, {"shaders/brdf/a.glsl": '#include "light/sample_light.glsl"\n#include "base/math.glsl"\n',
+                "shaders/visibility/a.glsl": '#include "brdf/f_r.glsl"\n'}),
+    sizes: (3, {"shaders/brdf/a.glsl": "\n" * 121, "src/core/a.cpp": "\n" * 301, "tools/a.py": "\n" * 301,
+                "src/core/b.hpp": "\n" * 300}),
+    readmes: (1, {"src/core/a.cpp": "", "src/gl/a.cpp": "", "src/README.md": "gl/ is named"}),
 }
 
 
-def fails_on_a_bad_tree(rule) -> bool:
+def finds_what_is_broken(rule) -> bool:
+    expected, files = BAD_TREES[rule]
     with tempfile.TemporaryDirectory() as scratch:
-        for name, text in BAD_TREES[rule].items():
+        for name, text in files.items():
             file = Path(scratch, name)
             file.parent.mkdir(parents=True, exist_ok=True)
             file.write_text(text)
-        return bool(rule(Path(scratch)))
+        return len(rule(Path(scratch))) == expected
 
 
 def main() -> int:
     rule = {r.__name__: r for r in BAD_TREES}[sys.argv[1]]
-    if not fails_on_a_bad_tree(rule):
-        print(f"{sys.argv[1]}: accepts a tree that breaks it: it checks nothing")
+    if not finds_what_is_broken(rule):
+        print(f"{sys.argv[1]}: does not find what is broken in a tree that was made for it: mend the rule")
         return 1
     broken = rule(Path(sys.argv[2]))
     print("\n".join(broken) or f"{sys.argv[1]}: {rule.__doc__} It is so.")
