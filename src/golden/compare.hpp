@@ -30,16 +30,16 @@ struct Exposures {
 enum class Encoding { scene_referred, display_referred };
 
 struct CompareOptions {
-    std::vector<Tolerance> tolerances; // empty: default_tolerances()
+    std::vector<Tolerance> tolerances{}; // empty: default_tolerances()
     Encoding encoding = Encoding::scene_referred;
     bool allow_nonfinite = false;       // pixels that are not finite are left out instead of failing
-    std::optional<Region> region;       // only these pixels are compared
-    std::optional<image::Image> mask;   // only pixels whose first channel exceeds 0.5; of the images' size
-    std::vector<image::Image> noise;    // standard errors, pixel by pixel, of the test or of the reference or
+    std::optional<Region> region{};     // only these pixels are compared
+    std::optional<image::Image> mask{}; // only pixels whose first channel exceeds 0.5; of the images' size
+    std::vector<image::Image> noise{};  // standard errors, pixel by pixel, of the test or of the reference or
                                         // of both; a 1×1 image holds for all pixels. Their squares add up.
-    std::string layer;                  // compare this layer ("key" of "key.R"); empty: the picture itself
-    std::optional<Exposures> exposures; // of HDR-FLIP; absent: from the reference, see README.md
-    float pixels_per_degree = 67.02f;   // of FLIP: a 0.7 m wide 3840-pixel screen seen from 0.7 m
+    std::string layer{};                // compare this layer ("key" of "key.R"); empty: the picture itself
+    std::optional<Exposures> exposures{}; // of HDR-FLIP; absent: from the reference, see README.md
+    float pixels_per_degree = 67.02f;     // of FLIP: a 0.7 m wide 3840-pixel screen seen from 0.7 m
 };
 
 /// One line of the verdict.

@@ -101,16 +101,17 @@ void try_offset(const Evidence& e, Trials& trials) {
 void try_blank(const Evidence& e, Trials& trials) {
     std::array<float, 3> first{};
     for (std::size_t c = 0; c < e.colors; ++c) first[c] = e.t(e.pixels.front(), c);
-    bool is_black = true, is_uniform = true;
+    bool is_black = true, is_uniform = true, reference_is_uniform = true;
     for (const std::size_t i : e.pixels)
         for (std::size_t c = 0; c < e.colors; ++c) {
             is_black = is_black && std::abs(e.t(i, c)) <= 1e-3f * e.floor;
             is_uniform = is_uniform && e.t(i, c) == first[c];
+            reference_is_uniform = reference_is_uniform && e.r(i, c) == e.r(e.pixels.front(), c);
         }
     if (is_black)
         trials.push_back(
             {{"black", "test is black everywhere: nothing was drawn, or no light is on", 0.0, {}}, 0});
-    else if (is_uniform)
+    else if (is_uniform && !reference_is_uniform)
         trials.push_back(
             {{"uniform",
               fmt::format("test is ({:.4g}, {:.4g}, {:.4g}) everywhere: a clear colour or a sentinel",

@@ -4,14 +4,14 @@
 
 namespace sr::testing {
 
-/// Standard errors of R, G and B: 5 % of the value and 0.01; none where nothing is lit.
+/// Standard errors of R, G and B: 3 % of the value and 0.005; none where nothing is lit.
 inline image::Image noise_floor(const image::Image& image) {
     image::Image floor(image.width, image.height, 3);
     for (int y = 0; y < image.height; ++y)
         for (int x = 0; x < image.width; ++x)
             for (std::size_t c = 0; c < 3; ++c) {
                 const float value = image.at(x, y)[c];
-                floor.at(x, y)[c] = value > 0.0f ? 0.05f * value + 0.01f : 0.0f;
+                floor.at(x, y)[c] = value > 0.0f ? 0.03f * value + 0.005f : 0.0f;
             }
     return floor;
 }

@@ -25,10 +25,10 @@ Image filled(Image image, float r, float g, float b) {
     return image;
 }
 
-/// `factor` in a block of 9×9 pixels.
-Image with_wrong_block(Image image, float factor) {
-    for (int y = 50; y < 59; ++y)
-        for (int x = 60; x < 69; ++x)
+/// `factor` in a square of `edge` pixels.
+Image with_wrong_block(Image image, float factor, int edge) {
+    for (int y = 50; y < 50 + edge; ++y)
+        for (int x = 60; x < 60 + edge; ++x)
             for (float& value : image.at(x, y).first(3)) value *= factor;
     return image;
 }
@@ -52,7 +52,7 @@ std::vector<Mutant> holes(const Image& right) {
 }
 
 std::vector<Mutant> in_part(const Image& right) {
-    const Image wrong = with_wrong_block(right, 1.5f);
+    const Image wrong = with_wrong_block(right, 1.5f, 9);
     std::vector<Mutant> list{{"clustered_0.9_percent", wrong, right, false, "exposure", {}, {}},
                              {"wrong_outside_region", wrong, right, true, {}, {}, {}},
                              {"wrong_inside_region", wrong, right, false, "exposure", {}, {}},
@@ -100,7 +100,8 @@ std::vector<Mutant> of_other_kinds(const Image& right) {
     Image grey(right.width, right.height, 1);
     for (std::size_t i = 0; i < grey.pixels.size(); ++i)
         grey.pixels[i] = right.pixels[i * static_cast<std::size_t>(right.channels) + 1];
-    return {{"alpha_missing", transparent, right, false, {}, {}, {}},
+    return {{"small_thing_missing", with_wrong_block(right, 0.3f, 5), right, false, {}, {}, {}},
+            {"alpha_missing", transparent, right, false, {}, {}, {}},
             {"grey", grey, right, false, {}, {}, {}},
             {"another_size", picture_of_sphere({.width = 95}), right, false, {}, {}, {}},
             {"redder_floor", picture_of_sphere({.reflectance_red = 1.1f}), right, false, {}, {}, {}}};
