@@ -177,6 +177,7 @@ void declare_judgement(CLI::App& command, CompareCommand& o) {
             "of the pixels that must keep it; flip, hdr_flip (means), mean_rel, mean_abs, rmse, rel_mse, "
             "energy, density; ssim is at least so much")
         ->type_name("NAME=LIMIT[@PERCENT%]")
+        ->allow_extra_args(false)
         ->check(refusal_of_limit);
     command.add_flag("--allow-nonfinite", o.options.allow_nonfinite,
                      "leave NaN and infinite pixels out instead of failing");
@@ -185,7 +186,8 @@ void declare_judgement(CLI::App& command, CompareCommand& o) {
             "--noise", o.noise,
             "standard error of each pixel's mean, as a number or an image: differences are then judged as "
             "z-scores (repeatable, one for TEST and one for REF: their squares add up)")
-        ->type_name("NUMBER|FILE");
+        ->type_name("NUMBER|FILE")
+        ->allow_extra_args(false);
 }
 
 void declare_scope(CLI::App& command, CompareCommand& o) {
@@ -229,7 +231,7 @@ void add_compare_command(CLI::App& app) {
     command->footer(
         "Default limits: of light rel=0.01@99.9% and energy=0.005, of codes for a screen abs=0.0079@99.9% "
         "and\n"
-        "energy=0.01, with --noise z=auto; and, wherever some pixels may fail, density=0.25.\n\n"
+        "energy=0.01, with --noise z=auto@99.9%; and, wherever some pixels may fail, density=0.25.\n\n"
         "Examples:\n"
         "  steradian compare test.exr golden.exr\n"
         "  steradian compare test.exr golden.exr --max rel=0.02@99.5% --max flip=0.03 --heat-map heat.png\n"

@@ -112,7 +112,7 @@ void judge(const Pair& pair, Measured& measured, const CompareOptions& options, 
 } // namespace
 
 std::vector<Tolerance> default_tolerances(Encoding encoding, bool noise_is_known) {
-    if (noise_is_known) return {parsed_tolerance("z=auto")};
+    if (noise_is_known) return {parsed_tolerance("z=auto@99.9%")};
     if (encoding == Encoding::display_referred)
         return {parsed_tolerance("abs=0.0079@99.9%"), parsed_tolerance("energy=0.01")};
     return {parsed_tolerance("rel=0.01@99.9%"), parsed_tolerance("energy=0.005")};

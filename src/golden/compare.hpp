@@ -60,7 +60,7 @@ struct Comparison {
 
 /// The limits in use where none are given. README.md says why.
 /// Scene-referred: rel=0.01@99.9%, energy=0.005. Display-referred: abs=0.0079@99.9%, energy=0.01.
-/// With a noise floor: z=auto. A limit on density (0.25) is added wherever none is written.
+/// With a noise floor: z=auto@99.9%. A limit on density (0.25) is added wherever none is written.
 std::vector<Tolerance> default_tolerances(Encoding encoding, bool noise_is_known);
 
 /// Compares, and never throws for what is wrong with the images: a difference in size or channels is a

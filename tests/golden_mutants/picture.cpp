@@ -22,7 +22,7 @@ struct PointLight {
 constexpr float everywhere = 1e9f;
 const std::array lights{PointLight{"key", {1.5f, 2.5f, 1.0f}, {30.0f, 28.0f, 25.0f}, everywhere},
                         PointLight{"fill", {-2.5f, 1.5f, 1.5f}, {3.0f, 5.0f, 8.0f}, everywhere},
-                        PointLight{"spot", {0.85f, 1.0f, 0.6f}, {6.0f, 4.0f, 2.0f}, 0.235f}};
+                        PointLight{"spot", {0.85f, 1.0f, 0.6f}, {6.0f, 4.0f, 2.0f}, 0.31f}};
 constexpr float radius = 0.45f;
 constexpr float floor_edge = -1.4f; // the floor ends here, before black
 
