@@ -141,7 +141,7 @@ async function pictures(test) {
 }
 
 async function choose(index) {
-  if (index < 0 || index >= data.tests.length) return;
+  if (index < 0 || index >= data.tests.length || index === page.chosen) return;
   page.chosen = index;
   if (page.viewer) page.viewer.end();
   page.viewer = null;
