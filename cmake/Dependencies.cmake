@@ -9,6 +9,8 @@ macro(require_package debian_name condition)
 endmacro()
 
 find_package(Threads QUIET)
+find_package(ZLIB QUIET)
+require_package(zlib1g-dev ZLIB_FOUND)
 find_package(glm QUIET CONFIG)
 require_package(libglm-dev glm_FOUND)
 find_package(fmt QUIET CONFIG)

@@ -22,6 +22,7 @@ int main(int argc, char** argv) {
     add_info_command(app);
     add_expand_command(app);
     add_compare_command(app);
+    add_golden_command(app);
     try {
         app.parse(argc, argv);
         return done;

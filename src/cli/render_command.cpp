@@ -118,7 +118,9 @@ std::optional<float> write_outputs(const image::Image& film, const RenderCommand
             continue;
         }
         if (!ev100) ev100 = command.ev100 ? *command.ev100 : image::auto_ev100(film);
-        image::write(image::displayed(film, *ev100, command.tone_curve), output, image::SampleType::integer8);
+        image::Image picture = image::displayed(film, *ev100, command.tone_curve);
+        picture.attributes = film.attributes;
+        image::write(picture, output, image::SampleType::integer8);
     }
     return ev100;
 }

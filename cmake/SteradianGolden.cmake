@@ -1,0 +1,47 @@
+# Golden-image tests in CTest, for this project and for those that use its installed package:
+#
+#   find_package(Steradian REQUIRED)
+#   steradian_add_golden_test(NAME golden.models SUITE ${CMAKE_CURRENT_SOURCE_DIR}/golden/suite.json JOBS 2)
+#
+# steradian_add_golden_test(NAME name SUITE file.json [OUTPUT folder] [JOBS n] [TIMEOUT seconds]
+#                           [FILTER pattern...] [TAGS tag...] [SHADERS folder...] [LABELS label...])
+#
+# Adds one test, which runs the suite; a test that differs, has no golden or makes no image fails it. Results, junit.xml
+# and report.html go to OUTPUT (default: golden/NAME in the build folder). Nothing is ever approved here: that is
+# `steradian golden approve file.json -o OUTPUT`, and a person's decision.
+function(steradian_add_golden_test)
+  cmake_parse_arguments(arg "" "NAME;SUITE;OUTPUT;JOBS;TIMEOUT" "FILTER;TAGS;SHADERS;LABELS" ${ARGN})
+  if(arg_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR "steradian_add_golden_test: unknown argument ${arg_UNPARSED_ARGUMENTS}")
+  endif()
+  foreach(required NAME SUITE)
+    if(NOT arg_${required})
+      message(FATAL_ERROR "steradian_add_golden_test: ${required} is missing")
+    endif()
+  endforeach()
+  get_filename_component(suite "${arg_SUITE}" ABSOLUTE)
+  if(NOT EXISTS "${suite}")
+    message(FATAL_ERROR "steradian_add_golden_test(${arg_NAME}): there is no suite ${suite}")
+  endif()
+  if(NOT arg_OUTPUT)
+    set(arg_OUTPUT "${CMAKE_BINARY_DIR}/golden/${arg_NAME}")
+  endif()
+  if(NOT arg_JOBS)
+    set(arg_JOBS 1)
+  endif()
+  if(NOT arg_TIMEOUT)
+    set(arg_TIMEOUT 600)
+  endif()
+  set(options --output "${arg_OUTPUT}" --jobs ${arg_JOBS})
+  foreach(pattern IN LISTS arg_FILTER)
+    list(APPEND options --filter "${pattern}")
+  endforeach()
+  foreach(tag IN LISTS arg_TAGS)
+    list(APPEND options --tag "${tag}")
+  endforeach()
+  foreach(folder IN LISTS arg_SHADERS)
+    list(APPEND options --shaders "${folder}")
+  endforeach()
+  add_test(NAME ${arg_NAME} COMMAND Steradian::steradian golden run "${suite}" ${options})
+  set_tests_properties(${arg_NAME} PROPERTIES PROCESSORS ${arg_JOBS} TIMEOUT ${arg_TIMEOUT} LABELS "golden;${arg_LABELS}")
+endfunction()

@@ -1,0 +1,53 @@
+#pragma once
+// Candidates of the last run become goldens: always asked for, never by itself.
+#include "golden/result.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace sr::golden {
+
+struct ApproveOptions {
+    std::filesystem::path output;   // of the run
+    std::vector<std::string> names; // patterns of tests; empty: every test that did not pass
+    std::filesystem::path laws;     // JUnit XML of law and truth tests; empty: the suite's, if it names one
+    bool force = false;             // overcomes the refusals that are marked so
+};
+
+/// Why a candidate is not to become a golden.
+struct Refusal {
+    std::string reason;
+    bool yields_to_force = false;
+};
+
+/// What approving a test would do.
+struct Approval {
+    std::string name;
+    std::filesystem::path candidate;
+    std::filesystem::path golden;
+    std::string change; // "new", "equal", or what differs from the golden that it replaces
+    std::vector<Refusal> refusals;
+    std::string bytes; // of the candidate; empty if there is none
+};
+
+struct ApprovalPlan {
+    std::vector<Approval> approvals;
+    std::vector<std::string> remarks;
+
+    /// Whether nothing is refused, but for what force overcomes.
+    bool is_allowed(bool force) const;
+};
+
+/// Looks at everything and writes nothing. Refused without regard to force: a test that the last run did not
+/// have, a candidate that is missing or is not the one that was compared (by its fingerprint), one with
+/// pixels that are not finite where the test does not allow them. Refused unless forced: a failing pixel
+/// known in closed form, a failing law or truth test, a renderer that is not the suite's reference (or, where
+/// the suite names none, not the one that made the golden).
+/// @throws Error if there are no results, or they are another suite's, or no test fits the names.
+ApprovalPlan plan_approval(const Suite& suite, const ApproveOptions& options);
+
+/// Writes the goldens of a plan, each whole or not at all. @throws Error.
+void carry_out(const ApprovalPlan& plan);
+
+} // namespace sr::golden

@@ -1,0 +1,133 @@
+#include "golden/report.hpp"
+
+#include "golden/escape.hpp"
+#include "golden/report_page.hpp"
+#include "golden/report_pixels.hpp"
+#include "golden/sha256.hpp"
+#include "image/file.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace sr::golden {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+/// Failures first, in the suite's order within each kind.
+std::vector<const TestResult*> failures_first(const RunResult& result) {
+    std::vector<const TestResult*> tests;
+    for (const TestResult& test : result.tests) tests.push_back(&test);
+    const auto rank = [](const TestResult* test) {
+        return test->outcome == Outcome::passed    ? 3
+               : test->outcome == Outcome::missing ? 2
+               : test->outcome == Outcome::broken  ? 1
+                                                   : 0;
+    };
+    std::ranges::stable_sort(tests, {}, rank);
+    return tests;
+}
+
+/// What people type to do something about a test, in the folder that the run was started in.
+ordered_json commands_of(const TestResult& test, const RunResult& result, const Suite& suite,
+                         const fs::path& output) {
+    const std::string file = result.suite_file;
+    ordered_json commands{
+        {"reproduce", fmt::format("cd {} && {}", shell_line({suite.folder.string()}), test.command)},
+        {"run again", shell_line({"steradian", "golden", "run", file, "--output", output.string(), "--filter",
+                                  test.name})}};
+    if (!test.candidate.empty() && test.outcome != Outcome::passed)
+        commands["approve"] =
+            shell_line({"steradian", "golden", "approve", file, test.name, "--output", output.string()});
+    return commands;
+}
+
+/// The pictures of one test, as long as there is room for them.
+class Pictures {
+public:
+    Pictures(const Suite& suite, const fs::path& output) : suite_(suite), output_(output) {}
+
+    void add(ordered_json& json, const TestResult& test) {
+        json["images_left_out"] = room_ == 0;
+        json["is_display_referred"] = test.candidate.ends_with(".png");
+        if (test.candidate.empty() || room_ == 0) return;
+        json["test"] = packed_pixels(image::read(output_ / test.candidate));
+        if (test.comparison.is_object()) {
+            auto golden = packed_pixels(image::read(suite_.folder / test.golden));
+            json["golden"] = golden == json["test"] ? ordered_json("equal") : std::move(golden);
+        }
+        for (const char* key : {"test", "golden"})
+            if (json.contains(key) && json[key].is_object())
+                room_ -= std::min(room_, json[key]["data"].get_ref<const std::string&>().size());
+    }
+
+private:
+    const Suite& suite_;
+    const fs::path& output_;
+    std::size_t room_ = most_pixel_text;
+};
+
+ordered_json page_data(const RunResult& result, const Suite& suite, const fs::path& output) {
+    ordered_json tests = ordered_json::array();
+    Pictures pictures(suite, output);
+    for (const TestResult* test : failures_first(result)) {
+        ordered_json json{
+            {"name", test->name},
+            {"outcome", name_of(test->outcome)},
+            {"message", test->message},
+            {"description", test->description},
+            {"tags", test->tags},
+            {"renderer", {{"test", test->candidate_renderer}, {"golden", test->golden_renderer}}},
+            {"commands", commands_of(*test, result, suite, output)},
+            {"comparison", test->comparison},
+            {"log", test->log}};
+        pictures.add(json, *test);
+        tests.push_back(std::move(json));
+    }
+    return {{"suite", result.suite},
+            {"file", result.suite_file},
+            {"version", STERADIAN_VERSION},
+            {"tests", std::move(tests)}};
+}
+
+std::string csp_hash(std::string_view text) {
+    const Digest digest = sha256({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+    return "'sha256-" + base64({reinterpret_cast<const char*>(digest.data()), digest.size()}) + "'";
+}
+
+/// What is seen where the script may not run.
+std::string plain_table(const RunResult& result) {
+    std::string rows;
+    for (const TestResult* test : failures_first(result))
+        rows += fmt::format("<tr><td>{}<td>{}<td>{}\n", name_of(test->outcome), escaped_markup(test->name),
+                            escaped_markup(test->message));
+    return "<table>\n<tr><th>outcome<th>test<th>what\n" + rows + "</table>\n";
+}
+
+} // namespace
+
+std::string report_html(const RunResult& result, const Suite& suite, const fs::path& output) {
+    const ReportPage page = report_page();
+    const std::string title =
+        fmt::format("{}: {} of {} passed", result.suite, result.count(Outcome::passed), result.tests.size());
+    std::string data =
+        page_data(result, suite, output).dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+    std::string html = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n";
+    html += fmt::format(
+        "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; "
+        "style-src {}; script-src {}; base-uri 'none'; form-action 'none'\">\n",
+        csp_hash(page.style), csp_hash(page.script));
+    html += "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<link rel=\"icon\" "
+            "href=\"data:,\">\n";
+    html += fmt::format("<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n", escaped_markup(title),
+                        page.style);
+    html += fmt::format("<main id=\"page\">\n<h1>{}</h1>\n{}</main>\n", escaped_markup(title),
+                        plain_table(result));
+    html += fmt::format(
+        "<script type=\"application/json\" id=\"data\">{}</script>\n<script>{}</script>\n</body>\n</html>\n",
+        escaped_script_json(data), page.script);
+    return html;
+}
+
+} // namespace sr::golden

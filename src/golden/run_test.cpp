@@ -1,0 +1,162 @@
+#include "golden/run_test.hpp"
+
+#include "core/error.hpp"
+#include "golden/bytes_of_file.hpp"
+#include "golden/child.hpp"
+#include "golden/comparison_json.hpp"
+#include "golden/escape.hpp"
+#include "golden/fingerprint.hpp"
+#include "golden/known_pixels.hpp"
+#include "image/file.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace sr::golden {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string replaced(std::string word, std::string_view placeholder, std::string_view value) {
+    for (auto at = word.find(placeholder); at != std::string::npos;
+         at = word.find(placeholder, at + value.size()))
+        word.replace(at, placeholder.size(), value);
+    return word;
+}
+
+constexpr int first_option = 5; // of {steradian} render SCENE -o {out} …
+
+std::vector<std::string> command_words(const GoldenTest& test, const RunOptions& options,
+                                       std::string_view program, std::string_view out) {
+    std::vector<std::string> words;
+    for (const std::string& word : test.command)
+        words.push_back(replaced(replaced(word, "{steradian}", program), "{out}", out));
+    if (!test.scene.empty())
+        for (auto folder = options.shaders.rbegin(); folder != options.shaders.rend(); ++folder)
+            words.insert(words.begin() + first_option, {"--shaders", fs::absolute(*folder).string()});
+    return words;
+}
+
+/// The last lines of a log: at most 4000 bytes.
+std::string tail_of(const fs::path& log) {
+    constexpr std::size_t most = 4000;
+    std::error_code failure;
+    if (!fs::exists(log, failure)) return {};
+    std::string text = bytes_of_file(log);
+    if (text.size() <= most) return text;
+    const auto line = text.find('\n', text.size() - most);
+    return "…\n" + text.substr(line == std::string::npos ? text.size() - most : line + 1);
+}
+
+/// The last line that says something; a usage error ends with a hint that does not.
+std::string last_line(std::string_view text) {
+    std::string last;
+    for (std::size_t begin = 0; begin < text.size();) {
+        const auto end = std::min(text.find('\n', begin), text.size());
+        const std::string_view line = text.substr(begin, end - begin);
+        if (!line.empty() && !line.starts_with("Run with --help")) last = line;
+        begin = end + 1;
+    }
+    return last;
+}
+
+std::string renderer_of(const image::Image& image) {
+    std::string text;
+    for (const char* key : {"steradian:GL_RENDERER", "steradian:GL_VERSION"}) {
+        const auto found = std::ranges::find(image.attributes, key, &image::Attribute::name);
+        if (found == image.attributes.end()) continue;
+        text += fmt::format("{}{}", text.empty() ? "" : ", ", found->value);
+    }
+    return text;
+}
+
+CompareOptions compare_options(const GoldenTest& test) {
+    CompareOptions options;
+    options.tolerances = test.tolerances;
+    options.allow_nonfinite = test.allow_nonfinite;
+    options.region = test.region;
+    options.encoding = test.extension == ".png" ? Encoding::display_referred : Encoding::scene_referred;
+    if (!test.mask.empty()) options.mask = image::read(test.mask);
+    for (const fs::path& file : test.noise) options.noise.push_back(image::read(file));
+    return options;
+}
+
+/// What failed first, and the diagnosis if there is one.
+std::string summary(const Comparison& comparison) {
+    const auto failed = std::ranges::find(comparison.verdicts, false, &Verdict::passed);
+    std::string text = failed == comparison.verdicts.end() ? "differs from its golden" : failed->line;
+    if (comparison.diagnosis)
+        text += fmt::format(" [{}: {}]", comparison.diagnosis->name, comparison.diagnosis->statement);
+    return text;
+}
+
+/// Judges the candidate; the pixels known in closed form first, since they need no golden.
+void judge(TestResult& result, const image::Image& candidate, const Suite& suite, const GoldenTest& test) {
+    const std::string wrong = wrong_known_pixels(candidate, test.pixels);
+    result.fails_known_pixel = !wrong.empty();
+    const fs::path golden = suite.golden_of(test);
+    std::error_code ignored;
+    if (!fs::exists(golden, ignored)) {
+        result.outcome = Outcome::missing;
+        result.message = "there is no golden: look at the candidate, then approve it"
+                         + (wrong.empty() ? "" : "; " + wrong);
+        return;
+    }
+    const image::Image reference = image::read(golden);
+    result.golden_renderer = renderer_of(reference);
+    const Comparison comparison = compare(candidate, reference, compare_options(test));
+    result.comparison = json_of(comparison);
+    result.outcome = comparison.passed && wrong.empty() ? Outcome::passed : Outcome::differs;
+    if (!comparison.passed) result.message = summary(comparison);
+    if (!wrong.empty()) result.message += (result.message.empty() ? "" : "; ") + wrong;
+}
+
+/// Runs the command. @return whether there is an image to judge.
+bool made_image(TestResult& result, const Suite& suite, const GoldenTest& test, const RunOptions& options,
+                const fs::path& candidate) {
+    const fs::path log = fs::absolute(options.output / "logs" / (test.name + ".txt"));
+    std::error_code ignored;
+    fs::remove(candidate, ignored);
+    ChildOptions child;
+    child.words = command_words(test, options, options.program.string(), fs::absolute(candidate).string());
+    child.folder = fs::absolute(suite.folder);
+    child.log = log;
+    child.time_limit = test.time_limit;
+    child.is_stopped = options.is_interrupted;
+    const ChildEnd end = run_child(child);
+    result.seconds = end.seconds;
+    result.log = tail_of(log);
+    if (end.is_success() && fs::exists(candidate, ignored)) return true;
+    fs::remove(candidate, ignored); // what a failed command leaves is no candidate
+    result.message = end.is_success() ? "the command wrote no image" : "the command " + end.text();
+    if (end.way == ChildEnd::Way::timed_out) result.message += fmt::format(" of {} s", test.time_limit);
+    if (const std::string line = last_line(result.log); !line.empty()) result.message += ": " + line;
+    return false;
+}
+
+} // namespace
+
+TestResult run_test(const Suite& suite, const GoldenTest& test, const RunOptions& options) {
+    TestResult result;
+    result.name = test.name;
+    result.description = test.description;
+    result.tags = test.tags;
+    result.golden = fs::relative(suite.golden_of(test), suite.folder).generic_string();
+    result.command = shell_line(command_words(test, options, "steradian", test.name + test.extension));
+    try {
+        const std::string file = "candidates/" + test.name + test.extension;
+        const fs::path candidate = options.output / file;
+        if (!made_image(result, suite, test, options, candidate)) return result;
+        const image::Image image = image::read(candidate);
+        result.candidate = file;
+        result.candidate_sha256 = fingerprint(image);
+        result.candidate_renderer = renderer_of(image);
+        judge(result, image, suite, test);
+    } catch (const Error& error) {
+        result.outcome = Outcome::broken;
+        result.message = error.what();
+    }
+    return result;
+}
+
+} // namespace sr::golden

@@ -1,0 +1,181 @@
+#include "golden/suite.hpp"
+
+#include "golden/suite_reader.hpp"
+
+#include <fmt/format.h>
+#include <set>
+
+namespace sr::golden {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+/// A key of a test that becomes an option of `steradian render`.
+struct RenderOption {
+    const char* key;
+    const char* option;
+};
+constexpr std::array render_options{
+    RenderOption{"camera", "--camera"},         RenderOption{"size", "--size"},
+    RenderOption{"samples", "--samples"},       RenderOption{"seed", "--seed"},
+    RenderOption{"background", "--background"}, RenderOption{"rig", "--rig"},
+    RenderOption{"estimator", "--estimator"},   RenderOption{"visibility", "--visibility"},
+    RenderOption{"exr_type", "--exr-type"},     RenderOption{"exposure", "--exposure"},
+    RenderOption{"tone_curve", "--tone-curve"}, RenderOption{"backend", "--backend"},
+};
+
+void allow_test_keys(const SuiteReader& entry) {
+    entry.allow_only({"name",       "description", "tags",       "scene",      "command",         "format",
+                      "arguments",  "shaders",     "camera",     "size",       "samples",         "seed",
+                      "background", "rig",         "estimator",  "visibility", "exr_type",        "exposure",
+                      "tone_curve", "backend",     "time_limit", "tolerance",  "allow_nonfinite", "region",
+                      "mask",       "noise",       "pixels",     "guards"});
+}
+
+/// The value of a render option as the command line takes it: a text, or a number as written.
+std::string option_value(const SuiteReader& entry, const char* key) {
+    const json& value = entry.value().at(key);
+    if (value.is_string()) return value.get<std::string>();
+    if (!value.is_number())
+        entry.fail_at(key, fmt::format("\"{}\" is a {}", key, value.type_name()), "write a text or a number");
+    return value.dump();
+}
+
+std::vector<std::string> render_command(const SuiteReader& entry, const SuiteReader& defaults) {
+    std::vector<std::string> words{"{steradian}", "render", entry.required_text("scene"), "-o", "{out}"};
+    for (const RenderOption& option : render_options)
+        for (const SuiteReader* place : {&entry, &defaults})
+            if (place->has(option.key)) {
+                words.insert(words.end(), {option.option, option_value(*place, option.key)});
+                break;
+            }
+    for (const SuiteReader* place : {&entry, &defaults}) {
+        for (const std::string& folder : place->texts("shaders"))
+            words.insert(words.end(), {"--shaders", folder});
+        for (std::string& word : place->texts("arguments")) words.push_back(std::move(word));
+    }
+    return words;
+}
+
+/// The key in the test if it is there, else in the defaults.
+const SuiteReader& holder(const SuiteReader& entry, const SuiteReader& defaults, const char* key) {
+    return entry.has(key) ? entry : defaults;
+}
+
+std::string checked_name(const SuiteReader& entry, std::set<std::string>& used) {
+    std::string name = entry.required_text("name");
+    bool fits = !name.empty() && name.size() <= 120 && name.front() != '.' && name.front() != '-';
+    for (const char c : name) fits = fits && c != '/' && c != '\\' && static_cast<unsigned char>(c) >= 0x20;
+    if (!fits)
+        entry.fail_at(
+            "name", "this name cannot be a file's",
+            "use 1 to 120 characters without / \\ and control characters, not beginning with . or -");
+    if (!used.insert(name).second)
+        entry.fail_at("name", fmt::format("the name \"{}\" is used twice", name), "give each test its own");
+    return name;
+}
+
+KnownPixel known_pixel(const SuiteReader& entry) {
+    entry.allow_only({"at", "radiance", "relative"});
+    const auto at = entry.numbers("at", 2), rgb = entry.numbers("radiance", 3);
+    if (at[0] < 0 || at[1] < 0 || at[0] > 65535 || at[1] > 65535)
+        entry.fail_at("at", "no pixel of an image", "write [x, y], counted from the upper left");
+    return {static_cast<int>(at[0]),
+            static_cast<int>(at[1]),
+            {rgb[0], rgb[1], rgb[2]},
+            entry.number("relative", 0.01, 1e-9, 1.0)};
+}
+
+void read_comparison(GoldenTest& test, const SuiteReader& entry, const SuiteReader& defaults,
+                     const fs::path& folder) {
+    const SuiteReader& tolerance = holder(entry, defaults, "tolerance");
+    try {
+        test.tolerances = parsed_tolerances(tolerance.texts("tolerance"));
+    } catch (const Error& error) { // says what may stand there, and not where it stands
+        tolerance.fail_at("tolerance", "a tolerance that does not parse", error.what());
+    }
+    test.allow_nonfinite = holder(entry, defaults, "allow_nonfinite").flag("allow_nonfinite", false);
+    if (entry.has("region")) {
+        const auto r = entry.numbers("region", 4);
+        test.region = Region{static_cast<int>(r[0]), static_cast<int>(r[1]), static_cast<int>(r[2]),
+                             static_cast<int>(r[3])};
+    }
+    if (entry.has("mask")) test.mask = folder / entry.text("mask", "");
+    for (const std::string& file : entry.texts("noise")) test.noise.push_back(folder / file);
+    for (const SuiteReader& pixel : entry.objects("pixels")) test.pixels.push_back(known_pixel(pixel));
+}
+
+/// Laws hold for every scene; a truth or closed form is of the scene that it names.
+std::vector<std::string> default_guards(const std::string& scene) {
+    if (scene.empty()) return {};
+    const std::string stem = fs::path(scene).stem().string();
+    return {"law.", "truth." + stem, "analytic." + stem};
+}
+
+GoldenTest read_test(const SuiteReader& entry, const SuiteReader& defaults, const fs::path& folder,
+                     std::set<std::string>& used) {
+    allow_test_keys(entry);
+    GoldenTest test;
+    test.name = checked_name(entry, used);
+    test.description = holder(entry, defaults, "description").text("description", "");
+    test.tags = holder(entry, defaults, "tags").texts("tags");
+    if (entry.has("scene") == entry.has("command"))
+        entry.fail("a test has either a \"scene\" or a \"command\"", "write one of the two");
+    if (entry.has("scene")) {
+        test.scene = entry.required_text("scene");
+        test.command = render_command(entry, defaults);
+    } else {
+        test.command = entry.texts("command");
+        bool has_output = false;
+        for (const std::string& word : test.command) has_output |= word.find("{out}") != std::string::npos;
+        if (!has_output)
+            entry.fail_at("command", "the command has no {out}",
+                          "put {out} where the image's file name belongs");
+    }
+    const std::string format = holder(entry, defaults, "format").text("format", "exr");
+    if (format != "exr" && format != "hdr" && format != "png")
+        holder(entry, defaults, "format")
+            .fail_at("format", fmt::format("unknown format \"{}\"", format), "write exr, hdr or png");
+    test.extension = "." + format;
+    test.time_limit = holder(entry, defaults, "time_limit").number("time_limit", 60.0, 0.001, 86400.0);
+    read_comparison(test, entry, defaults, folder);
+    const SuiteReader& guards = holder(entry, defaults, "guards");
+    test.guards = guards.has("guards") ? guards.texts("guards") : default_guards(test.scene);
+    return test;
+}
+
+} // namespace
+
+Suite load_suite(const fs::path& file) {
+    const JsonText text(file);
+    const SuiteReader root(text, SuiteReader::Pointer(""));
+    root.allow_only({"$schema", "name", "goldens", "laws", "renderer", "defaults", "tests"});
+    Suite suite;
+    suite.file = file;
+    suite.name = root.text("name", file.stem().string());
+    suite.folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+    suite.goldens = suite.folder / root.text("goldens", "goldens");
+    if (root.has("laws")) suite.laws = suite.folder / root.text("laws", "");
+    if (root.has("renderer")) {
+        const SuiteReader renderer(text, SuiteReader::Pointer("/renderer"));
+        renderer.allow_only({"GL_RENDERER", "GL_VERSION"});
+        suite.renderer = {renderer.required_text("GL_RENDERER"), renderer.text("GL_VERSION", "")};
+    }
+    if (!root.has("tests")) root.fail("\"tests\" is missing", "add \"tests\": [ … ]");
+    const SuiteReader defaults(text, SuiteReader::Pointer(root.has("defaults") ? "/defaults" : ""));
+    if (root.has("defaults")) {
+        allow_test_keys(defaults);
+        for (const char* key : {"name", "scene", "command", "region", "mask", "noise", "pixels"})
+            if (defaults.has(key))
+                defaults.fail_at(key, fmt::format("\"{}\" has no default", key), "write it in each test");
+    }
+    std::set<std::string> used;
+    for (const SuiteReader& entry : root.objects("tests"))
+        suite.tests.push_back(read_test(entry, defaults, suite.folder, used));
+    if (suite.tests.empty())
+        root.fail_at("tests", "no tests", "add one: { \"name\": \"…\", \"scene\": \"….gltf\" }");
+    return suite;
+}
+
+} // namespace sr::golden

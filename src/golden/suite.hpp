@@ -1,0 +1,65 @@
+#pragma once
+// A suite of golden-image tests: one JSON file (assets/golden_suite.schema.json), one entry a test.
+#include "golden/compare.hpp"
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace sr::golden {
+
+/// A pixel whose value is known in closed form, so that a golden cannot preserve a wrong picture.
+struct KnownPixel {
+    int x = 0;
+    int y = 0;
+    std::array<double, 3> radiance{}; // R, G, B [the image's unit]
+    double relative = 0.01;           // how far off it may be: |value - radiance| ≤ relative · radiance
+};
+
+/// One image that is made and compared.
+struct GoldenTest {
+    std::string name; // also its files' name
+    std::string description;
+    std::vector<std::string> tags;
+    /// The words of the command. "{steradian}" is this program, "{out}" the image that it has to write.
+    std::vector<std::string> command;
+    std::string scene;              // as written in the suite; empty for an external command
+    std::string extension = ".exr"; // of its image
+    double time_limit = 60.0;       // [s]
+    std::vector<Tolerance> tolerances;
+    bool allow_nonfinite = false;
+    std::optional<Region> region;
+    std::filesystem::path mask;               // empty: none
+    std::vector<std::filesystem::path> noise; // standard errors; empty: none
+    std::vector<KnownPixel> pixels;
+    /// Beginnings of the names of law and truth tests that must not have failed when its golden is approved.
+    std::vector<std::string> guards;
+};
+
+/// The renderer whose pictures become goldens. A renderer is it if its strings begin with these.
+struct ReferenceRenderer {
+    std::string gl_renderer; // beginning of GL_RENDERER, e.g. "llvmpipe"
+    std::string gl_version;  // beginning of GL_VERSION; may be empty
+};
+
+struct Suite {
+    std::filesystem::path file;
+    std::string name;
+    std::filesystem::path folder;  // the suite file's; commands run there
+    std::filesystem::path goldens; // where the golden images lie
+    std::filesystem::path laws;    // JUnit XML with the results of law and truth tests; empty: none
+    std::optional<ReferenceRenderer> renderer;
+    std::vector<GoldenTest> tests;
+
+    std::filesystem::path golden_of(const GoldenTest& test) const {
+        return goldens / (test.name + test.extension);
+    }
+};
+
+/// Reads a suite. @throws Error with file:line:column for broken JSON, an unknown or missing key, a value of
+/// a wrong kind, a name that is used twice or cannot be a file's, a tolerance that does not parse.
+Suite load_suite(const std::filesystem::path& file);
+
+} // namespace sr::golden

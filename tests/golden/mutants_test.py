@@ -1,0 +1,57 @@
+#!/usr/bin/env python3
+"""Our suite under a renderer with a mistake, made by a shader overlay: it must fail, and say why.
+
+usage: mutants_test.py STERADIAN SOURCE_FOLDER SCRATCH_FOLDER MISTAKE
+"""
+import json
+import subprocess
+import sys
+from collections import Counter
+from pathlib import Path
+
+SRGB = """vec3 srgb(vec3 v) {
+    return mix(12.92 * v, 1.055 * pow(v, vec3(1.0 / 2.4)) - 0.055, greaterThan(v, vec3(0.0031308)));
+}
+
+void main() {"""
+
+# The shader, what is replaced in it; how many of the tests fail at least; the diagnosis, and how often it is given at
+# least. A missing cosine cannot be named from an image alone; a light that is off is named where it was the only one.
+MISTAKES = {
+    "pi_missing": ("brdf/lambert.glsl", {"return albedo / pi;": "return albedo;"}, 20, "pi_missing", 5),
+    "cosine_missing": ("integrator/reflected.glsl", {"* V * cos_i;": "* V;"}, 19, None, 0),
+    "srgb_twice": ("forward.frag", {"void main() {": SRGB, "emitted(x) + reflected(x, wo);": "srgb(emitted(x) + reflected(x, wo));"},
+                   20, "srgb_applied", 5),
+    "light_off": ("integrator/reflected.glsl", {"k < light_count;": "k < light_count - 1;"}, 20, "black", 4),
+}
+
+
+def make_overlay(source, folder, shader, replacements):
+    text = (source / "shaders" / shader).read_text(encoding="utf-8")
+    for right, wrong in replacements.items():
+        assert text.count(right) == 1, f"{shader} has no line with {right} any more: mend this test"
+        text = text.replace(right, wrong)
+    (folder / shader).parent.mkdir(parents=True, exist_ok=True)
+    (folder / shader).write_text(text, encoding="utf-8")
+
+
+def main():
+    program, source, scratch, mistake = sys.argv[1], Path(sys.argv[2]), Path(sys.argv[3]) / sys.argv[4], sys.argv[4]
+    shader, replacements, failing, name, count = MISTAKES[mistake]
+    make_overlay(source, scratch / "shaders", shader, replacements)
+    result = subprocess.run([program, "golden", "run", source / "tests/golden/suite.json", "-o", scratch / "out",
+                             "--jobs", "2", "--shaders", scratch / "shaders"], capture_output=True, text=True)
+    print(result.stdout + result.stderr)
+    assert result.returncode == 1, f"exit status {result.returncode}"
+    tests = json.loads((scratch / "out/results.json").read_text())["tests"]
+    outcomes = Counter(test["outcome"] for test in tests)
+    assert outcomes["broken"] == 0 and outcomes["missing"] == 0, outcomes
+    diagnoses = Counter((test["comparison"]["diagnosis"] or {"name": "none"})["name"] for test in tests)
+    print(f"{mistake}: {outcomes['differs']} of {len(tests)} fail, diagnosed as {dict(diagnoses)}")
+    assert outcomes["differs"] >= failing, outcomes
+    assert name is None or diagnoses[name] >= count, diagnoses
+    assert name == "pi_missing" or diagnoses["pi_missing"] == 0, "another mistake was taken for a missing π"
+
+
+if __name__ == "__main__":
+    main()

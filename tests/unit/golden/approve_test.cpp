@@ -1,0 +1,131 @@
+#include "core/error.hpp"
+#include "golden/bytes_of_file.hpp"
+#include "golden/law_record.hpp"
+#include "image/file.hpp"
+#include "support/address.hpp"
+#include "support/models.hpp"
+#include "unit/golden/suite_support.hpp"
+
+#include <limits>
+
+using namespace sr;
+using namespace sr::testing;
+using golden::Outcome;
+using sr::testing::Test;
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* laws_xml = R"(<?xml version="1.0"?><!-- <testcase name="law.no"/> -->
+<testsuite name="x"><testcase name="law.good" status="run"><system-out>&lt;failure <![CDATA[<failure/>]]></system-out></testcase>
+<testcase name="law.b&quot;ad" classname="c" status="fail"><failure message="a > b"/></testcase>
+<testcase classname='c' name='truth.cornell.sampled'><error/></testcase>
+<testcase name="analytic.gone" status="notrun"/></testsuite>)";
+
+golden::ApprovalPlan plan(const golden::Suite& suite, const fs::path& output,
+                          std::vector<std::string> names = {}) {
+    golden::ApproveOptions options;
+    options.output = output;
+    options.names = std::move(names);
+    return golden::plan_approval(suite, options);
+}
+
+/// The reasons of the first test, in one text.
+std::string refusals(const golden::ApprovalPlan& plan) {
+    std::string text;
+    for (const auto& refusal : plan.approvals.at(0).refusals) text += refusal.reason + "; ";
+    return text;
+}
+
+const Test approves("unit.golden.approve.the_next_run_passes", [] {
+    const auto folder = scratch_folder("approve");
+    const auto suite = copying_suite(folder, {"a", "b"});
+    run_and_keep(suite, folder / "out");
+    const auto only_a = plan(suite, folder / "out", {"a"});
+    EXPECT_EQ(only_a.approvals.at(0).change, "new");
+    EXPECT_FALSE(fs::exists(suite.goldens)) << "a plan writes nothing";
+    golden::carry_out(only_a);
+    const auto result = run_and_keep(suite, folder / "out");
+    EXPECT_EQ(result.tests.at(0).outcome, Outcome::passed);
+    EXPECT_EQ(result.tests.at(1).outcome, Outcome::missing) << "it was not named";
+    EXPECT_EQ(plan(suite, folder / "out").approvals.size(), 1u) << "what passed needs no approval";
+    EXPECT_EQ(plan(suite, folder / "out", {"a"}).approvals.at(0).change, "equal");
+});
+
+const Test only_last_run("unit.golden.approve.takes_only_what_was_just_compared", [] {
+    const auto folder = scratch_folder("approve_last");
+    const auto suite = copying_suite(folder, {"a"});
+    EXPECT_NE(error_of([&] { plan(suite, folder / "out"); }).find("no results of a run"), std::string::npos);
+    run_and_keep(suite, folder / "out");
+    EXPECT_NE(error_of([&] { plan(suite, folder / "out", {"b"}); }).find("no test b"), std::string::npos);
+    image::write(plain(0.6f), folder / "out/candidates/a.exr", image::SampleType::floating);
+    const auto changed = plan(suite, folder / "out");
+    EXPECT_NE(refusals(changed).find("not the one that the last run compared"), std::string::npos);
+    EXPECT_FALSE(changed.is_allowed(true)) << "force does not make it the right file";
+    fs::remove(folder / "out/candidates/a.exr");
+    EXPECT_FALSE(plan(suite, folder / "out").is_allowed(true));
+});
+
+const Test nonfinite("unit.golden.approve.refuses_pixels_that_are_not_finite", [] {
+    const auto folder = scratch_folder("approve_nan");
+    const auto suite = copying_suite(folder, {"a"});
+    image::Image nan = plain(0.5f);
+    nan.pixels[7] = std::numeric_limits<float>::quiet_NaN();
+    image::write(nan, folder / "a-source.exr", image::SampleType::floating);
+    run_and_keep(suite, folder / "out");
+    EXPECT_NE(refusals(plan(suite, folder / "out")).find("1 of its values are not finite"),
+              std::string::npos);
+    EXPECT_FALSE(plan(suite, folder / "out").is_allowed(true));
+});
+
+const Test renderer("unit.golden.approve.refuses_another_renderer_unless_forced", [] {
+    const auto folder = scratch_folder("approve_renderer");
+    const auto suite =
+        copying_suite(folder, {"a"}, R"("renderer": {"GL_RENDERER": "llvmpipe", "GL_VERSION": "4.5"},)");
+    run_and_keep(suite, folder / "out");
+    EXPECT_TRUE(plan(suite, folder / "out").is_allowed(false)) << refusals(plan(suite, folder / "out"));
+    image::write(plain(0.5f, "NVIDIA"), folder / "a-source.exr", image::SampleType::floating);
+    run_and_keep(suite, folder / "out");
+    const auto other = plan(suite, folder / "out");
+    EXPECT_NE(refusals(other).find("reference renderer is llvmpipe"), std::string::npos) << refusals(other);
+    EXPECT_FALSE(other.is_allowed(false));
+    EXPECT_TRUE(other.is_allowed(true));
+});
+
+const Test golden_renderer("unit.golden.approve.without_a_reference_the_goldens_renderer_counts", [] {
+    const auto folder = scratch_folder("approve_golden_renderer");
+    const auto suite = copying_suite(folder, {"a"});
+    fs::create_directories(suite.goldens);
+    image::write(plain(0.9f, "NVIDIA"), suite.golden_of(suite.tests[0]), image::SampleType::floating);
+    run_and_keep(suite, folder / "out");
+    EXPECT_NE(refusals(plan(suite, folder / "out")).find("its golden by NVIDIA"), std::string::npos);
+});
+
+const Test laws("unit.golden.approve.refuses_while_a_law_fails", [] {
+    const auto folder = scratch_folder("approve_laws");
+    const auto suite = copying_suite(folder, {"a"}, R"("laws": "laws.xml",)");
+    run_and_keep(suite, folder / "out");
+    const auto unrecorded = plan(suite, folder / "out");
+    EXPECT_TRUE(unrecorded.is_allowed(false));
+    EXPECT_EQ(unrecorded.remarks.size(), 1u) << "that nothing is recorded is said";
+    written(folder / "laws.xml", laws_xml);
+    const auto recorded = plan(suite, folder / "out");
+    EXPECT_EQ(refusals(recorded), "law.b\"ad fails; ");
+    EXPECT_FALSE(recorded.is_allowed(false));
+    EXPECT_TRUE(recorded.is_allowed(true));
+});
+
+const Test record("unit.golden.laws.reads_junit_of_any_program", [] {
+    const auto folder = scratch_folder("laws");
+    const auto found = golden::read_law_record(written(folder / "l.xml", laws_xml));
+    EXPECT_EQ(found.tests, 4);
+    EXPECT_EQ(found.failed,
+              (std::vector<std::string>{"law.b\"ad", "truth.cornell.sampled", "analytic.gone"}));
+    const std::vector<std::string> guards{"truth.cornell", "analytic.other"};
+    EXPECT_EQ(found.failed_among(guards), (std::vector<std::string>{"truth.cornell.sampled"}));
+    EXPECT_THROW(golden::read_law_record(written(folder / "e.xml", "<a/>")), Error);
+    for (std::size_t length = 0; length < std::string_view(laws_xml).size(); ++length)
+        error_of([&] { golden::read_law_record(written(folder / "t.xml", std::string(laws_xml, length))); });
+});
+
+} // namespace

@@ -1,0 +1,69 @@
+#include "golden/escape.hpp"
+#include "golden/report.hpp"
+#include "golden/report_pixels.hpp"
+#include "golden/sha256.hpp"
+#include "support/address.hpp"
+#include "support/models.hpp"
+#include "unit/golden/suite_support.hpp"
+
+#include <limits>
+
+using namespace sr;
+using namespace sr::testing;
+using sr::testing::Test;
+
+namespace {
+
+std::string hash(const std::string& text) {
+    return golden::hexadecimal(
+        golden::sha256({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}));
+}
+
+// NIST's examples for FIPS 180-4: no block, one, two, and many.
+const Test nist("unit.golden.sha256.nist_examples", [] {
+    EXPECT_EQ(hash(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+    EXPECT_EQ(hash("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+    EXPECT_EQ(hash("abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq"),
+              "248d6a61d20638b8e5c026930c3e6039a33ce45964ff2167f6ecedd419db06c1");
+    EXPECT_EQ(hash(std::string(1000000, 'a')),
+              "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
+});
+
+const Test rfc4648("unit.golden.base64.rfc_examples", [] {
+    const char* expected[] = {"", "Zg==", "Zm8=", "Zm9v", "Zm9vYg==", "Zm9vYmE=", "Zm9vYmFy"};
+    for (std::size_t length = 0; length <= 6; ++length)
+        EXPECT_EQ(golden::base64(std::string("foobar").substr(0, length)), expected[length]);
+    EXPECT_EQ(golden::base64("\xfb\xff"), "+/8=");
+});
+
+const Test escapes("unit.golden.escape.nothing_gets_out", [] {
+    EXPECT_EQ(golden::escaped_markup("<a href='\"&\">é\n"), "&lt;a href=&#39;&quot;&amp;&quot;&gt;é\n");
+    EXPECT_EQ(golden::escaped_markup("\xc0\xaf\xed\xa0\x80"),
+              "\xEF\xBF\xBD\xEF\xBF\xBD\xEF\xBF\xBD\xEF\xBF\xBD\xEF\xBF\xBD");
+    EXPECT_EQ(golden::escaped_script_json("\"</script><!--\""), "\"\\u003c/script>\\u003c!--\"");
+    EXPECT_EQ(golden::shell_line({"a", "b c", "it's", "", "$x"}), "a 'b c' 'it'\\''s' '' '$x'");
+});
+
+const Test any_range("unit.golden.report.packs_any_range", [] {
+    image::Image image(2, 1, 3);
+    for (const float largest : {1e-30f, 1.0f, 1e30f}) {
+        image.pixels = {largest, 0.0f, 0.0f, std::numeric_limits<float>::infinity(), 0.0f, 0.0f};
+        const float scale = golden::packed_pixels(image)["scale"];
+        EXPECT_GE(largest * scale, 16384.0f);
+        EXPECT_LT(largest * scale, 32768.0f);
+    }
+});
+
+const Test self_contained("unit.golden.report.needs_nothing_from_outside", [] {
+    const auto folder = scratch_folder("report_parts");
+    const auto suite = copying_suite(folder, {"a"});
+    auto result = run_and_keep(suite, folder / "out");
+    result.suite = "</title><script>alert(1)</script>";
+    const std::string html = golden::report_html(result, suite, folder / "out");
+    EXPECT_NE(html.find("default-src 'none'"), std::string::npos);
+    for (const char* outside :
+         {"http:", "https:", "src=\"", "unsafe-inline", " onclick=", "alert(1)</script>"})
+        EXPECT_EQ(html.find(outside), std::string::npos) << outside;
+});
+
+} // namespace
