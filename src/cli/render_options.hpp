@@ -15,7 +15,7 @@ namespace sr::cli {
 struct RenderCommand {
     std::string scene;
     std::vector<std::string> outputs; // one rendering, written in each form
-    std::optional<Size> size; // absent: 720 rows in the camera's aspect ratio, 16:9 if it has none
+    std::optional<Size> size;         // absent: 720 rows in the camera's aspect ratio, 16:9 if it has none
     std::string camera;
     std::optional<int> scene_index;
     int samples = 16;
