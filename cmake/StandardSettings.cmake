@@ -16,7 +16,9 @@ if(MSVC)
   target_compile_options(sr_settings INTERFACE /W4 /utf-8)
 else()
   target_compile_options(sr_settings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
-                                               $<$<BOOL:${STERADIAN_WERROR}>:-Werror>)
+                                               $<$<BOOL:${STERADIAN_WERROR}>:-Werror>
+                                               # GCC 12 warns of its own std::string (GCC bug 105651).
+                                               $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
 endif()
 if(STERADIAN_SANITIZE)
   target_compile_options(sr_settings INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=undefined

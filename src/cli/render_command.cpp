@@ -1,4 +1,5 @@
 #include "cli/commands.hpp"
+#include "cli/interruption.hpp"
 #include "cli/progress.hpp"
 #include "cli/render_options.hpp"
 #include "cli/summary.hpp"
@@ -8,7 +9,6 @@
 
 #include <CLI/CLI.hpp>
 #include <cmath>
-#include <csignal>
 #include <cstdio>
 #include <fmt/format.h>
 #include <future>
@@ -17,14 +17,6 @@
 
 namespace sr::cli {
 namespace {
-
-volatile std::sig_atomic_t interrupt_count = 0;
-
-/// The first Ctrl-C ends the rendering in an orderly way, the second ends the program.
-void on_interrupt(int) {
-    interrupt_count = interrupt_count + 1;
-    if (interrupt_count > 1) std::signal(SIGINT, SIG_DFL);
-}
 
 struct TimedLoad {
     gltf::Loaded loaded;
@@ -63,15 +55,13 @@ render::RenderOptions render_options(const RenderCommand& command, Size size) {
 
 /// @return whether all samples were taken; false if Ctrl-C was pressed.
 bool add_samples(render::Renderer& renderer, int count) {
-    interrupt_count = 0;
-    const auto previous = std::signal(SIGINT, on_interrupt);
+    const Interruption interruption;
     Progress progress("rendering", count);
-    while (renderer.sample_count() < count && interrupt_count == 0) {
+    while (renderer.sample_count() < count && !interruption.has_come()) {
         renderer.add_sample();
         glFinish(); // so that Ctrl-C and the progress bar mean what they say
         progress.update(renderer.sample_count());
     }
-    std::signal(SIGINT, previous);
     return renderer.sample_count() == count;
 }
 

@@ -7,20 +7,12 @@
 namespace sr::gl {
 namespace {
 
-std::string shader_log(GLuint shader) {
+/// What the driver says of a shader or a program, by that kind's pair of functions.
+std::string info_log(GLuint id, PFNGLGETSHADERIVPROC value_of, PFNGLGETSHADERINFOLOGPROC log_of) {
     GLint length = 0;
-    glGetShaderiv(shader, GL_INFO_LOG_LENGTH, &length);
+    value_of(id, GL_INFO_LOG_LENGTH, &length);
     std::string log(static_cast<std::size_t>(length), '\0');
-    if (length > 0) glGetShaderInfoLog(shader, length, &length, log.data());
-    log.resize(static_cast<std::size_t>(length));
-    return log;
-}
-
-std::string program_log(GLuint program) {
-    GLint length = 0;
-    glGetProgramiv(program, GL_INFO_LOG_LENGTH, &length);
-    std::string log(static_cast<std::size_t>(length), '\0');
-    if (length > 0) glGetProgramInfoLog(program, length, &length, log.data());
+    if (length > 0) log_of(id, length, &length, log.data());
     log.resize(static_cast<std::size_t>(length));
     return log;
 }
@@ -51,7 +43,7 @@ struct Shader {
         GLint compiled = GL_FALSE;
         glGetShaderiv(id, GL_COMPILE_STATUS, &compiled);
         if (compiled) return;
-        const std::string log = shader_log(id);
+        const std::string log = info_log(id, glGetShaderiv, glGetShaderInfoLog);
         glDeleteShader(id);
         refuse(log, source);
     }
@@ -74,7 +66,7 @@ Program::Program(const std::string& label, const glsl::Source& vertex, const gls
     GLint linked = GL_FALSE;
     glGetProgramiv(id_, GL_LINK_STATUS, &linked);
     if (!linked) {
-        const std::string log = program_log(id_);
+        const std::string log = info_log(id_, glGetProgramiv, glGetProgramInfoLog);
         glDeleteProgram(id_);
         refuse(log, fragment);
     }
