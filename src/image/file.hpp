@@ -34,7 +34,7 @@ void write(const Image& image, const std::filesystem::path& file, SampleType typ
 bool is_scene_referred(const std::filesystem::path& file);
 
 /// Reads any image OpenImageIO knows as floats, unconverted (integers become 0..1), with channel names and
-/// attributes.
+/// those attributes that are text.
 /// @throws Error if there is no such file, or it is broken or of no known format.
 Image read(const std::filesystem::path& file);
 

@@ -32,10 +32,8 @@ const Test normalised("law.brdf.ggx.normalised", [] {
         EXPECT_NEAR(integrals[i].x, 1.0f, 1e-3f) << "alpha " << widths[i];
 });
 
-// Weak white furnace: with masking only, G1(wo) = ∫ over visible microfacets; here through V: for every wo,
-// ∫ D V 4 cos_i cos_o ... <= 1 is the furnace of the metal below. V itself must equal G / (4 cos_i cos_o)
-// with the height-correlated G = 1 / (1 + Λ(wi) + Λ(wo)) (Heitz 2014, Eq. 99; Λ: Eq. 72), evaluated here in
-// doubles.
+// V = G / (4 cos_i cos_o) with the height-correlated G = 1 / (1 + Λ(wi) + Λ(wo)) (Heitz 2014, Eq. 99; Λ: Eq.
+// 72), evaluated here in doubles and divided, where the shader has it in one piece.
 const Test smith("law.brdf.ggx.smith_height_correlated", [] {
     std::vector<Row> rows;
     for (const float alpha : widths)

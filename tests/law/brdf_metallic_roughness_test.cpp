@@ -103,8 +103,8 @@ const Test furnace("law.brdf.metallic_roughness.furnace", [] {
 
 // The coated diffuse of glTF 2.0 Appendix B weighs its base with 1 - F(w·h), which is not what the layer lets
 // through: near grazing a white one returns more than it receives. The formula is the contract, so its albedo
-// is held to an evaluation in doubles that shares nothing with the shader, excess and all; CONTRIBUTING and
-// brdf/README say so.
+// is held to an evaluation in doubles that shares nothing with the shader, excess and all; shaders/README.md
+// says so.
 double appendix_b_albedo(double roughness, double F0, double cos_o) {
     constexpr int rings = 1500, spokes = 600;
     const double a2 = std::pow(roughness, 4.0), sin_o = std::sqrt(1.0 - cos_o * cos_o);

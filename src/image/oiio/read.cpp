@@ -29,8 +29,11 @@ Image read(const std::filesystem::path& file) {
                     "use a flat image of an ordinary size");
     Image image(spec.width, spec.height, spec.nchannels);
     image.channel_names = spec.channelnames;
+    // Attributes of other types describe the format (screen window, pixel aspect), and could not be written
+    // as text.
     for (const OIIO::ParamValue& attribute : spec.extra_attribs)
-        image.attributes.push_back({attribute.name().string(), attribute.get_string()});
+        if (attribute.type() == OIIO::TypeDesc::STRING)
+            image.attributes.push_back({attribute.name().string(), attribute.get_string()});
     if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, image.pixels.data()))
         throw Error(where, fmt::format("a broken image ({})", one_line(input->geterror())), "make it again");
     return image;
