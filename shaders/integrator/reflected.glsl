@@ -35,7 +35,7 @@ vec3 reflected(Surface x, vec3 wo) {
     float p_brdf = samples_brdf ? p_f_r(x, w_brdf, wo) : 0.0;
 
     vec3 L_r = vec3(0.0);
-    for (int k = 0; k < light_count; ++k) {
+    for (int k = first_light; k < end_light; ++k) {
         vec2 u = has_rectangle_lights ? random_point(uint(k) + 1u) : vec2(0.0);
         LightSample from_light = sample_light(k, x.position, u);
         float weight = from_light.p > 0.0 ? power_heuristic(from_light.p, p_f_r(x, from_light.wi, wo)) : 1.0;

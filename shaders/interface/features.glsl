@@ -5,6 +5,14 @@ const bool has_point_lights = true;
 const bool has_spot_lights = true;
 const bool has_directional_lights = true;
 const bool has_rectangle_lights = true;
+const bool has_disk_lights = true;
+const bool has_sphere_lights = true;
+const bool has_tube_lights = true;
+const bool has_polygon_lights = true;
+const bool has_mesh_lights = true;
+const bool has_sun_disks = true;      // directional lights with an angular radius
+const bool has_profiles = true;       // photometric profiles
+const bool has_emission_maps = true;  // textured emitters
 
 const bool has_base_color_texture = true;
 const bool has_metallic_roughness_texture = true;

@@ -4,5 +4,6 @@ layout(std140) uniform Frame {
     vec4 eye;             // w = 1: the position of the camera [m]; w = 0: the direction to it (orthographic)
     uint sample_index;    // counts from 0
     uint seed;
-    int light_count;
+    int first_light;      // the emitters at work: from this one
+    int end_light;        // up to the one before this
 };

@@ -1,29 +1,47 @@
-// The emitters, five texels each in a buffer texture. Mirror: pack_lights() in src/render/light_table.cpp.
+// The emitters, eight texels each in a buffer texture, and behind them what some of them point to.
+// Mirror: pack_lights() in src/render/light_table.cpp.
 const int point_light = 0;
 const int spot_light = 1;
 const int directional_light = 2;
 const int rectangle_light = 3;
+const int disk_light = 4;
+const int sphere_light = 5;      // also points and spots that have a radius
+const int tube_light = 6;
+const int polygon_light = 7;
+const int mesh_light = 8;
 
 uniform samplerBuffer light_table;
 
 struct Light {
     int kind;
-    vec3 position;        // [m]; of a rectangle: its centre
-    vec3 direction;       // unit: where a spot or directional light goes, where a rectangle faces
+    vec3 position;        // [m]; of an area light: its centre
+    vec3 direction;       // unit: where a spot or directional light goes, where a flat one faces, a profile's axis
     vec3 quantity;        // I [cd], E [lx] or L [cd/m²], by kind
     float inverse_range;  // [1/m]; 0: no window
-    float cone_scale;     // KHR_lights_punctual: falloff = saturate(cos * scale + offset)²
+    float cone_scale;     // KHR_lights_punctual: falloff = saturate(cos * scale + offset)²; 0 and 1: no cone
     float cone_offset;
-    vec3 half_u;          // a rectangle's half edges [m]
-    vec3 half_v;
+    vec3 half_u;          // half edges or semi-axes [m]; a tube's half axis; with a profile: unit, where φ is 0
+    vec3 half_v;          // with a profile: unit, where φ is π/2
     bool is_two_sided;
+    float radius;         // of a sphere or a tube [m]; of a directional light: angular [rad]
+    int data;             // index of the first texel of a polygon's corners or a mesh's triangles
+    int count;            // of these corners or triangles
+    int profile;          // index of a profile's first texel; negative: none
+    int map;              // index of an emission map's texel; negative: none
+    vec2 uv_origin;       // the map is read at uv_origin + s * uv_along_u + t * uv_along_v
+    vec2 uv_along_u;
+    vec2 uv_along_v;
 };
 
 Light light_at(int index) {
-    vec4 t0 = texelFetch(light_table, 5 * index + 0);
-    vec4 t1 = texelFetch(light_table, 5 * index + 1);
-    vec4 t2 = texelFetch(light_table, 5 * index + 2);
-    vec4 t3 = texelFetch(light_table, 5 * index + 3);
-    vec4 t4 = texelFetch(light_table, 5 * index + 4);
-    return Light(int(t0.w), t0.xyz, t1.xyz, t2.rgb, t1.w, t2.w, t3.w, t3.xyz, t4.xyz, t4.w != 0.0);
+    vec4 t0 = texelFetch(light_table, 8 * index + 0);
+    vec4 t1 = texelFetch(light_table, 8 * index + 1);
+    vec4 t2 = texelFetch(light_table, 8 * index + 2);
+    vec4 t3 = texelFetch(light_table, 8 * index + 3);
+    vec4 t4 = texelFetch(light_table, 8 * index + 4);
+    vec4 t5 = texelFetch(light_table, 8 * index + 5);
+    vec4 t6 = texelFetch(light_table, 8 * index + 6);
+    vec4 t7 = texelFetch(light_table, 8 * index + 7);
+    return Light(int(t0.w), t0.xyz, t1.xyz, t2.rgb, t1.w, t2.w, t3.w, t3.xyz, t4.xyz, t4.w != 0.0, t5.x, int(t5.y),
+                 int(t5.z), int(t5.w), int(t6.x), t6.yz, t7.xy, t7.zw);
 }

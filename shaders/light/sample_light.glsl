@@ -9,7 +9,8 @@ LightSample sample_light(int k, vec3 x, vec2 u) {
     if (has_rectangle_lights && light.kind == rectangle_light) return sample_rectangle(light, x, u);
     if (has_spot_lights && light.kind == spot_light) return sample_spot(light, x);
     if (has_directional_lights && light.kind == directional_light) return sample_directional(light);
-    return sample_point(light, x);
+    if (light.kind == point_light) return sample_point(light, x);
+    return no_light;
 }
 
 // In the direction wi: p = 0 where the light is not met.

@@ -44,26 +44,42 @@ void print_backends(const ordered_json& backends) {
     }
 }
 
-ordered_json light_json(const scene::Light& light) {
-    const auto rgb = [](vec3 v) { return ordered_json{v.x, v.y, v.z}; };
-    struct Describe {
-        decltype(rgb)& list;
-        ordered_json operator()(const scene::PointLight& l) const {
-            return {{"kind", "point"}, {"name", l.name}, {"I [cd]", list(l.I)}};
-        }
-        ordered_json operator()(const scene::SpotLight& l) const {
-            return {{"kind", "spot"}, {"name", l.name}, {"I [cd]", list(l.I)}};
-        }
-        ordered_json operator()(const scene::DirectionalLight& l) const {
-            return {{"kind", "directional"}, {"name", l.name}, {"E [lx]", list(l.E)}};
-        }
-        ordered_json operator()(const scene::RectangleLight& l) const {
-            return {
-                {"kind", "rectangle"}, {"name", l.name}, {"L [cd/m^2]", list(l.L)}, {"A [m^2]", l.area()}};
-        }
-    };
-    return std::visit(Describe{rgb}, light);
-}
+ordered_json rgb(vec3 v) { return {v.x, v.y, v.z}; }
+
+/// A light's kind, quantity and extent.
+struct DescribeLight {
+    ordered_json operator()(const scene::PointLight& l) const {
+        ordered_json json{{"kind", "point"}, {"name", l.name}, {l.profile < 0 ? "I [cd]" : "factor", rgb(l.I)}};
+        if (l.profile >= 0) json["profile"] = l.profile;
+        if (l.radius > 0.0f) json["radius [m]"] = l.radius;
+        return json;
+    }
+    ordered_json operator()(const scene::SpotLight& l) const {
+        ordered_json json{{"kind", "spot"}, {"name", l.name}, {"I [cd]", rgb(l.I)}};
+        if (l.radius > 0.0f) json["radius [m]"] = l.radius;
+        return json;
+    }
+    ordered_json operator()(const scene::DirectionalLight& l) const {
+        ordered_json json{{"kind", "directional"}, {"name", l.name}, {"E [lx]", rgb(l.E)}};
+        if (l.angular_radius > 0.0f) json["angular radius [rad]"] = l.angular_radius;
+        return json;
+    }
+    ordered_json operator()(const scene::RectangleLight& l) const { return area("rectangle", l); }
+    ordered_json operator()(const scene::DiskLight& l) const { return area("disk", l); }
+    ordered_json operator()(const scene::SphereLight& l) const { return area("sphere", l); }
+    ordered_json operator()(const scene::TubeLight& l) const { return area("tube", l); }
+    ordered_json operator()(const scene::PolygonLight& l) const { return area("polygon", l); }
+    ordered_json operator()(const scene::MeshLight& l) const {
+        ordered_json json = area("mesh", l);
+        json["triangles"] = l.triangles.size();
+        return json;
+    }
+
+    template<class Area>
+    static ordered_json area(const char* kind, const Area& l) {
+        return {{"kind", kind}, {"name", l.name}, {"L [cd/m^2]", rgb(l.L)}, {"A [m^2]", l.area()}};
+    }
+};
 
 ordered_json scene_json(const std::string& file) {
     const gltf::Loaded loaded = gltf::load(file);
@@ -71,8 +87,8 @@ ordered_json scene_json(const std::string& file) {
     const scene::Bounds bounds = scene::bounds_of(s);
     ordered_json cameras = ordered_json::array(), lights = ordered_json::array();
     for (const scene::Camera& camera : s.cameras) cameras.push_back(camera.name);
-    const scene::Emitters emitters = scene::emitters_of(s);
-    for (const scene::Light& light : emitters.lights) lights.push_back(light_json(light));
+    for (const scene::Light& light : scene::emitters_of(s))
+        lights.push_back(std::visit(DescribeLight{}, light));
     ordered_json json{{"file", file},
                       {"meshes", s.meshes.size()},
                       {"instances", s.instances.size()},
@@ -82,7 +98,6 @@ ordered_json scene_json(const std::string& file) {
                       {"images", s.images.size()},
                       {"cameras", cameras},
                       {"lights", lights},
-                      {"emissive_but_no_light", emitters.seen_only},
                       {"extensions_used", loaded.extensions_used},
                       {"warnings", loaded.warnings}};
     if (!bounds.is_empty())

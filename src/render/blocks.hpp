@@ -16,8 +16,8 @@ struct FrameBlock {
     vec4 eye;
     std::uint32_t sample_index;
     std::uint32_t seed;
-    std::int32_t light_count;
-    std::int32_t padding = 0;
+    std::int32_t first_light;
+    std::int32_t end_light;
 };
 
 struct ObjectBlock {
@@ -37,6 +37,7 @@ enum Slot : unsigned {
     slot_count
 };
 inline constexpr unsigned light_table_unit = slot_count;
+inline constexpr unsigned emission_texels_unit = slot_count + 1;
 
 struct MaterialBlock {
     vec4 base_color_factor;

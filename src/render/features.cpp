@@ -3,6 +3,36 @@
 #include <fmt/format.h>
 
 namespace sr::render {
+namespace {
+
+void ask_for(Features& f, const scene::PointLight& light) {
+    (light.radius > 0.0f ? f.has_sphere_lights : f.has_point_lights) = true;
+    f.has_profiles |= light.profile >= 0;
+}
+void ask_for(Features& f, const scene::SpotLight& light) {
+    (light.radius > 0.0f ? f.has_sphere_lights : f.has_spot_lights) = true;
+}
+void ask_for(Features& f, const scene::DirectionalLight& light) {
+    f.has_directional_lights = true;
+    f.has_sun_disks |= light.angular_radius > 0.0f;
+}
+void ask_for(Features& f, const scene::RectangleLight& light) {
+    f.has_rectangle_lights = true;
+    f.has_emission_maps |= light.map.is_present();
+}
+void ask_for(Features& f, const scene::DiskLight& light) {
+    f.has_disk_lights = true;
+    f.has_emission_maps |= light.map.is_present();
+}
+void ask_for(Features& f, const scene::SphereLight&) { f.has_sphere_lights = true; }
+void ask_for(Features& f, const scene::TubeLight&) { f.has_tube_lights = true; }
+void ask_for(Features& f, const scene::PolygonLight&) { f.has_polygon_lights = true; }
+void ask_for(Features& f, const scene::MeshLight& light) {
+    f.has_mesh_lights = true;
+    f.has_emission_maps |= light.texture >= 0;
+}
+
+} // namespace
 
 std::string Features::glsl() const {
     std::string text;
@@ -13,6 +43,14 @@ std::string Features::glsl() const {
     constant("has_spot_lights", has_spot_lights);
     constant("has_directional_lights", has_directional_lights);
     constant("has_rectangle_lights", has_rectangle_lights);
+    constant("has_disk_lights", has_disk_lights);
+    constant("has_sphere_lights", has_sphere_lights);
+    constant("has_tube_lights", has_tube_lights);
+    constant("has_polygon_lights", has_polygon_lights);
+    constant("has_mesh_lights", has_mesh_lights);
+    constant("has_sun_disks", has_sun_disks);
+    constant("has_profiles", has_profiles);
+    constant("has_emission_maps", has_emission_maps);
     constant("has_base_color_texture", has_base_color_texture);
     constant("has_metallic_roughness_texture", has_metallic_roughness_texture);
     constant("has_normal_texture", has_normal_texture);
@@ -30,12 +68,8 @@ Features shading_features(const scene::Scene& scene, const scene::Mesh& mesh,
                           std::span<const scene::Light> lights) {
     const scene::Material& material = scene.materials[mesh.material];
     Features f;
-    for (const scene::Light& light : lights) {
-        f.has_point_lights |= std::holds_alternative<scene::PointLight>(light);
-        f.has_spot_lights |= std::holds_alternative<scene::SpotLight>(light);
-        f.has_directional_lights |= std::holds_alternative<scene::DirectionalLight>(light);
-        f.has_rectangle_lights |= std::holds_alternative<scene::RectangleLight>(light);
-    }
+    for (const scene::Light& light : lights)
+        std::visit([&f](const auto& any) { ask_for(f, any); }, light);
     f.has_base_color_texture = material.base_color_texture.is_present();
     f.has_metallic_roughness_texture = material.metallic_roughness_texture.is_present();
     f.has_normal_texture = material.normal_texture.is_present() && !mesh.tangents.empty();

@@ -15,6 +15,14 @@ struct Features {
     bool has_spot_lights = false;
     bool has_directional_lights = false;
     bool has_rectangle_lights = false;
+    bool has_disk_lights = false;
+    bool has_sphere_lights = false;
+    bool has_tube_lights = false;
+    bool has_polygon_lights = false;
+    bool has_mesh_lights = false;
+    bool has_sun_disks = false;
+    bool has_profiles = false;
+    bool has_emission_maps = false;
 
     bool has_base_color_texture = false;
     bool has_metallic_roughness_texture = false;

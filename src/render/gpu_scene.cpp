@@ -1,10 +1,12 @@
 #include "render/gpu_scene.hpp"
 
+#include "core/error.hpp"
 #include "render/gpu_texture.hpp"
 #include "render/light_table.hpp"
 
 #include <algorithm>
 #include <cstring>
+#include <fmt/format.h>
 #include <future>
 #include <glm/gtc/matrix_inverse.hpp>
 #include <optional>
@@ -84,6 +86,21 @@ ReadyImage make_ready(const scene::TextureImage& image, scene::ColorSpace color_
     return ready;
 }
 
+/// @throws Error if the driver's buffer textures are too small.
+void fill(const gl::Buffer& buffer, const gl::Texture& texture, GLenum format,
+          std::span<const std::byte> bytes) {
+    GLint most_texels = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most_texels);
+    const std::size_t texels = bytes.size() / (format == GL_RGBA32F ? 16 : 8);
+    if (texels > static_cast<std::size_t>(most_texels))
+        throw Error({}, fmt::format("the emitters take {} texels, this driver has {}", texels, most_texels),
+                    "use smaller emissive textures or fewer emissive triangles");
+    glBindBuffer(GL_TEXTURE_BUFFER, buffer.id());
+    glBufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(bytes.size()), bytes.data(), GL_STATIC_DRAW);
+    texture.bind(0);
+    glTexBuffer(GL_TEXTURE_BUFFER, format, buffer.id());
+}
+
 vec3 center_of(const scene::Mesh& mesh, const mat4& world_from_object) {
     scene::Bounds bounds;
     for (const vec3 position : mesh.positions) bounds.extend(position);
@@ -98,7 +115,7 @@ GpuScene::GpuScene(const scene::Scene& scene, std::span<const scene::Light> ligh
     upload_textures(scene);
     upload_objects(scene);
     upload_materials(scene);
-    upload_lights(lights);
+    upload_lights(scene, lights);
     list_draws(scene, lights);
 }
 
@@ -149,15 +166,20 @@ void GpuScene::upload_materials(const scene::Scene& scene) {
     material_stride_ = upload_blocks(materials_, blocks);
 }
 
-void GpuScene::upload_lights(std::span<const scene::Light> lights) {
-    std::vector<vec4> table = pack_lights(lights);
+void GpuScene::upload_lights(const scene::Scene& scene, std::span<const scene::Light> lights) {
+    EmissionMaps maps(scene);
+    std::vector<vec4> table = pack_lights(scene, lights, maps);
     light_count_ = static_cast<int>(lights.size());
     if (table.empty()) table.emplace_back(0.0f); // a buffer texture cannot be empty
-    glBindBuffer(GL_TEXTURE_BUFFER, light_buffer_.id());
-    glBufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(table.size() * sizeof(vec4)), table.data(),
-                 GL_STATIC_DRAW);
+    fill(light_buffer_, light_texture_, GL_RGBA32F, std::as_bytes(std::span(table)));
+    std::vector<std::uint64_t> texels = maps.texels();
+    if (texels.empty()) texels.push_back(0);
+    fill(emission_buffer_, emission_texture_, GL_RGBA16F, std::as_bytes(std::span(texels)));
+}
+
+void GpuScene::bind_lights() const {
     light_texture_.bind(light_table_unit);
-    glTexBuffer(GL_TEXTURE_BUFFER, GL_RGBA32F, light_buffer_.id());
+    emission_texture_.bind(emission_texels_unit);
 }
 
 void GpuScene::list_draws(const scene::Scene& scene, std::span<const scene::Light> lights) {

@@ -29,8 +29,8 @@ public:
     const std::vector<Draw>& opaque_draws() const { return opaque_; }   // opaque and masked, by program
     const std::vector<Draw>& blended_draws() const { return blended_; } // in the scene's order
 
-    /// Binds the light table to its unit.
-    void bind_lights() const { light_texture_.bind(light_table_unit); }
+    /// Binds the light table and the emitters' textures to their units.
+    void bind_lights() const;
 
     /// Binds the instance's and the material's data and draws with whatever program is in use.
     void draw(const Draw& draw) const;
@@ -39,7 +39,7 @@ private:
     void upload_textures(const scene::Scene& scene);
     void upload_objects(const scene::Scene& scene);
     void upload_materials(const scene::Scene& scene);
-    void upload_lights(std::span<const scene::Light> lights);
+    void upload_lights(const scene::Scene& scene, std::span<const scene::Light> lights);
     void list_draws(const scene::Scene& scene, std::span<const scene::Light> lights);
     void bind_material(int material) const;
 
@@ -55,6 +55,8 @@ private:
     GLsizeiptr material_stride_ = 0;
     gl::Buffer light_buffer_{"lights"};
     gl::Texture light_texture_{GL_TEXTURE_BUFFER, "lights"};
+    gl::Buffer emission_buffer_{"emission texels"};
+    gl::Texture emission_texture_{GL_TEXTURE_BUFFER, "emission texels"};
     int light_count_ = 0;
     std::vector<Draw> opaque_;
     std::vector<Draw> blended_;

@@ -1,5 +1,8 @@
 #include "render/light_table.hpp"
 
+#include "render/alias_table.hpp"
+#include "render/emission_maps.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,59 +10,200 @@
 namespace sr::render {
 namespace {
 
-enum Kind { point_light, spot_light, directional_light, rectangle_light };
+/// Kinds as shaders/interface/lights.glsl numbers them.
+enum Kind {
+    point_light,
+    spot_light,
+    directional_light,
+    rectangle_light,
+    disk_light,
+    sphere_light,
+    tube_light,
+    polygon_light,
+    mesh_light
+};
 
 using Texels = std::array<vec4, texels_per_light>;
 
 float inverse_range(float range) { return std::isfinite(range) ? 1.0f / range : 0.0f; }
 
-Texels packed(const scene::PointLight& light) {
+Texels blank(vec3 position, Kind kind, vec3 quantity) {
     Texels t{};
-    t[0] = vec4(light.position, point_light);
-    t[1].w = inverse_range(light.range);
-    t[2] = vec4(light.I, 0.0f);
+    t[0] = vec4(position, kind);
+    t[2] = vec4(quantity, 0.0f);
+    t[3].w = 1.0f; // no cone: saturate(cos * 0 + 1)
+    t[5].w = -1.0f;
+    t[6].x = -1.0f;
     return t;
 }
 
-Texels packed(const scene::SpotLight& light) {
-    Texels t{};
-    t[0] = vec4(light.position, spot_light);
-    t[1] = vec4(light.direction, inverse_range(light.range));
-    // KHR_lights_punctual, "Inner and Outer Cone Angles"; 0.001 is the extension's guard against a hard edge.
-    const float cos_outer = std::cos(light.outer_angle);
-    const float scale = 1.0f / std::max(0.001f, std::cos(light.inner_angle) - cos_outer);
-    t[2] = vec4(light.I, scale);
-    t[3].w = -cos_outer * scale;
-    return t;
-}
+float luminance(vec3 color) { return glm::dot(color, vec3(0.2126f, 0.7152f, 0.0722f)); } // Rec. 709
 
-Texels packed(const scene::DirectionalLight& light) {
-    Texels t{};
-    t[0].w = directional_light;
-    t[1] = vec4(light.direction, 0.0f);
-    t[2] = vec4(light.E, 0.0f);
-    return t;
-}
+/// Packs lights one by one; what they point to collects behind.
+class Packer {
+public:
+    Packer(const scene::Scene& scene, EmissionMaps& maps, std::size_t light_count)
+        : scene_(scene), maps_(maps), first_(light_count * texels_per_light) {}
 
-Texels packed(const scene::RectangleLight& light) {
-    Texels t{};
-    t[0] = vec4(light.center, rectangle_light);
-    t[1] = vec4(light.normal(), 0.0f);
-    t[2] = vec4(light.L, 0.0f);
-    t[3] = vec4(light.half_u, 0.0f);
-    t[4] = vec4(light.half_v, light.is_two_sided ? 1.0f : 0.0f);
-    return t;
-}
+    Texels operator()(const scene::PointLight& light) {
+        Texels t = round(blank(light.position, point_light, light.I), light.radius);
+        t[1].w = inverse_range(light.range);
+        if (light.profile < 0) return t;
+        t[5].w = static_cast<float>(place_of_profile(light.profile));
+        t[1] = vec4(-light.world_from_profile[1], t[1].w);
+        t[3] = vec4(light.world_from_profile[0], t[3].w);
+        t[4] = vec4(light.world_from_profile[2], 0.0f);
+        return t;
+    }
+
+    Texels operator()(const scene::SpotLight& light) {
+        Texels t = round(blank(light.position, spot_light, light.I), light.radius);
+        t[1] = vec4(light.direction, inverse_range(light.range));
+        // KHR_lights_punctual, "Inner and Outer Cone Angles"; 0.001 is the extension's guard against a hard
+        // edge.
+        const float cos_outer = std::cos(light.outer_angle);
+        const float scale = 1.0f / std::max(0.001f, std::cos(light.inner_angle) - cos_outer);
+        t[2].w = scale;
+        t[3].w = -cos_outer * scale;
+        return t;
+    }
+
+    Texels operator()(const scene::DirectionalLight& light) {
+        Texels t = blank(vec3(0.0f), directional_light, light.E);
+        t[1] = vec4(light.direction, 0.0f);
+        t[5].x = light.angular_radius;
+        return t;
+    }
+
+    Texels operator()(const scene::RectangleLight& light) { return flat(light, rectangle_light); }
+    Texels operator()(const scene::DiskLight& light) { return flat(light, disk_light); }
+
+    Texels operator()(const scene::SphereLight& light) {
+        Texels t = blank(light.center, sphere_light, light.L);
+        t[5].x = light.radius;
+        return t;
+    }
+
+    Texels operator()(const scene::TubeLight& light) {
+        Texels t = blank(light.center, tube_light, light.L);
+        t[3] = vec4(light.half_axis, t[3].w);
+        t[5].x = light.radius;
+        return t;
+    }
+
+    Texels operator()(const scene::PolygonLight& light) {
+        Texels t = blank(light.center(), polygon_light, light.L);
+        t[1] = vec4(light.normal(), 0.0f);
+        t[4].w = light.is_two_sided ? 1.0f : 0.0f;
+        t[5].y = static_cast<float>(end());
+        t[5].z = static_cast<float>(light.corners.size());
+        for (const vec3 corner : light.corners) behind_.emplace_back(corner, 0.0f);
+        return t;
+    }
+
+    Texels operator()(const scene::MeshLight& light) {
+        Texels t = blank(light.triangles.empty() ? vec3(0.0f) : light.triangles[0].corners[0], mesh_light, light.L);
+        t[4].w = light.is_two_sided ? 1.0f : 0.0f;
+        if (light.texture >= 0) t[6].x = static_cast<float>(place_of_map(light.texture));
+        t[5].y = static_cast<float>(end());
+        t[5].z = static_cast<float>(light.triangles.size());
+        append_triangles(light);
+        return t;
+    }
+
+    const std::vector<vec4>& behind() const { return behind_; }
+
+private:
+    std::size_t end() const { return first_ + behind_.size(); }
+
+    /// A point or spot with a radius is a sphere of radiance I / (π radius²).
+    static Texels round(Texels t, float radius) {
+        if (!(radius > 0.0f)) return t;
+        t[0].w = sphere_light;
+        t[2] = vec4(vec3(t[2]) / (pi * radius * radius), t[2].w);
+        t[5].x = radius;
+        return t;
+    }
+
+    template<class Flat>
+    Texels flat(const Flat& light, Kind kind) {
+        Texels t = blank(light.center, kind, light.L);
+        t[1] = vec4(light.normal(), 0.0f);
+        t[3] = vec4(light.half_u, t[3].w);
+        t[4] = vec4(light.half_v, light.is_two_sided ? 1.0f : 0.0f);
+        if (!light.map.is_present()) return t;
+        t[6] = vec4(place_of_map(light.map.texture), light.map.origin, 0.0f);
+        t[7] = vec4(light.map.along_u, light.map.along_v);
+        return t;
+    }
+
+    /// Five texels a triangle: corners with alias table, then texture coordinates.
+    void append_triangles(const scene::MeshLight& light) {
+        std::vector<double> power;
+        float brightest = 0.0f;
+        for (const auto& triangle : light.triangles) {
+            const vec3 color = light.texture >= 0 ? maps_.mean(light.texture, triangle.uv) : vec3(1.0f);
+            power.push_back(luminance(color));
+            brightest = std::max(brightest, luminance(color));
+        }
+        // 64 points may miss what shines in a dark triangle: none may be left out altogether.
+        for (std::size_t i = 0; i < power.size(); ++i) {
+            const auto& c = light.triangles[i].corners;
+            const double area = 0.5 * glm::length(glm::cross(c[1] - c[0], c[2] - c[0]));
+            power[i] = area * std::max(power[i], 0.01 * brightest + 1e-6);
+        }
+        const std::vector<AliasEntry> table = alias_table(power);
+        for (std::size_t i = 0; i < power.size(); ++i) {
+            const auto& [corners, uv] = light.triangles[i];
+            behind_.emplace_back(corners[0], table[i].keep);
+            behind_.emplace_back(corners[1], static_cast<float>(table[i].alias));
+            behind_.emplace_back(corners[2], table[i].probability);
+            behind_.emplace_back(uv[0], uv[1]);
+            behind_.emplace_back(uv[2], 0.0f, 0.0f);
+        }
+    }
+
+    std::size_t place_of_map(int texture) {
+        const auto [entry, is_new] = maps_placed_.try_emplace(texture, end());
+        if (is_new) {
+            const EmissionMapPlace place = maps_.place_of(texture);
+            behind_.emplace_back(place.first, place.width, place.height, place.wrap);
+        }
+        return entry->second;
+    }
+
+    /// A profile: (γ count, φ count), the angles one a texel, then the columns of intensities.
+    std::size_t place_of_profile(int index) {
+        const auto [entry, is_new] = profiles_placed_.try_emplace(index, end());
+        if (!is_new) return entry->second;
+        const scene::LightProfile& profile = scene_.profiles[static_cast<std::size_t>(index)];
+        behind_.emplace_back(profile.gamma.size(), profile.phi.size(), 0.0f, 0.0f);
+        for (const float angle : profile.gamma) behind_.emplace_back(angle, 0.0f, 0.0f, 0.0f);
+        for (const float angle : profile.phi) behind_.emplace_back(angle, 0.0f, 0.0f, 0.0f);
+        for (const float I : profile.I) behind_.emplace_back(I, 0.0f, 0.0f, 0.0f);
+        return entry->second;
+    }
+
+    const scene::Scene& scene_;
+    EmissionMaps& maps_;
+    std::size_t first_;
+    std::vector<vec4> behind_;
+    std::map<int, std::size_t> maps_placed_;
+    std::map<int, std::size_t> profiles_placed_;
+};
 
 } // namespace
 
-std::vector<vec4> pack_lights(std::span<const scene::Light> lights) {
+std::vector<vec4> pack_lights(const scene::Scene& scene, std::span<const scene::Light> lights,
+                              EmissionMaps& maps) {
+    Packer packer(scene, maps, lights.size());
     std::vector<vec4> table;
     table.reserve(lights.size() * texels_per_light);
     for (const scene::Light& light : lights) {
-        const Texels texels = std::visit([](const auto& any) { return packed(any); }, light);
+        const Texels texels = std::visit([&](const auto& any) { return packer(any); }, light);
         table.insert(table.end(), texels.begin(), texels.end());
     }
+    table.insert(table.end(), packer.behind().begin(), packer.behind().end());
     return table;
 }
 

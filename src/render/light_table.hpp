@@ -1,14 +1,18 @@
 #pragma once
 // The lights as the shaders read them.
-#include "scene/light.hpp"
+#include "render/emission_maps.hpp"
+#include "scene/scene.hpp"
 
 #include <span>
 #include <vector>
 
 namespace sr::render {
 
-/// Five RGBA texels a light, the twin of shaders/interface/lights.glsl.
-inline constexpr int texels_per_light = 5;
-std::vector<vec4> pack_lights(std::span<const scene::Light> lights);
+/// Eight RGBA texels a light, behind them the corners, triangles, profiles and descriptions of emission maps that
+/// they point to: the twin of shaders/interface/lights.glsl. Textures and profiles are the scene's; the textures
+/// in use go to `maps`.
+inline constexpr int texels_per_light = 8;
+std::vector<vec4> pack_lights(const scene::Scene& scene, std::span<const scene::Light> lights,
+                              EmissionMaps& maps);
 
 } // namespace sr::render

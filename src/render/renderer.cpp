@@ -9,13 +9,12 @@ Renderer::Renderer(const GpuScene& scene, const scene::Camera& camera, const Ren
     : scene_(scene),
       camera_(camera),
       options_(options),
+      end_light_(scene.light_count()),
       shaders_(options.shader_path),
       frame_("frame", options.width, options.height, true),
       film_("film", options.width, options.height, false) {
     require(!options.shader_path.empty(), "the shader path has a root");
-    film_.bind();
-    glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
-    glClear(GL_COLOR_BUFFER_BIT);
+    clear();
 }
 
 void Renderer::compile() {
@@ -25,6 +24,19 @@ void Renderer::compile() {
     }
     for (const Draw& draw : scene_.blended_draws()) shaders_.mesh_program("forward.frag", draw.features);
     shaders_.fullscreen_program("accumulate.frag");
+}
+
+void Renderer::use_lights(int first, int end) {
+    require(0 <= first && first <= end && end <= scene_.light_count(), "the lights exist");
+    first_light_ = first;
+    end_light_ = end;
+}
+
+void Renderer::clear() {
+    sample_count_ = 0;
+    film_.bind();
+    glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+    glClear(GL_COLOR_BUFFER_BIT);
 }
 
 void Renderer::add_sample() {
@@ -41,7 +53,7 @@ View Renderer::begin_frame() {
     const vec2 offset = sub_pixel(sample_count_, options_.samples, options_.seed);
     const View view = view_of(camera_, options_.width, options_.height, offset);
     const FrameBlock block{view.clip_from_world, view.eye, static_cast<std::uint32_t>(sample_count_),
-                           options_.seed, scene_.light_count()};
+                           options_.seed, first_light_, end_light_};
     glBindBuffer(GL_UNIFORM_BUFFER, frame_data_.id());
     glBufferData(GL_UNIFORM_BUFFER, sizeof(block), &block, GL_STREAM_DRAW);
     glBindBufferBase(GL_UNIFORM_BUFFER, frame_block, frame_data_.id());

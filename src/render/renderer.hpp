@@ -25,6 +25,13 @@ public:
     /// ShaderError
     void compile();
 
+    /// Only the lights [first, end) shine from the next sample on; their samples are those that they have among
+    /// all lights. Every surface goes on emitting.
+    void use_lights(int first, int end);
+
+    /// Starts over with an empty film.
+    void clear();
+
     /// Renders one frame, one sample of every pixel, and adds it to the film.
     void add_sample();
     int sample_count() const { return sample_count_; }
@@ -40,6 +47,8 @@ private:
     const GpuScene& scene_;
     scene::Camera camera_;
     RenderOptions options_;
+    int first_light_ = 0;
+    int end_light_ = 0;
     ShaderLibrary shaders_;
     Target frame_;
     Target film_;

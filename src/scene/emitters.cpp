@@ -43,6 +43,27 @@ std::optional<RectangleLight> rectangle(const Triangle& a, const Triangle& b) {
     return light;
 }
 
+/// All triangles in world space with an area; `map` says where a texture is read, null if there is none.
+std::vector<MeshLight::Triangle> triangles_of(const Mesh& mesh, const mat4& world_from_object,
+                                              const TextureSlot* map) {
+    const bool mirrors = glm::determinant(mat3(world_from_object)) < 0.0f;
+    std::vector<MeshLight::Triangle> triangles;
+    for (std::size_t t = 0; t + 2 < mesh.indices.size(); t += 3) {
+        MeshLight::Triangle triangle{};
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::uint32_t vertex = mesh.indices[t + (mirrors ? 2 - i : i)]; // keeps the front in front
+            triangle.corners[i] = vec3(world_from_object * vec4(mesh.positions[vertex], 1.0f));
+            if (!map) continue;
+            const std::vector<vec2>& uv = mesh.texcoords[map->texcoord];
+            if (!uv.empty()) triangle.uv[i] = vec2(map->uv_transform * vec3(uv[vertex], 1.0f));
+        }
+        const auto& c = triangle.corners;
+        const float doubled_area = glm::length(glm::cross(c[1] - c[0], c[2] - c[0]));
+        if (doubled_area > 0.0f && std::isfinite(doubled_area)) triangles.push_back(triangle);
+    }
+    return triangles;
+}
+
 /// All rectangles of a mesh in world space; absent if a triangle is left over.
 std::optional<std::vector<RectangleLight>> rectangles_of(const Mesh& mesh, const mat4& world_from_object) {
     // Lamps have few triangles; a sculpture that glows is not made of rectangles, and pairing it would take
@@ -50,15 +71,9 @@ std::optional<std::vector<RectangleLight>> rectangles_of(const Mesh& mesh, const
     constexpr std::size_t most_triangles = 256;
     const std::size_t count = mesh.indices.size() / 3;
     if (count == 0 || count % 2 != 0 || count > most_triangles) return std::nullopt;
-    const bool mirrors = glm::determinant(mat3(world_from_object)) < 0.0f;
-    std::vector<Triangle> triangles(count);
-    for (std::size_t t = 0; t < count; ++t) {
-        for (std::size_t i = 0; i < 3; ++i) {
-            const std::size_t corner = mirrors ? 2 - i : i; // keeps the front in front
-            triangles[t][i] =
-                vec3(world_from_object * vec4(mesh.positions[mesh.indices[3 * t + corner]], 1.0f));
-        }
-    }
+    std::vector<Triangle> triangles;
+    for (const MeshLight::Triangle& triangle : triangles_of(mesh, world_from_object, nullptr))
+        triangles.push_back(triangle.corners);
     std::vector<RectangleLight> found;
     while (!triangles.empty()) {
         const Triangle first = triangles.back();
@@ -76,54 +91,44 @@ std::optional<std::vector<RectangleLight>> rectangles_of(const Mesh& mesh, const
     return found;
 }
 
-} // namespace
-
-Emitters emitters_of(const Scene& scene) {
-    Emitters emitters{scene.lights, {}};
-    for (const Instance& instance : scene.instances) {
-        const Mesh& mesh = scene.meshes[instance.mesh];
-        const Material& material = scene.materials[mesh.material];
-        if (!material.is_emissive() || material.is_unlit) continue;
-        auto rectangles = material.emission_texture.is_present()
-                              ? std::nullopt
-                              : rectangles_of(mesh, instance.world_from_object);
-        if (!rectangles) {
-            emitters.seen_only.push_back(instance.name.empty() ? mesh.name : instance.name);
-            continue;
-        }
-        for (RectangleLight& light : *rectangles) {
-            light.name = instance.name;
-            light.L = material.emission;
-            light.is_two_sided = material.is_double_sided;
-            emitters.lights.emplace_back(light);
-        }
-    }
-    return emitters;
+MeshLight mesh_light(const Mesh& mesh, const mat4& world_from_object, const Material& material) {
+    MeshLight light;
+    const bool is_textured = material.emission_texture.is_present();
+    light.triangles = triangles_of(mesh, world_from_object, is_textured ? &material.emission_texture : nullptr);
+    light.L = material.emission;
+    light.is_two_sided = material.is_double_sided;
+    light.texture = material.emission_texture.texture;
+    return light;
 }
 
-void add_light_surfaces(Scene& scene) {
-    for (const Light& any : scene.lights) {
-        const auto* light = std::get_if<RectangleLight>(&any);
-        if (!light || !light->is_visible) continue;
-        Material material;
-        material.name = light->name;
-        material.base_color = vec4(0.0f, 0.0f, 0.0f, 1.0f);
-        material.metallic = 0.0f;
-        material.specular = 0.0f;
-        material.emission = light->L;
-        material.is_double_sided = light->is_two_sided;
-        Mesh mesh;
-        mesh.name = light->name;
-        const vec3 u = light->half_u, v = light->half_v;
-        mesh.positions = {light->center - u - v, light->center + u - v, light->center + u + v,
-                          light->center - u + v};
-        mesh.normals.assign(4, light->normal());
-        mesh.indices = {0, 1, 2, 0, 2, 3};
-        mesh.material = static_cast<int>(scene.materials.size());
-        scene.materials.push_back(material);
-        scene.meshes.push_back(mesh);
-        scene.instances.push_back({static_cast<int>(scene.meshes.size()) - 1, mat4(1.0f), light->name});
+void append_emitters_of(const Instance& instance, const Scene& scene, std::vector<Light>& lights) {
+    const Mesh& mesh = scene.meshes[static_cast<std::size_t>(instance.mesh)];
+    const Material& material = scene.materials[static_cast<std::size_t>(mesh.material)];
+    if (!material.is_emissive() || material.is_unlit) return;
+    const std::string& name = instance.name.empty() ? mesh.name : instance.name;
+    auto rectangles = material.emission_texture.is_present()
+                          ? std::nullopt
+                          : rectangles_of(mesh, instance.world_from_object);
+    if (!rectangles) {
+        MeshLight light = mesh_light(mesh, instance.world_from_object, material);
+        light.name = name;
+        if (!light.triangles.empty()) lights.emplace_back(std::move(light));
+        return;
     }
+    for (RectangleLight& light : *rectangles) {
+        light.name = name;
+        light.L = material.emission;
+        light.is_two_sided = material.is_double_sided;
+        lights.emplace_back(std::move(light));
+    }
+}
+
+} // namespace
+
+std::vector<Light> emitters_of(const Scene& scene) {
+    std::vector<Light> lights = scene.lights;
+    for (const Instance& instance : scene.instances) append_emitters_of(instance, scene, lights);
+    return lights;
 }
 
 } // namespace sr::scene

@@ -3,6 +3,7 @@
 #include "scene/camera.hpp"
 #include "scene/light.hpp"
 #include "scene/material.hpp"
+#include "scene/profile.hpp"
 
 #include <cstdint>
 #include <string>
@@ -38,6 +39,7 @@ struct Scene {
     std::vector<Mesh> meshes;
     std::vector<Instance> instances;
     std::vector<Light> lights; // what the file calls lights; emissive surfaces: see emitters.hpp
+    std::vector<LightProfile> profiles;
     std::vector<Camera> cameras;
 };
 

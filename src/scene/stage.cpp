@@ -3,6 +3,7 @@
 #include "core/error.hpp"
 #include "scene/emitters.hpp"
 #include "scene/framing.hpp"
+#include "scene/light_surfaces.hpp"
 #include "scene/rig.hpp"
 
 #include <charconv>
@@ -32,14 +33,6 @@ Camera chosen_camera(const Scene& scene, const std::string& file, const StageOpt
     throw Error({file}, fmt::format("no camera '{}'", wanted), "choose one of " + cameras_of(scene));
 }
 
-std::string joined(const std::vector<std::string>& names) {
-    std::string text;
-    for (std::size_t i = 0; i < names.size() && i < 3; ++i)
-        text += fmt::format("{}'{}'", i ? ", " : "", names[i]);
-    if (names.size() > 3) text += fmt::format(" and {} more", names.size() - 3);
-    return text;
-}
-
 } // namespace
 
 Stage set_stage(Scene scene, const std::string& name, const StageOptions& options) {
@@ -47,12 +40,7 @@ Stage set_stage(Scene scene, const std::string& name, const StageOptions& option
     const Bounds bounds = bounds_of(scene);
     stage.camera = chosen_camera(scene, name, options);
 
-    Emitters emitters = emitters_of(scene);
-    stage.lights = std::move(emitters.lights);
-    if (!emitters.seen_only.empty())
-        stage.remarks.push_back(
-            fmt::format("{}: {}: emissive but no plain rectangle: seen, but lights nothing yet", name,
-                        joined(emitters.seen_only)));
+    stage.lights = emitters_of(scene);
     if (stage.lights.empty() && options.rig == Rig::studio) {
         for (RectangleLight& light : studio_rig(bounds, stage.camera))
             stage.lights.emplace_back(std::move(light));

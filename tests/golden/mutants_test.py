@@ -22,7 +22,7 @@ MISTAKES = {
     "cosine_missing": ("integrator/reflected.glsl", {"* V * cos_i;": "* V;"}, 19, None, 0),
     "srgb_twice": ("forward.frag", {"void main() {": SRGB, "emitted(x) + reflected(x, wo);": "srgb(emitted(x) + reflected(x, wo));"},
                    20, "srgb_applied", 5),
-    "light_off": ("integrator/reflected.glsl", {"k < light_count;": "k < light_count - 1;"}, 20, "black", 4),
+    "light_off": ("integrator/reflected.glsl", {"k < end_light;": "k < end_light - 1;"}, 20, "black", 4),
 }
 
 

@@ -16,6 +16,8 @@ namespace {
 Features everything() {
     Features f;
     f.has_point_lights = f.has_spot_lights = f.has_directional_lights = f.has_rectangle_lights = true;
+    f.has_disk_lights = f.has_sphere_lights = f.has_tube_lights = f.has_polygon_lights = true;
+    f.has_mesh_lights = f.has_sun_disks = f.has_profiles = f.has_emission_maps = true;
     f.has_base_color_texture = f.has_metallic_roughness_texture = f.has_normal_texture = true;
     f.has_emission_texture = f.has_specular_texture = f.has_specular_color_texture = true;
     f.has_vertex_colors = f.is_masked = f.is_blended = true;
@@ -47,7 +49,8 @@ const Test layout("unit.render.blocks.match_the_shaders", [] {
     EXPECT_EQ(offset_of(program, "eye"), offsetof(FrameBlock, eye));
     EXPECT_EQ(offset_of(program, "sample_index"), offsetof(FrameBlock, sample_index));
     EXPECT_EQ(offset_of(program, "seed"), offsetof(FrameBlock, seed));
-    EXPECT_EQ(offset_of(program, "light_count"), offsetof(FrameBlock, light_count));
+    EXPECT_EQ(offset_of(program, "first_light"), offsetof(FrameBlock, first_light));
+    EXPECT_EQ(offset_of(program, "end_light"), offsetof(FrameBlock, end_light));
     EXPECT_LE(size_of(program, "Frame"), static_cast<GLint>(sizeof(FrameBlock)));
 
     EXPECT_EQ(offset_of(program, "world_from_object"), offsetof(ObjectBlock, world_from_object));

@@ -1,5 +1,7 @@
 #include "scene/emitters.hpp"
 
+#include "scene/light_surfaces.hpp"
+
 #include "support/address.hpp"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -27,10 +29,9 @@ Scene lamp(bool other_diagonal, mat4 world_from_object = mat4(1.0f)) {
 }
 
 RectangleLight only_rectangle(const Scene& scene) {
-    const Emitters emitters = emitters_of(scene);
-    EXPECT_TRUE(emitters.seen_only.empty());
-    EXPECT_EQ(emitters.lights.size(), 1u);
-    return emitters.lights.empty() ? RectangleLight{} : std::get<RectangleLight>(emitters.lights.front());
+    const std::vector<Light> lights = emitters_of(scene);
+    EXPECT_EQ(lights.size(), 1u);
+    return lights.empty() ? RectangleLight{} : std::get<RectangleLight>(lights.front());
 }
 
 const Test quad("unit.scene.emitters.a_quad_is_a_rectangle", [] {
@@ -55,18 +56,21 @@ const Test mirrored("unit.scene.emitters.a_mirrored_lamp_keeps_its_front", [] {
     EXPECT_LT(glm::distance(light.normal(), vec3(0, 0, 1)), 1e-6f);
 });
 
-const Test sheared("unit.scene.emitters.a_sheared_quad_is_only_seen", [] {
+const Test sheared("unit.scene.emitters.a_sheared_quad_is_a_mesh", [] {
     mat4 shear(1.0f);
     shear[1][0] = 0.5f;
-    const Emitters emitters = emitters_of(lamp(false, shear));
-    EXPECT_TRUE(emitters.lights.empty());
-    EXPECT_EQ(emitters.seen_only, std::vector<std::string>{"lamp"});
+    const std::vector<Light> lights = emitters_of(lamp(false, shear));
+    ASSERT_EQ(lights.size(), 1u);
+    const auto& light = std::get<MeshLight>(lights.front());
+    EXPECT_EQ(light.name, "lamp");
+    EXPECT_EQ(light.triangles.size(), 2u);
+    EXPECT_FLOAT_EQ(light.area(), 2.0f);
 });
 
-const Test folded("unit.scene.emitters.a_folded_quad_is_only_seen", [] {
+const Test folded("unit.scene.emitters.a_folded_quad_is_a_mesh", [] {
     Scene scene = lamp(false);
     scene.meshes[0].positions[3].z = 0.3f;
-    EXPECT_EQ(emitters_of(scene).seen_only.size(), 1u);
+    EXPECT_TRUE(std::holds_alternative<MeshLight>(emitters_of(scene).front()));
 });
 
 const Test two("unit.scene.emitters.a_mesh_of_two_quads_is_two_lights", [] {
@@ -75,7 +79,7 @@ const Test two("unit.scene.emitters.a_mesh_of_two_quads_is_two_lights", [] {
     for (int i = 0; i < 4; ++i)
         mesh.positions.push_back(mesh.positions[static_cast<std::size_t>(i)] + vec3(0, 0, -1));
     mesh.indices = {0, 1, 2, 4, 5, 6, 0, 2, 3, 4, 6, 7};
-    EXPECT_EQ(emitters_of(scene).lights.size(), 2u);
+    EXPECT_EQ(emitters_of(scene).size(), 2u);
 });
 
 // A visible light gets a surface that emits exactly its radiance and is not mistaken for a further light by
