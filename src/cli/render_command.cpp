@@ -49,8 +49,14 @@ Size picture_size(const RenderCommand& command, const scene::Camera& camera) {
 }
 
 render::RenderOptions render_options(const RenderCommand& command, Size size) {
-    return {size.width,   size.height,        command.samples,
-            command.seed, command.background, shader_path(command.shaders)};
+    return {size.width,         size.height,
+            command.samples,    command.seed,
+            command.background, shader_path(command.shaders),
+            command.estimator,  command.analytic_points};
+}
+
+const char* name_of(render::Estimator estimator) {
+    return estimator == render::Estimator::analytic ? "analytic" : "sampled";
 }
 
 /// @return whether all samples were taken; false if Ctrl-C was pressed.
@@ -70,7 +76,7 @@ void describe(image::Image& film, const RenderCommand& command, const scene::Sta
     film.channel_names = {"R", "G", "B", "A"};
     film.attributes = {{"steradian:version", STERADIAN_VERSION},
                        {"steradian:unit", "cd/m^2"},
-                       {"steradian:estimator", "sampled"},
+                       {"steradian:estimator", name_of(command.estimator)},
                        {"steradian:samples", std::to_string(command.samples)},
                        {"steradian:seed", std::to_string(command.seed)},
                        {"steradian:camera", stage.camera.name},
@@ -123,6 +129,7 @@ ordered_json summary(const RenderCommand& command, const scene::Stage& stage, co
             {"outputs", command.outputs},
             {"width", size.width},
             {"height", size.height},
+            {"estimator", name_of(command.estimator)},
             {"samples", command.samples},
             {"seed", command.seed},
             {"unit", "cd/m^2"},

@@ -28,6 +28,12 @@ std::optional<scene::Rig> rig_named(const std::string& name) {
     return std::nullopt;
 }
 
+std::optional<render::Estimator> estimator_named(const std::string& name) {
+    if (name == "sampled") return render::Estimator::sampled;
+    if (name == "analytic") return render::Estimator::analytic;
+    return std::nullopt;
+}
+
 std::optional<image::SampleType> exr_type_named(const std::string& name) {
     if (name == "half") return image::SampleType::half;
     if (name == "float") return image::SampleType::floating;
@@ -63,6 +69,19 @@ void declare_picture(CLI::App& command, RenderCommand& o) {
            rig_named, [&o](scene::Rig rig) { o.rig = rig; });
 }
 
+void declare_estimator(CLI::App& command, RenderCommand& o) {
+    parsed(
+        command, "--estimator",
+        "how light from emitters of finite size is added up (default: sampled, which converges to the truth; "
+        "analytic is noiseless: exact for Lambert, near it for gloss)",
+        "sampled|analytic", estimator_named, [&o](render::Estimator estimator) { o.estimator = estimator; });
+    command
+        .add_option("--analytic-points", o.analytic_points,
+                    "points the analytic estimator takes a lobe and emitter; 0: none, the fitted lobe alone")
+        ->check(CLI::Range(0, 4096))
+        ->capture_default_str();
+}
+
 void declare_output(CLI::App& command, RenderCommand& o) {
     parsed(command, "--exposure",
            "EV100 for .png and .jpg (default: auto, the log-average becomes middle grey)", "EV|auto",
@@ -95,6 +114,7 @@ void declare(CLI::App& command, RenderCommand& options) {
         ->allow_extra_args(false) // one a flag: what follows may be the scene
         ->required();
     declare_picture(command, options);
+    declare_estimator(command, options);
     declare_output(command, options);
     declare_machine(command, options);
     command.footer(

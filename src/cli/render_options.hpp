@@ -4,6 +4,7 @@
 #include "gl/context.hpp"
 #include "image/display.hpp"
 #include "image/file.hpp"
+#include "render/renderer.hpp"
 #include "scene/stage.hpp"
 
 namespace CLI {
@@ -20,6 +21,8 @@ struct RenderCommand {
     std::optional<int> scene_index;
     int samples = 16;
     std::uint32_t seed = 0;
+    render::Estimator estimator = render::Estimator::sampled;
+    int analytic_points = render::default_analytic_points;
     vec3 background{0.0f};
     scene::Rig rig = scene::Rig::studio;
     std::optional<float> ev100; // absent: automatic

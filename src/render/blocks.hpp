@@ -38,6 +38,7 @@ enum Slot : unsigned {
 };
 inline constexpr unsigned light_table_unit = slot_count;
 inline constexpr unsigned emission_texels_unit = slot_count + 1;
+inline constexpr unsigned ltc_table_unit = slot_count + 2;
 
 struct MaterialBlock {
     vec4 base_color_factor;

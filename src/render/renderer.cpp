@@ -3,17 +3,34 @@
 #include "core/error.hpp"
 #include "render/sampling.hpp"
 
+#include <fmt/format.h>
+
 namespace sr::render {
+namespace {
+
+/// The estimator stands behind the user's own roots and in front of the embedded ones.
+std::vector<glsl::Root> shader_path(const RenderOptions& options) {
+    std::vector<glsl::Root> path = options.shader_path;
+    require(!path.empty(), "the shader path has a root");
+    if (options.estimator == Estimator::sampled) return path;
+    const std::string points = fmt::format("const int analytic_points = {};\n", options.analytic_points);
+    path.insert(path.end() - 1,
+                glsl::Root::memory("estimator", {{"integrator/reflected.glsl",
+                                                  "#include \"integrator/reflected_analytic.glsl\"\n"},
+                                                 {"integrator/analytic_points.glsl", points}}));
+    return path;
+}
+
+} // namespace
 
 Renderer::Renderer(const GpuScene& scene, const scene::Camera& camera, const RenderOptions& options)
     : scene_(scene),
       camera_(camera),
       options_(options),
       end_light_(scene.light_count()),
-      shaders_(options.shader_path),
+      shaders_(shader_path(options)),
       frame_("frame", options.width, options.height, true),
       film_("film", options.width, options.height, false) {
-    require(!options.shader_path.empty(), "the shader path has a root");
     clear();
 }
 
@@ -52,8 +69,8 @@ void Renderer::add_sample() {
 View Renderer::begin_frame() {
     const vec2 offset = sub_pixel(sample_count_, options_.samples, options_.seed);
     const View view = view_of(camera_, options_.width, options_.height, offset);
-    const FrameBlock block{view.clip_from_world, view.eye, static_cast<std::uint32_t>(sample_count_),
-                           options_.seed, first_light_, end_light_};
+    const FrameBlock block{view.clip_from_world, view.eye,     static_cast<std::uint32_t>(sample_count_),
+                           options_.seed,        first_light_, end_light_};
     glBindBuffer(GL_UNIFORM_BUFFER, frame_data_.id());
     glBufferData(GL_UNIFORM_BUFFER, sizeof(block), &block, GL_STREAM_DRAW);
     glBindBufferBase(GL_UNIFORM_BUFFER, frame_block, frame_data_.id());

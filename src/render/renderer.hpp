@@ -6,6 +6,13 @@
 
 namespace sr::render {
 
+/// How the integral over an emitter is evaluated: by samples, which converge to it, or in closed form with
+/// few points (shaders/integrator/reflected_analytic.glsl).
+enum class Estimator { sampled, analytic };
+
+/// Points of the analytic estimator a lobe and emitter: tools/ltc/README.md has what they buy.
+inline constexpr int default_analytic_points = 24;
+
 struct RenderOptions {
     int width = 1280;
     int height = 720;
@@ -14,6 +21,8 @@ struct RenderOptions {
     vec3 background{0.0f}; // radiance where there is no surface [cd/m²]
     /// The roots that shaders come from, most particular first.
     std::vector<glsl::Root> shader_path{glsl::embedded()};
+    Estimator estimator = Estimator::sampled;
+    int analytic_points = default_analytic_points; // 0: linearly transformed cosines alone
 };
 
 class Renderer {
@@ -25,8 +34,8 @@ public:
     /// ShaderError
     void compile();
 
-    /// Only the lights [first, end) shine from the next sample on; their samples are those that they have among
-    /// all lights. Every surface goes on emitting.
+    /// Only the lights [first, end) shine from the next sample on; their samples are those that they have
+    /// among all lights. Every surface goes on emitting.
     void use_lights(int first, int end);
 
     /// Starts over with an empty film.

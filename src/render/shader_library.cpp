@@ -29,6 +29,7 @@ const gl::Program& ShaderLibrary::mesh_program(const std::string& fragment, cons
         program.bind_texture(sampler_names[unit], static_cast<GLint>(unit));
     program.bind_texture("light_table", light_table_unit);
     program.bind_texture("emission_texels", emission_texels_unit);
+    program.bind_texture("ltc_table", ltc_table_unit);
     return mesh_programs_.emplace(key, std::move(program)).first->second;
 }
 

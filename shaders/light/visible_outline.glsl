@@ -1,0 +1,104 @@
+// An outline cut at the horizon z = 0 and closed along it: its irradiance, and the points of the emitter.
+//
+//   E / L = 1/2 Σ_pieces n·∫ b×b' dψ        (Stokes; Lambert 1760 for polygons), exact for every piece
+//
+// Points come in a fan: along the outline in equal steps (the midpoint rule), and from its centre o to the outline's
+// point b at two distances (Gauss's rule of two points in 1 - cosψ, the angle from o). A point's weight is its solid
+// angle, dω = o·(b×b') / (1 + o·b) du ds for cosψ = 1 - u (1 - o·b). They are smooth in all that they depend on, none
+// leaves the outline, and visibility can use them.
+#include "light/outline.glsl"
+
+struct VisibleOutline {
+    float E;        // irradiance for L = 1 [sr]: 0 where nothing is to be seen
+    float girth;      // along it [rad]
+    vec3 center;    // a unit direction inside
+    Arc closing;    // the piece along the horizon; empty if the outline stays above
+};
+
+// The piece of the horizon from one point of it to another, less than half round.
+Arc horizon_arc(vec3 from, vec3 to) {
+    vec3 x = normalize(vec3(from.xy, 0.0));
+    vec3 z = vec3(0.0, 0.0, 1.0);
+    float angle = angle_of(vec2(dot(x.xy, to.xy), x.x * to.y - x.y * to.x));
+    return Arc(mat3(x, cross(z, x), z), vec3(1.0, 1.0, 0.0), 0.0, angle < -0.5 * pi ? angle + 2.0 * pi : max(angle, 0.0));
+}
+
+// Adds what the arc has to the length and, weighed with it, to the centre.
+void measure(Arc arc, inout VisibleOutline v) {
+    const int points = 3; // that a circle's centre comes out, too
+    float step_ = (arc.to - arc.from) / float(points);
+    for (int i = 0; i < points; ++i) {
+        vec3 b, turn;
+        arc_at(arc, arc.from + (float(i) + 0.5) * step_, b, turn);
+        float l = length(turn) * step_;
+        v.girth += l;
+        v.center += l * b;
+    }
+}
+
+VisibleOutline visible_part(Outline outline) {
+    VisibleOutline v = VisibleOutline(0.0, 0.0, vec3(0.0), no_arc);
+    bool any = false;           // visible so far
+    bool is_hidden = false;     // since the last visible end
+    bool begins_hidden = false;
+    bool is_closed = false;
+    vec3 start = vec3(0.0);     // of the first visible piece
+    vec3 end = vec3(0.0);       // of the last so far
+    for (int k = 0; k < outline.count; ++k) {
+        Piece piece = piece_at(outline, k);
+        Arc arc = piece.arc;
+        if (!(arc.to > arc.from)) {
+            is_hidden = is_hidden || piece.is_cut_at_start;
+            continue;
+        }
+        vec3 b = arc_direction(arc, arc.from);
+        is_hidden = is_hidden || piece.is_cut_at_start;
+        if (!any) {
+            start = b;
+            begins_hidden = is_hidden;
+        } else if (is_hidden) {
+            v.closing = horizon_arc(end, b);
+            is_closed = true;
+        }
+        any = true;
+        end = arc_direction(arc, arc.to);
+        is_hidden = piece.is_cut_at_end;
+        v.E += 0.5 * arc_projection(arc);
+        measure(arc, v);
+    }
+    if (any && !is_closed && (begins_hidden || is_hidden)) v.closing = horizon_arc(end, start);
+    if (v.closing.to > 0.0) {
+        v.E += 0.5 * v.closing.to;
+        measure(v.closing, v);
+    }
+    v.E = any ? max(v.E, 0.0) : 0.0;
+    if (any) v.center = normalize(v.center);
+    return v;
+}
+
+// How many of `wanted` steps along the outline fall to an arc; one at least.
+int steps_of(Arc arc, VisibleOutline v, int wanted) {
+    if (!(arc.to > arc.from)) return 0;
+    VisibleOutline alone = VisibleOutline(0.0, 0.0, vec3(0.0), no_arc);
+    measure(arc, alone);
+    return max(1, int(float(wanted) * alone.girth / v.girth + 0.5));
+}
+
+const int points_a_step = 2;
+
+// The directions of a step's two points and their common weight [sr], the fan's solid angle per step and point.
+void fan_step(Arc arc, int step_, int steps, vec3 center, out vec3 near, out vec3 far, out float weight) {
+    float width = (arc.to - arc.from) / float(steps);
+    vec3 b, turn;
+    arc_at(arc, arc.from + (float(step_) + 0.5) * width, b, turn);
+    float cosine = dot(center, b);
+    weight = max(dot(center, turn), 0.0) * width / (float(points_a_step) * (1.0 + cosine));
+    vec3 outwards = b - cosine * center;
+    float l = length(outwards);
+    outwards = l > 0.0 ? outwards / l : vec3(0.0);
+    vec3 chord = b - center;
+    vec2 rise = 0.5 * dot(chord, chord) * (vec2(0.5) + vec2(-0.5, 0.5) / sqrt(3.0)); // 1 - cosψ; Gauss 1814
+    vec2 sine = sqrt(rise * (2.0 - rise));
+    near = (1.0 - rise.x) * center + sine.x * outwards;
+    far = (1.0 - rise.y) * center + sine.y * outwards;
+}
