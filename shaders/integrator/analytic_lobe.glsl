@@ -8,6 +8,7 @@
 // ratio: Heitz, Hill & McGuire 2018. Points where p is: Peters 2021, who draws them; these are a fixed fan.
 #include "brdf/lobes.glsl"
 #include "brdf/warp.glsl"
+#include "interface/estimator.glsl"
 #include "light/outlined.glsl"
 
 // One lobe of the BRDF and its warp.
@@ -31,44 +32,46 @@ vec3 ratio_at(vec3 q, WarpedLobe lobe, Light light, int part, Surface x, vec3 wo
            * (pi * lobe.warp.determinant / (l2 * l2));
 }
 
-vec3 without_points(VisibleOutline v, WarpedLobe lobe, Light light, int part, Surface x, vec3 wo) {
-    if (!lobe.is_specular) return v.E / pi * ratio_at(v.center, lobe, light, part, x, wo);
+// r where there are no points: for the GGX lobe the albedo.
+vec3 mean_ratio(vec3 center, WarpedLobe lobe, Light light, int part, Surface x, vec3 wo) {
+    if (!lobe.is_specular) return ratio_at(center, lobe, light, part, x, wo);
     vec2 terms = specular_terms(x, wo);
-    vec3 wi = normalize(lobe.warp.world_from_warped * v.center);
-    return v.E / pi * specular_albedo(x, terms.x, terms.y) * radiance_towards(light, part, x.position, wi);
+    vec3 wi = normalize(lobe.warp.world_from_warped * center);
+    return specular_albedo(x, terms.x, terms.y) * radiance_towards(light, part, x.position, wi);
 }
 
 vec3 reflected_by_lobe(WarpedLobe lobe, Light light, int part, int points, Surface x, vec3 wo) {
     Outline outline = outline_of(light, part, x.position, lobe.warp.warped_from_world);
     VisibleOutline v = visible_part(outline);
     if (v.E <= 0.0) return vec3(0.0);
-    if (points == 0) return without_points(v, lobe, light, part, x, wo);
+    if (analytic_points == 0) return v.E / pi * mean_ratio(v.center, lobe, light, part, x, wo);
     vec3 sum = vec3(0.0);
     float weights = 0.0;
     for (int k = 0; k <= outline.count; ++k) { // the last is the horizon
-        Arc arc = k < outline.count ? piece_at(outline, k).arc : v.closing;
+        Arc arc = v.closing;
+        if (k < outline.count) arc = piece_at(outline, k).arc;
         int steps = steps_of(arc, v, points / points_a_step);
         for (int i = 0; i < steps; ++i) {
-            vec3 near, far;
-            float weight;
-            fan_step(arc, i, steps, v.center, near, far, weight);
-            sum += weight * near.z * ratio_at(near, lobe, light, part, x, wo);
-            sum += weight * far.z * ratio_at(far, lobe, light, part, x, wo);
-            weights += weight * (near.z + far.z);
+            FanStep fan = fan_step(arc, i, steps, v.center);
+            for (int j = 0; j < points_a_step; ++j) {
+                vec3 q = fan_point(fan, j, v.center);
+                sum += fan.weight * q.z * ratio_at(q, lobe, light, part, x, wo);
+                weights += fan.weight * q.z;
+            }
         }
     }
     return weights > 0.0 ? v.E / pi * sum / weights : vec3(0.0);
 }
 
-// Both lobes over outline `part` of the light, by about `points` points each.
-vec3 reflected_from_outline(Light light, int part, int points, Surface x, vec3 wo) {
+// Both lobes over outline `part` of `parts` of the light, by about analytic_points / parts points each.
+vec3 reflected_from_outline(Light light, int part, int parts, Surface x, vec3 wo) {
     vec3 L_r = vec3(0.0);
     for (int i = 0; i < 2; ++i) { // one loop, since every call is another copy of all that it takes
         bool is_specular = i == 1;
         if (is_specular ? !has_specular_lobe(x) : !has_diffuse_lobe(x)) continue;
         WarpedLobe lobe = WarpedLobe(is_specular, diffuse_warp(x, wo));
         if (is_specular) lobe.warp = specular_warp(x, wo);
-        L_r += reflected_by_lobe(lobe, light, part, points, x, wo);
+        L_r += reflected_by_lobe(lobe, light, part, analytic_points / parts, x, wo);
     }
     return L_r;
 }

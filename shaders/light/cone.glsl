@@ -56,9 +56,3 @@ Arc cone_arc(vec3 c, vec3 a, vec3 b) {
     bool is_open = size.y + size.z > 0.0; // not where x lies on the ellipse itself
     return Arc(axes, size, 0.0, is_open ? 2.0 * pi : 0.0);
 }
-
-// The cone of half-angle σ around the unit direction w, through the linear map `warp`.
-Arc round_cone(vec3 w, float sin_sigma, float cos_sigma, mat3 warp) {
-    vec3 u = perpendicular_to(w);
-    return cone_arc(warp * (cos_sigma * w), warp * (sin_sigma * u), warp * (sin_sigma * cross(w, u)));
-}

@@ -5,42 +5,56 @@
 
 struct Outline {
     int count;        // pieces
-    int straight;     // how many of them are straight; a tube's come first, third and last but one
-    int first_texel;  // of a polygon's corners in light_table; negative: corners[] and edges[] have them
+    bool is_flat;     // all of them straight
+    int first_texel;  // of a polygon's corners in light_table; negative: corners[] has them
     bool is_reversed; // a polygon's corners, to go round counter-clockwise
     mat3 warp;        // of directions
     vec3 x;           // [m]
-    vec3 corners[4];  // from x, warped [m]
+    vec3 corners[4];  // from x [m]
     vec3 edges[4];    // to the next corner
-    Arc arcs[4];
+    Arc cone;         // of a disk or sphere, and of a tube's first end
+    Arc other_cone;   // of its second
 };
 
 Outline empty_outline(vec3 x, mat3 warp) {
-    return Outline(0, 0, -1, false, warp, x, vec3[4](vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0)),
-                   vec3[4](vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0)), Arc[4](no_arc, no_arc, no_arc, no_arc));
+    return Outline(0, true, -1, false, warp, x, vec3[4](vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0)),
+                   vec3[4](vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0)), no_arc, no_arc);
 }
 
-vec3 polygon_corner(Light light, int k) { return texelFetch(light_table, light.data + k).xyz; }
+// An end of a tube comes in two parts, cut where it is lowest, so that neither is visible at both ends only.
+Arc part_of_end(Arc cone, bool is_second) {
+    float lowest = lowest_of(cone);
+    if (lowest < cone.from) lowest += 2.0 * pi;
+    lowest = min(lowest, cone.to);
+    return Arc(cone.axes, cone.size, is_second ? lowest : cone.from, is_second ? cone.to : lowest);
+}
 
 // Piece k of 0 .. count - 1.
 Piece piece_at(Outline outline, int k) {
-    if (outline.straight == 0) return round_piece(outline.arcs[k]);
+    bool is_single = outline.count == 1;
+    if (!outline.is_flat && (is_single || k % 3 != 0)) { // a tube has straight pieces for its first and its fourth
+        Arc cone = outline.cone;
+        if (k >= 3) cone = outline.other_cone;
+        if (!is_single) cone = part_of_end(cone, k % 3 == 2);
+        return round_piece(cone);
+    }
+    vec3 corner, edge;
     if (outline.first_texel >= 0) {
         int n = outline.count;
         int from = outline.is_reversed ? (n - k) % n : k;
         int to = outline.is_reversed ? n - 1 - k : (k + 1) % n;
         vec3 a = texelFetch(light_table, outline.first_texel + from).xyz;
-        vec3 b = texelFetch(light_table, outline.first_texel + to).xyz;
-        return straight_piece(outline.warp * (a - outline.x), outline.warp * (b - a));
+        corner = a - outline.x;
+        edge = texelFetch(light_table, outline.first_texel + to).xyz - a;
+    } else {
+        int i = outline.is_flat ? k : k / 3;
+        corner = outline.corners[i];
+        edge = outline.edges[i];
     }
-    if (outline.straight == outline.count) return straight_piece(outline.corners[k], outline.edges[k]);
-    // A tube: a straight piece, two of its one end, a straight piece, two of the other.
-    int half_way = k / 3;
-    if (k % 3 == 0) return straight_piece(outline.corners[half_way], outline.edges[half_way]);
-    return round_piece(outline.arcs[2 * half_way + k % 3 - 1]);
+    return straight_piece(outline.warp * corner, outline.warp * edge);
 }
 
-// The flat emitters: `front` is the unit normal of the emitting side, to_corner leads from x to any of its points.
+// Whether x is on a flat emitter's bright side. `front` is the normal there, to_corner leads from x to any point of it.
 bool faces(vec3 front, vec3 to_corner, bool is_two_sided) {
     float towards = dot(front, to_corner);
     return is_two_sided ? towards != 0.0 : towards < 0.0;
@@ -48,13 +62,11 @@ bool faces(vec3 front, vec3 to_corner, bool is_two_sided) {
 
 Outline rectangle_outline(Light light, vec3 x, mat3 warp) {
     Outline o = empty_outline(x, warp);
-    vec3 to_center = light.position - x;
-    if (!faces(light.direction, to_center, light.is_two_sided)) return o;
-    o.count = o.straight = 4;
-    float side = dot(light.direction, to_center) < 0.0 ? -1.0 : 1.0; // seen from the front it goes the other way
-    vec3 u = warp * light.half_u;
-    vec3 v = warp * (side * light.half_v);
-    vec3 c = warp * to_center;
+    vec3 c = light.position - x;
+    if (!faces(light.direction, c, light.is_two_sided)) return o;
+    o.count = 4;
+    vec3 u = light.half_u;
+    vec3 v = dot(light.direction, c) < 0.0 ? -light.half_v : light.half_v; // the front is seen the other way round
     o.corners = vec3[4](c - u - v, c + u - v, c + u + v, c - u + v);
     o.edges = vec3[4](2.0 * u, 2.0 * v, -2.0 * u, -2.0 * v);
     return o;
@@ -64,23 +76,23 @@ Outline triangle_outline(vec3 a, vec3 b, vec3 c, bool is_two_sided, vec3 x, mat3
     Outline o = empty_outline(x, warp);
     vec3 front = cross(b - a, c - a);
     if (!faces(front, a - x, is_two_sided)) return o;
-    o.count = o.straight = 3;
+    o.count = 3;
     if (dot(front, a - x) < 0.0) {
         vec3 swapped = b;
         b = c;
         c = swapped;
     }
-    o.corners = vec3[4](warp * (a - x), warp * (b - x), warp * (c - x), vec3(0.0));
-    o.edges = vec3[4](warp * (b - a), warp * (c - b), warp * (a - c), vec3(0.0));
+    o.corners = vec3[4](a - x, b - x, c - x, vec3(0.0));
+    o.edges = vec3[4](b - a, c - b, a - c, vec3(0.0));
     return o;
 }
 
 Outline polygon_outline(Light light, vec3 x, mat3 warp) {
     Outline o = empty_outline(x, warp);
-    vec3 to_center = light.position - x;
-    if (!faces(light.direction, to_center, light.is_two_sided)) return o;
-    o.count = o.straight = light.count;
+    vec3 c = light.position - x;
+    if (!faces(light.direction, c, light.is_two_sided)) return o;
+    o.count = light.count;
     o.first_texel = light.data;
-    o.is_reversed = dot(light.direction, to_center) < 0.0;
+    o.is_reversed = dot(light.direction, c) < 0.0;
     return o;
 }

@@ -1,77 +1,89 @@
 // The outlines of disks, spheres, the sun and tubes.
+#include "interface/features.glsl"
 #include "light/outline.glsl"
 
-Outline disk_outline(Light light, vec3 x, mat3 warp) {
-    Outline o = empty_outline(x, warp);
-    vec3 to_center = light.position - x;
-    if (!faces(light.direction, to_center, light.is_two_sided)) return o;
-    o.count = 1;
-    o.arcs[0] = cone_arc(warp * to_center, warp * light.half_u, warp * light.half_v);
-    return o;
+// An ellipse c + a cos t + b sin t through which something round is seen. A cone of half-angle σ around the unit
+// direction w is one.
+struct Ellipse {
+    vec3 c;
+    vec3 a;
+    vec3 b;
+};
+
+Ellipse circle(vec3 w, float sin_sigma, float cos_sigma) {
+    vec3 u = perpendicular_to(w);
+    return Ellipse(cos_sigma * w, sin_sigma * u, sin_sigma * cross(w, u));
 }
 
-Outline sphere_outline(vec3 to_center, float radius, vec3 x, mat3 warp) {
-    Outline o = empty_outline(x, warp);
+Ellipse sphere_circle(vec3 to_center, float radius) {
     float d = length(to_center);
-    if (d <= radius) return o;
-    o.count = 1;
-    float sin_sigma = radius / d;
-    float cos_sigma = sqrt((d - radius) * (d + radius)) / d;
-    o.arcs[0] = round_cone(to_center / d, sin_sigma, cos_sigma, warp);
-    return o;
-}
-
-Outline sun_outline(Light light, vec3 x, mat3 warp) {
-    Outline o = empty_outline(x, warp);
-    o.count = 1;
-    o.arcs[0] = round_cone(-light.direction, sin(light.radius), cos(light.radius), warp);
-    return o;
-}
-
-// The round end of a tube around `center` (from x), from the direction of one tangent point to another's. In two
-// parts where its lowest point is on the way, so that neither is visible at both ends only.
-void tube_end(vec3 center, float radius, vec3 from, vec3 to, mat3 warp, out Arc first, out Arc second) {
-    float d = length(center);
-    float cos_sigma = sqrt(max((d - radius) * (d + radius), 0.0)) / d;
-    first = round_cone(center / d, radius / d, cos_sigma, warp);
-    first.from = arc_angle(first, warp * from);
-    first.to = arc_angle(first, warp * to);
-    if (first.to < first.from) first.to += 2.0 * pi;
-    float lowest = lowest_of(first);
-    if (lowest < first.from) lowest += 2.0 * pi;
-    second = first;
-    second.from = second.to = min(lowest, first.to);
-    second.to = first.to;
-    first.to = second.from;
+    return circle(to_center / d, radius / d, sqrt(max((d - radius) * (d + radius), 0.0)) / d);
 }
 
 // All points within `radius` of an axis. The silhouette lies in the two planes through x that touch both spheres:
-// their unit normals n have n·p = radius for all p of the axis. (x is the origin here.)
-Outline tube_outline(Light light, vec3 x, mat3 warp) {
-    Outline o = empty_outline(x, warp);
-    float radius = light.radius;
-    vec3 p1 = light.position - light.half_u - x;
-    vec3 axis = 2.0 * light.half_u;
-    vec3 p2 = p1 + axis;
-    float along = -dot(p1, axis) / dot(axis, axis);
-    if (length(p1 + clamp(along, 0.0, 1.0) * axis) <= radius) return o; // inside
-    vec3 nearest = p1 + along * axis; // of the axis' line
+// their unit normals n have n·p = radius for all p of the axis. (x is the origin here.) Sets the straight pieces and
+// returns whether there are any: seen along the axis the nearer end hides all else.
+bool has_sides(Light light, vec3 p1, vec3 p2, inout Outline o) {
+    vec3 axis = p2 - p1;
+    vec3 nearest = p1 - dot(p1, axis) / dot(axis, axis) * axis; // of the axis' line
     float distance = length(nearest);
-    // Seen along the axis the nearer end hides all else.
-    if (distance <= radius) return sphere_outline(along < 0.5 ? p1 : p2, radius, x, warp);
-
+    if (distance <= light.radius) return false;
     vec3 out_of = nearest / distance;
-    vec3 across = cross(normalize(axis), out_of);
-    float sine = sqrt((distance - radius) * (distance + radius)) / distance;
-    vec3 n_low = radius / distance * out_of + sine * across;
-    vec3 n_high = radius / distance * out_of - sine * across;
+    vec3 across = cross(out_of, normalize(axis));
+    float sine = sqrt((distance - light.radius) * (distance + light.radius)) / distance;
+    vec3 n_low = light.radius / distance * out_of + sine * across;
+    vec3 n_high = light.radius / distance * out_of - sine * across;
     o.count = 6;
-    o.straight = 2;
-    o.corners[0] = warp * (p1 - radius * n_low);
-    o.corners[1] = warp * (p2 - radius * n_high);
-    o.edges[0] = warp * axis;
-    o.edges[1] = -o.edges[0];
-    tube_end(p2, radius, p2 - radius * n_low, p2 - radius * n_high, warp, o.arcs[0], o.arcs[1]);
-    tube_end(p1, radius, p1 - radius * n_high, p1 - radius * n_low, warp, o.arcs[2], o.arcs[3]);
+    o.corners = vec3[4](p1 - light.radius * n_low, p2 - light.radius * n_high, vec3(0.0), vec3(0.0));
+    o.edges = vec3[4](axis, -axis, vec3(0.0), vec3(0.0));
+    return true;
+}
+
+// The part of a tube's round end from one tangent point to another.
+void cut_end(inout Arc cone, vec3 from, vec3 to) {
+    cone.from = arc_angle(cone, from);
+    cone.to = arc_angle(cone, to);
+    if (cone.to < cone.from) cone.to += 2.0 * pi;
+}
+
+// Disk, sphere, sun or tube: all go through the same few lines, since every copy of cone_arc() takes long to compile.
+Outline round_outline(Light light, vec3 x, mat3 warp) {
+    Outline o = empty_outline(x, warp);
+    o.is_flat = false;
+    vec3 c = light.position - x;
+    Ellipse ellipses[2];
+    bool is_tube = has_tube_lights && light.kind == tube_light;
+    bool is_seen = true;
+    o.count = 1;
+    if (is_tube) {
+        vec3 p1 = c - light.half_u;
+        vec3 axis = 2.0 * light.half_u;
+        float along = clamp(-dot(p1, axis) / dot(axis, axis), 0.0, 1.0);
+        is_seen = length(p1 + along * axis) > light.radius; // not from inside
+        is_tube = has_sides(light, p1, p1 + axis, o);
+        ellipses[0] = sphere_circle(is_tube || along >= 0.5 ? p1 + axis : p1, light.radius);
+        ellipses[1] = sphere_circle(p1, light.radius);
+    } else if (has_disk_lights && light.kind == disk_light) {
+        is_seen = faces(light.direction, c, light.is_two_sided);
+        ellipses[0] = Ellipse(c, light.half_u, light.half_v);
+    } else if (has_sphere_lights && light.kind == sphere_light) {
+        is_seen = length(c) > light.radius;
+        ellipses[0] = sphere_circle(c, light.radius);
+    } else {
+        ellipses[0] = circle(-light.direction, sin(light.radius), cos(light.radius));
+    }
+    if (!is_seen) return empty_outline(x, warp);
+    for (int i = 0; i < (is_tube ? 2 : 1); ++i) {
+        Arc cone = cone_arc(warp * ellipses[i].c, warp * ellipses[i].a, warp * ellipses[i].b);
+        if (is_tube) {
+            vec3 low = warp * o.corners[0];
+            vec3 high = warp * o.corners[1];
+            vec3 axis = warp * o.edges[0];
+            if (i == 0) cut_end(cone, low + axis, high);
+            else cut_end(cone, high - axis, low);
+        }
+        if (i == 0) o.cone = cone;
+        else o.other_cone = cone;
+    }
     return o;
 }

@@ -1,11 +1,11 @@
 // The emitters that are evaluated by their outline: all of finite size, but meshes of more triangles than a pixel can
 // afford.
+#include "interface/estimator.glsl"
 #include "interface/features.glsl"
 #include "light/outline_round.glsl"
 #include "light/radiance.glsl"
 #include "light/visible_outline.glsl"
 
-const int most_outlined_triangles = 32;
 const int texels_per_triangle = 5;
 
 // How many outlines a light has; 0 if it is to be sampled.
@@ -18,17 +18,13 @@ int outlines_of(Light light) {
 
 Outline outline_of(Light light, int part, vec3 x, mat3 warp) {
     if (has_rectangle_lights && light.kind == rectangle_light) return rectangle_outline(light, x, warp);
-    if (has_disk_lights && light.kind == disk_light) return disk_outline(light, x, warp);
-    if (has_sphere_lights && light.kind == sphere_light)
-        return sphere_outline(light.position - x, light.radius, x, warp);
-    if (has_tube_lights && light.kind == tube_light) return tube_outline(light, x, warp);
     if (has_polygon_lights && light.kind == polygon_light) return polygon_outline(light, x, warp);
-    if (has_sun_disks && light.kind == directional_light) return sun_outline(light, x, warp);
     if (has_mesh_lights && light.kind == mesh_light) {
         int texel = light.data + texels_per_triangle * part;
         return triangle_outline(texelFetch(light_table, texel).xyz, texelFetch(light_table, texel + 1).xyz,
                                 texelFetch(light_table, texel + 2).xyz, light.is_two_sided, x, warp);
     }
+    if (has_disk_lights || has_sphere_lights || has_tube_lights || has_sun_disks) return round_outline(light, x, warp);
     return empty_outline(x, warp);
 }
 

@@ -23,21 +23,21 @@ Arc horizon_arc(vec3 from, vec3 to) {
     return Arc(mat3(x, cross(z, x), z), vec3(1.0, 1.0, 0.0), 0.0, angle < -0.5 * pi ? angle + 2.0 * pi : max(angle, 0.0));
 }
 
-// Adds what the arc has to the length and, weighed with it, to the centre.
-void measure(Arc arc, inout VisibleOutline v) {
-    const int points = 3; // that a circle's centre comes out, too
-    float step_ = (arc.to - arc.from) / float(points);
-    for (int i = 0; i < points; ++i) {
+// Its length along the outline [rad] and its middle, times that, by two points (of a circle these are opposite).
+vec4 middle_and_length(Arc arc) {
+    float width = 0.5 * (arc.to - arc.from);
+    vec4 sum = vec4(0.0);
+    for (int i = 0; i < 2; ++i) {
         vec3 b, turn;
-        arc_at(arc, arc.from + (float(i) + 0.5) * step_, b, turn);
-        float l = length(turn) * step_;
-        v.girth += l;
-        v.center += l * b;
+        arc_at(arc, arc.from + (float(i) + 0.5) * width, b, turn);
+        sum += length(turn) * width * vec4(b, 1.0);
     }
+    return sum;
 }
 
 VisibleOutline visible_part(Outline outline) {
     VisibleOutline v = VisibleOutline(0.0, 0.0, vec3(0.0), no_arc);
+    vec4 middle = vec4(0.0);
     bool any = false;           // visible so far
     bool is_hidden = false;     // since the last visible end
     bool begins_hidden = false;
@@ -64,41 +64,48 @@ VisibleOutline visible_part(Outline outline) {
         end = arc_direction(arc, arc.to);
         is_hidden = piece.is_cut_at_end;
         v.E += 0.5 * arc_projection(arc);
-        measure(arc, v);
+        middle += middle_and_length(arc);
     }
     if (any && !is_closed && (begins_hidden || is_hidden)) v.closing = horizon_arc(end, start);
     if (v.closing.to > 0.0) {
         v.E += 0.5 * v.closing.to;
-        measure(v.closing, v);
+        middle += middle_and_length(v.closing);
     }
     v.E = any ? max(v.E, 0.0) : 0.0;
-    if (any) v.center = normalize(v.center);
+    if (any) v.center = normalize(middle.xyz);
+    v.girth = middle.w;
     return v;
 }
 
 // How many of `wanted` steps along the outline fall to an arc; one at least.
 int steps_of(Arc arc, VisibleOutline v, int wanted) {
     if (!(arc.to > arc.from)) return 0;
-    VisibleOutline alone = VisibleOutline(0.0, 0.0, vec3(0.0), no_arc);
-    measure(arc, alone);
-    return max(1, int(float(wanted) * alone.girth / v.girth + 0.5));
+    return max(1, int(float(wanted) * middle_and_length(arc).w / v.girth + 0.5));
 }
 
 const int points_a_step = 2;
 
-// The directions of a step's two points and their common weight [sr], the fan's solid angle per step and point.
-void fan_step(Arc arc, int step_, int steps, vec3 center, out vec3 near, out vec3 far, out float weight) {
+// A step of the fan: what its points have in common.
+struct FanStep {
+    vec3 outwards; // unit, from the centre along the fan
+    float reach;   // 1 - cosψ of the outline
+    float weight;  // solid angle of one of its points [sr]
+};
+
+FanStep fan_step(Arc arc, int i, int steps, vec3 center) {
     float width = (arc.to - arc.from) / float(steps);
     vec3 b, turn;
-    arc_at(arc, arc.from + (float(step_) + 0.5) * width, b, turn);
+    arc_at(arc, arc.from + (float(i) + 0.5) * width, b, turn);
     float cosine = dot(center, b);
-    weight = max(dot(center, turn), 0.0) * width / (float(points_a_step) * (1.0 + cosine));
     vec3 outwards = b - cosine * center;
     float l = length(outwards);
-    outwards = l > 0.0 ? outwards / l : vec3(0.0);
     vec3 chord = b - center;
-    vec2 rise = 0.5 * dot(chord, chord) * (vec2(0.5) + vec2(-0.5, 0.5) / sqrt(3.0)); // 1 - cosψ; Gauss 1814
-    vec2 sine = sqrt(rise * (2.0 - rise));
-    near = (1.0 - rise.x) * center + sine.x * outwards;
-    far = (1.0 - rise.y) * center + sine.y * outwards;
+    return FanStep(l > 0.0 ? outwards / l : vec3(0.0), 0.5 * dot(chord, chord),
+                   max(dot(center, turn), 0.0) * width / (float(points_a_step) * (1.0 + cosine)));
+}
+
+// The direction of its point i of points_a_step: Gauss's rule on [0, 1].
+vec3 fan_point(FanStep fan, int i, vec3 center) {
+    float rise = fan.reach * (0.5 + (i == 0 ? -0.5 : 0.5) / sqrt(3.0)); // 1 - cosψ
+    return (1.0 - rise) * center + sqrt(rise * (2.0 - rise)) * fan.outwards;
 }

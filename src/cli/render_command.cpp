@@ -84,6 +84,17 @@ void describe(image::Image& film, const RenderCommand& command, const scene::Sta
                        {"steradian:GL_VERSION", gl.version}};
 }
 
+/// Says which lights the analytic estimator cannot do without noise.
+void remark_on_estimator(const RenderCommand& command, const scene::Stage& stage) {
+    if (command.estimator != render::Estimator::analytic) return;
+    for (const scene::Light& light : stage.lights) {
+        const auto* mesh = std::get_if<scene::MeshLight>(&light);
+        if (mesh && mesh->triangles.size() > render::most_outlined_triangles)
+            fmt::print(stderr, "{}: '{}' has {} emissive triangles, more than {}: it is sampled\n", command.scene,
+                       mesh->name, mesh->triangles.size(), render::most_outlined_triangles);
+    }
+}
+
 /// Says why a picture is black, and if it has holes.
 void remark_on(const image::Image& film, const RenderCommand& command, const scene::Stage& stage) {
     std::size_t covered = 0, lit = 0, broken = 0;
@@ -163,6 +174,7 @@ ExitStatus render(const RenderCommand& command) {
     times.add("load (beside start)", load.seconds);
 
     const scene::Stage stage = staged(command, std::move(load.loaded));
+    remark_on_estimator(command, stage);
     const Size size = picture_size(command, stage.camera);
     times.end("stage");
     const render::GpuScene gpu_scene(stage.scene, stage.lights);

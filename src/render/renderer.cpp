@@ -3,21 +3,37 @@
 #include "core/error.hpp"
 #include "render/sampling.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace sr::render {
 namespace {
+
+/// The analytic estimator evaluates f_r lobe by lobe.
+/// @throws Error if a user's folder changes f_r and not its lobes.
+void require_lobes(std::span<const glsl::Root> users) {
+    const auto has = [](std::string_view name) {
+        return [name](const glsl::Root& root) { return root.text_of(name).has_value(); };
+    };
+    const auto changed = std::find_if(users.begin(), users.end(), has("brdf/f_r.glsl"));
+    if (changed == users.end() || std::any_of(users.begin(), users.end(), has("brdf/lobes.glsl"))) return;
+    throw Error({changed->place_of("brdf/f_r.glsl")}, "the analytic estimator reads brdf/lobes.glsl instead",
+                "overlay that file too, or use --estimator sampled");
+}
 
 /// The estimator stands behind the user's own roots and in front of the embedded ones.
 std::vector<glsl::Root> shader_path(const RenderOptions& options) {
     std::vector<glsl::Root> path = options.shader_path;
     require(!path.empty(), "the shader path has a root");
     if (options.estimator == Estimator::sampled) return path;
-    const std::string points = fmt::format("const int analytic_points = {};\n", options.analytic_points);
+    require_lobes(std::span(path).first(path.size() - 1));
+    const std::string limits = fmt::format("const int analytic_points = {};\n"
+                                           "const int most_outlined_triangles = {};\n",
+                                           options.analytic_points, most_outlined_triangles);
     path.insert(path.end() - 1,
                 glsl::Root::memory("estimator", {{"integrator/reflected.glsl",
                                                   "#include \"integrator/reflected_analytic.glsl\"\n"},
-                                                 {"integrator/analytic_points.glsl", points}}));
+                                                 {"interface/estimator.glsl", limits}}));
     return path;
 }
 
@@ -69,8 +85,8 @@ void Renderer::add_sample() {
 View Renderer::begin_frame() {
     const vec2 offset = sub_pixel(sample_count_, options_.samples, options_.seed);
     const View view = view_of(camera_, options_.width, options_.height, offset);
-    const FrameBlock block{view.clip_from_world, view.eye,     static_cast<std::uint32_t>(sample_count_),
-                           options_.seed,        first_light_, end_light_};
+    const FrameBlock block{view.clip_from_world, view.eye, static_cast<std::uint32_t>(sample_count_),
+                           options_.seed, first_light_, end_light_};
     glBindBuffer(GL_UNIFORM_BUFFER, frame_data_.id());
     glBufferData(GL_UNIFORM_BUFFER, sizeof(block), &block, GL_STREAM_DRAW);
     glBindBufferBase(GL_UNIFORM_BUFFER, frame_block, frame_data_.id());

@@ -11,7 +11,10 @@ namespace sr::render {
 enum class Estimator { sampled, analytic };
 
 /// Points of the analytic estimator a lobe and emitter: tools/ltc/README.md has what they buy.
-inline constexpr int default_analytic_points = 24;
+inline constexpr int default_analytic_points = 16;
+
+/// A mesh of more emissive triangles is sampled by the analytic estimator too.
+inline constexpr int most_outlined_triangles = 32;
 
 struct RenderOptions {
     int width = 1280;

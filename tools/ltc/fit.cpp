@@ -25,14 +25,13 @@ struct Fit {
 };
 
 /// Directions where the lobe is, distributed as visible normals on a regular grid.
-std::vector<Sample> samples_of(dvec3 wo, double alpha) {
-    constexpr int side = 48;
+std::vector<Sample> samples_of(dvec3 wo, double alpha, int rings, int sectors) {
     std::vector<Sample> samples;
-    for (int i = 0; i < side; ++i)
-        for (int j = 0; j < side; ++j) {
-            const dvec3 wi = visible_direction((i + 0.5) / side, (j + 0.5) / side, wo, alpha);
+    for (int i = 0; i < rings; ++i)
+        for (int j = 0; j < sectors; ++j) {
+            const dvec3 wi = visible_direction((i + 0.5) / rings, (j + 0.5) / sectors, wo, alpha);
             const double f = f_cos(wi, wo, alpha);
-            if (f > 0.0) samples.push_back({wi, f, f / p_visible(wi, wo, alpha) / (side * side)});
+            if (f > 0.0) samples.push_back({wi, f, f / p_visible(wi, wo, alpha) / (rings * sectors)});
         }
     return samples;
 }
@@ -41,7 +40,7 @@ std::vector<Sample> samples_of(dvec3 wo, double alpha) {
 /// f / density, which the points of an emitter average, stays even.
 Fit fitted(double cos_o, double alpha, const Lobe& start) {
     const dvec3 wo = direction_at(cos_o);
-    const std::vector<Sample> samples = samples_of(wo, alpha);
+    const std::vector<Sample> samples = samples_of(wo, alpha, 48, 48);
     const auto lobe_at = [](const Place& p) { return Lobe{std::exp(p[0]), std::sinh(p[2]), std::exp(p[1])}; };
     const auto divergence = [&](const Place& p) {
         const Lobe lobe = lobe_at(p);
@@ -53,7 +52,7 @@ Fit fitted(double cos_o, double alpha, const Lobe& start) {
     place = minimum(divergence, place, 0.2, 120);
     place = minimum(divergence, place, 0.05, 120); // a fresh simplex where the first may have collapsed
     Fit fit{lobe_at(place)};
-    for (const Sample& s : samples) {
+    for (const Sample& s : samples_of(wo, alpha, 400, 96)) { // the horizon cuts the grid: finer
         fit.albedo += s.share;
         fit.schlick += s.share * schlick_weight(s.wi, wo);
     }
@@ -69,7 +68,8 @@ void print_entry(const Fit& fit, double cos_o, double scaled_b, double alpha) {
 }
 
 double scaled_b(const Fit& fit, double cos_o, double alpha) {
-    return fit.lobe.b * std::sqrt((cos_o * cos_o + alpha * alpha) / (1.0 - cos_o * cos_o));
+    const double scaled = fit.lobe.b * std::sqrt((cos_o * cos_o + alpha * alpha) / (1.0 - cos_o * cos_o));
+    return std::abs(scaled) < 5e-6 ? 0.0 : scaled; // "-0.00000" would depend on the compiler
 }
 
 } // namespace
