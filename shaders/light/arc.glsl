@@ -12,6 +12,10 @@
 //   ∫ p×p'/|p|² dφ = -γβ x' artanh(k sinφ)/(A k) + γα y' arctan(m cosφ)/(B m) + αβ z' ψ/√(AB)
 //   k² = (α² - β²)/A,   m² = (α² - β²)/B
 #include "base/angle.glsl"
+#include "interface/features.glsl"
+
+// Where all emitters are flat, all that cones take is left out.
+const bool has_cones = has_disk_lights || has_sphere_lights || has_tube_lights || has_sun_disks;
 
 struct Arc {
     mat3 axes;   // x', y', z'
@@ -34,6 +38,11 @@ float arc_angle(Arc arc, vec3 p) {
 
 // b and b×b' at ψ.
 void arc_at(Arc arc, float psi, out vec3 b, out vec3 turn) {
+    if (!has_cones) {
+        b = cos(psi) * arc.axes[0] + sin(psi) * arc.axes[1];
+        turn = arc.axes[2];
+        return;
+    }
     vec2 radii = arc_radii(arc);
     vec2 e = radii.yx * vec2(cos(psi), sin(psi)); // (cosφ, sinφ) up to its length
     float l = length(e);
@@ -74,6 +83,6 @@ float arc_primitive(Arc arc, float psi) {
 
 // The z component of ∫ b×b' dψ over the arc.
 float arc_projection(Arc arc) {
-    if (arc.size.z == 0.0) return arc.axes[2].z * (arc.to - arc.from);
+    if (!has_cones || arc.size.z == 0.0) return arc.axes[2].z * (arc.to - arc.from);
     return arc_primitive(arc, arc.to) - arc_primitive(arc, arc.from);
 }

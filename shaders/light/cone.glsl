@@ -40,7 +40,7 @@ Arc cone_arc(vec3 c, vec3 a, vec3 b) {
     float uv = A.x * A.y + B.x * B.y;
     float uw = A.x * A.z + B.x * B.z;
     float vw = A.y * A.z + B.y * B.z;
-    for (int sweep = 0; sweep < 5; ++sweep) { // 3 do for all but the most slanted
+    for (int sweep = 0; sweep < 4; ++sweep) { // 3 do for all but the most slanted
         turn_away(diagonal.x, diagonal.z, uw, uv, vw, u, w);
         turn_away(diagonal.y, diagonal.z, vw, uv, uw, v, w);
         turn_away(diagonal.x, diagonal.y, uv, uw, vw, u, v);

@@ -34,8 +34,9 @@ bool has_sides(Light light, vec3 p1, vec3 p2, inout Outline o) {
     vec3 n_low = light.radius / distance * out_of + sine * across;
     vec3 n_high = light.radius / distance * out_of - sine * across;
     o.count = 6;
-    o.corners = vec3[4](p1 - light.radius * n_low, p2 - light.radius * n_high, vec3(0.0), vec3(0.0));
-    o.edges = vec3[4](axis, -axis, vec3(0.0), vec3(0.0));
+    o.corner = o.warp * (p1 - light.radius * n_low);
+    o.opposite = o.warp * (p2 - light.radius * n_high);
+    o.u = o.warp * axis;
     return true;
 }
 
@@ -49,41 +50,36 @@ void cut_end(inout Arc cone, vec3 from, vec3 to) {
 // Disk, sphere, sun or tube: all go through the same few lines, since every copy of cone_arc() takes long to compile.
 Outline round_outline(Light light, vec3 x, mat3 warp) {
     Outline o = empty_outline(x, warp);
-    o.is_flat = false;
     vec3 c = light.position - x;
-    Ellipse ellipses[2];
-    bool is_tube = has_tube_lights && light.kind == tube_light;
+    Ellipse ellipse = circle(-light.direction, sin(light.radius), cos(light.radius)); // the sun's
+    Ellipse other = ellipse;
+    bool has_two_ends = false;
     bool is_seen = true;
+    o.is_flat = false;
     o.count = 1;
-    if (is_tube) {
+    if (has_tube_lights && light.kind == tube_light) {
         vec3 p1 = c - light.half_u;
-        vec3 axis = 2.0 * light.half_u;
-        float along = clamp(-dot(p1, axis) / dot(axis, axis), 0.0, 1.0);
-        is_seen = length(p1 + along * axis) > light.radius; // not from inside
-        is_tube = has_sides(light, p1, p1 + axis, o);
-        ellipses[0] = sphere_circle(is_tube || along >= 0.5 ? p1 + axis : p1, light.radius);
-        ellipses[1] = sphere_circle(p1, light.radius);
+        vec3 p2 = c + light.half_u;
+        float along = -dot(p1, light.half_u) / (2.0 * dot(light.half_u, light.half_u));
+        is_seen = length(p1 + clamp(along, 0.0, 1.0) * 2.0 * light.half_u) > light.radius; // not from inside
+        has_two_ends = has_sides(light, p1, p2, o);
+        other = sphere_circle(p1, light.radius);
+        ellipse = sphere_circle(has_two_ends || along >= 0.5 ? p2 : p1, light.radius);
     } else if (has_disk_lights && light.kind == disk_light) {
         is_seen = faces(light.direction, c, light.is_two_sided);
-        ellipses[0] = Ellipse(c, light.half_u, light.half_v);
+        ellipse = Ellipse(c, light.half_u, light.half_v);
     } else if (has_sphere_lights && light.kind == sphere_light) {
         is_seen = length(c) > light.radius;
-        ellipses[0] = sphere_circle(c, light.radius);
-    } else {
-        ellipses[0] = circle(-light.direction, sin(light.radius), cos(light.radius));
+        ellipse = sphere_circle(c, light.radius);
     }
     if (!is_seen) return empty_outline(x, warp);
-    for (int i = 0; i < (is_tube ? 2 : 1); ++i) {
-        Arc cone = cone_arc(warp * ellipses[i].c, warp * ellipses[i].a, warp * ellipses[i].b);
-        if (is_tube) {
-            vec3 low = warp * o.corners[0];
-            vec3 high = warp * o.corners[1];
-            vec3 axis = warp * o.edges[0];
-            if (i == 0) cut_end(cone, low + axis, high);
-            else cut_end(cone, high - axis, low);
-        }
-        if (i == 0) o.cone = cone;
+    for (int end = 0; end < (has_two_ends ? 2 : 1); ++end) {
+        Arc cone = cone_arc(warp * ellipse.c, warp * ellipse.a, warp * ellipse.b);
+        if (has_two_ends && end == 0) cut_end(cone, o.corner + o.u, o.opposite);
+        if (end == 1) cut_end(cone, o.opposite - o.u, o.corner);
+        if (end == 0) o.cone = cone;
         else o.other_cone = cone;
+        ellipse = other;
     }
     return o;
 }

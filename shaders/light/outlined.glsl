@@ -10,6 +10,7 @@ const int texels_per_triangle = 5;
 
 // How many outlines a light has; 0 if it is to be sampled.
 int outlines_of(Light light) {
+    if (!has_cones && !has_rectangle_lights && !has_polygon_lights && !has_mesh_lights) return 0;
     if (has_mesh_lights && light.kind == mesh_light)
         return light.count <= most_outlined_triangles ? light.count : 0;
     if (light.kind == directional_light) return has_sun_disks && light.radius > 0.0 ? 1 : 0;
@@ -18,13 +19,11 @@ int outlines_of(Light light) {
 
 Outline outline_of(Light light, int part, vec3 x, mat3 warp) {
     if (has_rectangle_lights && light.kind == rectangle_light) return rectangle_outline(light, x, warp);
-    if (has_polygon_lights && light.kind == polygon_light) return polygon_outline(light, x, warp);
-    if (has_mesh_lights && light.kind == mesh_light) {
-        int texel = light.data + texels_per_triangle * part;
-        return triangle_outline(texelFetch(light_table, texel).xyz, texelFetch(light_table, texel + 1).xyz,
-                                texelFetch(light_table, texel + 2).xyz, light.is_two_sided, x, warp);
-    }
-    if (has_disk_lights || has_sphere_lights || has_tube_lights || has_sun_disks) return round_outline(light, x, warp);
+    if (has_polygon_lights && light.kind == polygon_light)
+        return polygon_outline(light.data, light.count, light.direction, light.is_two_sided, x, warp);
+    if (has_mesh_lights && light.kind == mesh_light)
+        return triangle_outline(light.data + texels_per_triangle * part, light.is_two_sided, x, warp);
+    if (has_cones) return round_outline(light, x, warp);
     return empty_outline(x, warp);
 }
 

@@ -25,6 +25,7 @@ Arc horizon_arc(vec3 from, vec3 to) {
 
 // Its length along the outline [rad] and its middle, times that, by two points (of a circle these are opposite).
 vec4 middle_and_length(Arc arc) {
+    if (!has_cones) return (arc.to - arc.from) * vec4(arc_direction(arc, 0.5 * (arc.from + arc.to)), 1.0);
     float width = 0.5 * (arc.to - arc.from);
     vec4 sum = vec4(0.0);
     for (int i = 0; i < 2; ++i) {
@@ -80,7 +81,8 @@ VisibleOutline visible_part(Outline outline) {
 // How many of `wanted` steps along the outline fall to an arc; one at least.
 int steps_of(Arc arc, VisibleOutline v, int wanted) {
     if (!(arc.to > arc.from)) return 0;
-    return max(1, int(float(wanted) * middle_and_length(arc).w / v.girth + 0.5));
+    float arc_length = has_cones ? middle_and_length(arc).w : arc.to - arc.from;
+    return max(1, int(float(wanted) * arc_length / v.girth + 0.5));
 }
 
 const int points_a_step = 2;

@@ -1,4 +1,5 @@
 // The analytic estimator's error: every cell of roughness and view, every shape, as a table in Markdown.
+#include "error_map.hpp"
 #include "ltc/trial.hpp"
 
 #include <CLI/CLI.hpp>
@@ -13,7 +14,8 @@ struct Arguments {
     int trials = 150;
     int rays = 1 << 16;
     std::string shape = "all";
-    std::vector<int> points{0, 8, 16, 24, 32};
+    std::vector<int> points{0, 8, 16, 32};
+    std::string map;
 };
 
 constexpr double degree = std::numbers::pi / 180.0;
@@ -53,7 +55,12 @@ int main(int argc, char** argv) {
     app.add_option("--rays", arguments.rays, "directions of the brute force")->capture_default_str();
     app.add_option("--shape", arguments.shape, "polygon|disk|sphere|tube|plastic|all")->capture_default_str();
     app.add_option("--points", arguments.points, "points a lobe")->delimiter(',')->capture_default_str();
+    app.add_option("--map", arguments.map, "a .png instead of the tables: the median error, without points and with 16");
     CLI11_PARSE(app, argc, argv);
+    if (!arguments.map.empty()) {
+        sr::ltc::write_error_map(arguments.map);
+        return 0;
+    }
     const auto wanted = [&](const char* name) { return arguments.shape == "all" || arguments.shape == name; };
     if (wanted("polygon")) print_table(arguments, "Polygons over metal", Shape::polygon, Material::metal);
     if (wanted("plastic")) print_table(arguments, "Polygons over plastic", Shape::polygon, Material::plastic);
