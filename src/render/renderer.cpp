@@ -52,8 +52,8 @@ void Renderer::add_sample() {
 View Renderer::begin_frame() {
     const vec2 offset = sub_pixel(sample_count_, options_.samples, options_.seed);
     const View view = view_of(camera_, options_.width, options_.height, offset);
-    const FrameBlock block{view.clip_from_world, view.eye, static_cast<std::uint32_t>(sample_count_),
-                           options_.seed, first_light_, end_light_};
+    const FrameBlock block{view.clip_from_world, view.eye,     static_cast<std::uint32_t>(sample_count_),
+                           options_.seed,        first_light_, end_light_};
     glBindBuffer(GL_UNIFORM_BUFFER, frame_data_.id());
     glBufferData(GL_UNIFORM_BUFFER, sizeof(block), &block, GL_STREAM_DRAW);
     glBindBufferBase(GL_UNIFORM_BUFFER, frame_block, frame_data_.id());

@@ -25,8 +25,8 @@ public:
     /// ShaderError
     void compile();
 
-    /// Only the lights [first, end) shine from the next sample on; their samples are those that they have among
-    /// all lights. Every surface goes on emitting.
+    /// Only the lights [first, end) shine from the next sample on; their samples are those that they have
+    /// among all lights. Every surface goes on emitting.
     void use_lights(int first, int end);
 
     /// Starts over with an empty film.

@@ -11,8 +11,8 @@ using namespace sr::testing;
 
 namespace {
 
-/// The root mean square of the relative errors of 24×24 pixels that all look at the origin, N samples each: what an
-/// estimator misses E by. (The picture covers 2 µm; sub-pixel offsets change nothing.)
+/// The root mean square of the relative errors of 24×24 pixels that all look at the origin, N samples each:
+/// what an estimator misses E by. (The picture covers 2 µm; sub-pixel offsets change nothing.)
 double error_of(const scene::Scene& plane, const scene::Light& light, double E, int samples) {
     constexpr int size = 24;
     const std::vector<scene::Light> lights{light};
@@ -87,7 +87,9 @@ const Test setting_sphere("analytic.sampled.sphere_through_the_horizon", [] {
 
 const Test polygon("analytic.sampled.polygon", [] {
     const scene::PolygonLight light{
-        "", {{0.5f, 1, 0}, {0.2f, 1, 0.5f}, {-0.4f, 1, 0.3f}, {-0.4f, 1, -0.3f}, {0.2f, 1, -0.5f}}, vec3(1.0f)};
+        "",
+        {{0.5f, 1, 0}, {0.2f, 1, 0.5f}, {-0.4f, 1, 0.3f}, {-0.4f, 1, -0.3f}, {0.2f, 1, -0.5f}},
+        vec3(1.0f)};
     expect_convergence(light, polygon_irradiance(corners_of(light), {0, 0, 0}));
 });
 
@@ -97,24 +99,26 @@ const Test sun("analytic.sampled.sun", [] {
     expect_convergence(light, 0.8);
 });
 
-// A tube is a cylinder and two halves of a ball; seen squarely from the side and thin, its irradiance is that of a
-// linear source (Siegel & Howell): E = L 2r/h · (sin χ cos χ + χ), χ = atan(l/h), plus what the ends add.
+// A tube is a cylinder and two halves of a ball; seen squarely from the side and thin, its irradiance is that
+// of a linear source (Siegel & Howell): E = L 2r/h · (sin χ cos χ + χ), χ = atan(l/h), plus what the ends
+// add.
 const Test tube("analytic.sampled.thin_tube", [] {
     const scene::TubeLight light{"", {0, 1, 0}, {0.75f, 0, 0}, 1e-3f, vec3(1.0f)};
     const double chi = std::atan(0.75), cosine = std::cos(chi);
-    // Either end is half a disk of radius r at the distance 1/cosχ, seen under half its outline more than the cut
-    // that the linear source ends with: below r/l of it all.
+    // Either end is half a disk of radius r at the distance 1/cosχ, seen under half its outline more than the
+    // cut that the linear source ends with: below r/l of it all.
     const double linear = 2e-3 * (std::sin(chi) * std::cos(chi) + chi) * 0.5 * 2.0;
     const double ends = glm::pi<double>() * 1e-6 * cosine * cosine * cosine;
     expect_convergence(light, linear + ends);
 });
 
-// An emissive mesh gives what the polygons that it is made of give: a cube's top and front are seen, with their
-// triangles split unevenly.
+// An emissive mesh gives what the polygons that it is made of give: a cube's top and front are seen, with
+// their triangles split unevenly.
 const Test mesh("analytic.sampled.mesh", [] {
     scene::MeshLight light{"", {}, vec3(1.0f)};
     const vec3 a(-0.4f, 1, -0.4f), b(0.6f, 1, -0.4f), c(0.6f, 1, 0.5f), d(-0.4f, 1, 0.5f), m(0.4f, 1, 0.2f);
-    for (const auto& [p, q] : {std::pair{a, b}, {b, c}, {c, d}, {d, a}}) light.triangles.push_back({{p, q, m}, {}});
+    for (const auto& [p, q] : {std::pair{a, b}, {b, c}, {c, d}, {d, a}})
+        light.triangles.push_back({{p, q, m}, {}});
     const std::vector<glm::dvec3> corners{a, b, c, d};
     expect_convergence(light, polygon_irradiance(corners, {0, 0, 0}));
 });

@@ -11,7 +11,8 @@ namespace {
 constexpr int size = 17;
 constexpr float extent = 1.0f;
 
-image::Image lit_by(const scene::Light& light, int samples, scene::Scene scene = lambert_plane(2.0f * extent)) {
+image::Image lit_by(const scene::Light& light, int samples,
+                    scene::Scene scene = lambert_plane(2.0f * extent)) {
     const std::vector<scene::Light> lights{light};
     return picture(scene, lights, camera_from_above(extent), size, samples);
 }
@@ -20,7 +21,8 @@ void expect_equal(const scene::Light& a, const scene::Light& b, float tolerance,
     EXPECT_LT(largest_relative_difference(lit_by(a, samples), lit_by(b, samples), 1e-4f), tolerance);
 }
 
-// The smaller an emitter, the less its shape matters: I = L A for a disk (times its cosine) and L π r² for a ball.
+// The smaller an emitter, the less its shape matters: I = L A for a disk (times its cosine) and L π r² for a
+// ball.
 const Test ball("law.emitter.sphere.small_is_a_point", [] {
     const float r = 0.01f, L = 1000.0f;
     expect_equal(scene::SphereLight{"", {0.1f, 1, 0}, r, vec3(L)},
@@ -64,8 +66,10 @@ const Test plates("law.emitter.polygon.of_four_corners_is_a_rectangle", [] {
         "", {{-0.5f, 1, -0.3f}, {0.5f, 1, -0.3f}, {0.5f, 1, 0.3f}, {-0.5f, 1, 0.3f}}, vec3(2.0f)};
     EXPECT_LT(glm::distance(polygon.normal(), rectangle.normal()), 1e-6f);
     expect_equal(polygon, rectangle, 5e-3f, 256);
-    expect_equal(scene::MeshLight{"", {{{polygon.corners[0], polygon.corners[1], polygon.corners[2]}, {}},
-                                       {{polygon.corners[0], polygon.corners[2], polygon.corners[3]}, {}}}, vec3(2.0f)},
+    expect_equal(scene::MeshLight{"",
+                                  {{{polygon.corners[0], polygon.corners[1], polygon.corners[2]}, {}},
+                                   {{polygon.corners[0], polygon.corners[2], polygon.corners[3]}, {}}},
+                                  vec3(2.0f)},
                  rectangle, 0.02f, 1024);
 });
 
@@ -130,15 +134,17 @@ const Test textured("law.emitter.map.half_a_texture_is_half_a_rectangle", [] {
     scene::MeshLight mesh{"", {}, vec3(2.0f)};
     const std::array<vec3, 4> c{{{-0.5f, 1, -0.5f}, {0.5f, 1, -0.5f}, {0.5f, 1, 0.5f}, {-0.5f, 1, 0.5f}}};
     const std::array<vec2, 4> uv{{{0, 1}, {1, 1}, {1, 0}, {0, 0}}};
-    mesh.triangles = {{{c[0], c[1], c[2]}, {uv[0], uv[1], uv[2]}}, {{c[0], c[2], c[3]}, {uv[0], uv[2], uv[3]}}};
+    mesh.triangles = {{{c[0], c[1], c[2]}, {uv[0], uv[1], uv[2]}},
+                      {{c[0], c[2], c[3]}, {uv[0], uv[2], uv[3]}}};
     mesh.texture = 0;
     EXPECT_LT(largest_relative_difference(lit_by(mesh, 2048, scene), expected, 1e-4f), 0.05f);
 });
 
 // From within, and from below its horizon, an emitter gives nothing.
 const Test inside("law.emitter.sphere.nothing_from_within", [] {
-    for (const scene::Light& light : {scene::Light(scene::SphereLight{"", {0, 0.1f, 0}, 3.0f, vec3(1.0f)}),
-                                      scene::Light(scene::TubeLight{"", {0, 0.1f, 0}, {1, 0, 0}, 3.0f, vec3(1.0f)})}) {
+    for (const scene::Light& light :
+         {scene::Light(scene::SphereLight{"", {0, 0.1f, 0}, 3.0f, vec3(1.0f)}),
+          scene::Light(scene::TubeLight{"", {0, 0.1f, 0}, {1, 0, 0}, 3.0f, vec3(1.0f)})}) {
         const auto image = lit_by(light, 4);
         for (std::size_t i = 0; i < image.pixels.size(); i += 4) EXPECT_EQ(image.pixels[i], 0.0f);
     }

@@ -1,4 +1,5 @@
-// Milliseconds per light and megapixel, for every shape of emitter: a plane that fills the picture, lit by one of it.
+// Milliseconds per light and megapixel, for every shape of emitter: a plane that fills the picture, lit by
+// one of it.
 #include "core/error.hpp"
 #include "gl/context.hpp"
 #include "render/renderer.hpp"
@@ -80,8 +81,8 @@ std::vector<Case> cases() {
             {"mesh of 20 triangles", {mesh(20)}},
             {"mesh of 5000 triangles", {mesh(5000)}},
             {"all of these at once",
-             {scene::PointLight{"", {0, 1, 0}}, scene::DirectionalLight{"", {0, -1, 0}, vec3(1.0f), 0.005f}, rectangle,
-              disk, sphere, tube, polygon(5), mesh(20)}}};
+             {scene::PointLight{"", {0, 1, 0}}, scene::DirectionalLight{"", {0, -1, 0}, vec3(1.0f), 0.005f},
+              rectangle, disk, sphere, tube, polygon(5), mesh(20)}}};
 }
 
 /// The median frame of a picture of one megapixel [ms].
@@ -96,7 +97,8 @@ double frame_time(const std::vector<scene::Light>& lights, int frames) {
         const auto begin = std::chrono::steady_clock::now();
         renderer.add_sample();
         glFinish();
-        times.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count());
+        times.push_back(
+            std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count());
     }
     times.erase(times.begin()); // includes what the driver compiles at first use
     std::nth_element(times.begin(), times.begin() + frames / 2, times.end());
@@ -107,14 +109,16 @@ void run(int frames, const std::string& backend) {
     const auto context = gl::open_context({gl::backend_named(backend).value_or(gl::Backend::automatic)});
     double load[1] = {0.0};
     if (getloadavg(load, 1) < 1) load[0] = -1.0;
-    fmt::print("{}, {}x{}, median of {} frames, load {:.2f}\n\n", context->info().renderer, size, size, frames, load[0]);
+    fmt::print("{}, {}x{}, median of {} frames, load {:.2f}\n\n", context->info().renderer, size, size,
+               frames, load[0]);
     fmt::print("{:<26}{:>12}{:>24}\n", "emitter", "ms a frame", "ms a light and megapixel");
     double empty = 0.0;
     for (const Case& one : cases()) {
         const double time = frame_time(one.lights, frames);
         if (one.lights.empty()) empty = time;
         const auto count = static_cast<double>(std::max<std::size_t>(1, one.lights.size()));
-        fmt::print("{:<26}{:>12.1f}{:>24.1f}\n", one.name, time, (time - empty) / count * 1e6 / (size * size));
+        fmt::print("{:<26}{:>12.1f}{:>24.1f}\n", one.name, time,
+                   (time - empty) / count * 1e6 / (size * size));
     }
 }
 
