@@ -5,18 +5,11 @@
 // Each integral by two points a frame, one where the light is and one where the BRDF has its peak, weighed by the
 // power heuristic (Veach & Guibas 1995, section 5.2, β = 2); emitters without extent are known exactly and take one.
 // Frames add up to the integral. This is the only loop over lights and the only cosine.
-#include "base/sampling.glsl"
 #include "brdf/f_r.glsl"
 #include "brdf/sample_f_r.glsl"
-#include "interface/frame.glsl"
+#include "integrator/random_point.glsl"
 #include "light/sample_light.glsl"
 #include "visibility/visibility.glsl"
-
-// A sequence of its own for every pixel and purpose, so that none is correlated with another.
-vec2 random_point(uint purpose) {
-    uvec2 pixel = uvec2(gl_FragCoord.xy);
-    return sobol_2d(sample_index, hash(pixel.x, hash(pixel.y, hash(purpose, seed))));
-}
 
 // f_r · L_i/p · V · cosθ_i: what one direction adds, before its weight.
 vec3 integrand_over_p(Surface x, LightSample light, vec3 wo) {
