@@ -18,11 +18,15 @@ vec2 random_point(uint purpose) {
     return sobol_2d(sample_index, hash(pixel.x, hash(pixel.y, hash(purpose, seed))));
 }
 
-// f_r · L_i/p · V · cosθ_i: what one direction adds, before its weight.
-vec3 integrand_over_p(Surface x, LightSample light, vec3 wo) {
+// The rays that x sends to each light, as visibility() counts them (rays_per_light).
+const int towards_light = 0;
+const int along_brdf = 1;
+
+// f_r · L_i/p · V · cosθ_i: what one direction to light k adds, before its weight.
+vec3 integrand_over_p(Surface x, LightSample light, vec3 wo, int k, int ray) {
     float cos_i = dot(x.n, light.wi);
     if (cos_i <= 0.0 || light.Li_over_p == vec3(0.0)) return vec3(0.0);
-    float V = visibility(x.position, light.wi, light.distance);
+    float V = visibility(x, light.wi, light.distance, k, ray);
     return f_r(x, light.wi, wo) * light.Li_over_p * V * cos_i;
 }
 
@@ -39,12 +43,13 @@ vec3 reflected(Surface x, vec3 wo) {
         vec2 u = has_rectangle_lights ? random_point(uint(k) + 1u) : vec2(0.0);
         LightSample from_light = sample_light(k, x.position, u);
         float weight = from_light.p > 0.0 ? power_heuristic(from_light.p, p_f_r(x, from_light.wi, wo)) : 1.0;
-        L_r += weight * integrand_over_p(x, from_light, wo);
+        L_r += weight * integrand_over_p(x, from_light, wo, k, towards_light);
 
         if (!samples_brdf) continue;
         LightSample along = light_along(k, x.position, w_brdf);
         if (along.p > 0.0) // the point came with density p_brdf, so that is what the integrand is over
-            L_r += power_heuristic(p_brdf, along.p) * along.p / p_brdf * integrand_over_p(x, along, wo);
+            L_r += power_heuristic(p_brdf, along.p) * along.p / p_brdf
+                   * integrand_over_p(x, along, wo, k, along_brdf);
     }
     return L_r;
 }

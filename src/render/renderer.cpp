@@ -14,15 +14,19 @@ Renderer::Renderer(const GpuScene& scene, const scene::Camera& camera, const Ren
       frame_("frame", options.width, options.height, true),
       film_("film", options.width, options.height, false) {
     require(!options.shader_path.empty(), "the shader path has a root");
+    if (scene.occluders() && scene.occluders()->occlusion())
+        ray_answers_.emplace(scene, frame_, options.width, options.height);
     clear();
 }
 
 void Renderer::compile() {
     for (const Draw& draw : scene_.opaque_draws()) {
         shaders_.mesh_program("depth.frag", depth_features(draw.features));
-        shaders_.mesh_program("forward.frag", draw.features);
+        shaders_.mesh_program("forward.frag", draw.features, opaque_visibility());
+        if (ray_answers_) shaders_.mesh_program("record.frag", draw.features, VisibilityTerm::record);
     }
-    for (const Draw& draw : scene_.blended_draws()) shaders_.mesh_program("forward.frag", draw.features);
+    for (const Draw& draw : scene_.blended_draws())
+        shaders_.mesh_program("forward.frag", draw.features, blended_visibility(scene_));
     shaders_.fullscreen_program("accumulate.frag");
 }
 
@@ -42,7 +46,7 @@ void Renderer::clear() {
 void Renderer::add_sample() {
     const View view = begin_frame();
     depth_pass(frame_, scene_, shaders_, options_.background);
-    forward_pass(frame_, scene_, shaders_);
+    shade_opaque();
     blend_pass(frame_, scene_, shaders_, view.eye);
     glBindVertexArray(no_vertices_.id());
     accumulate_pass(film_, frame_, shaders_);
@@ -52,12 +56,28 @@ void Renderer::add_sample() {
 View Renderer::begin_frame() {
     const vec2 offset = sub_pixel(sample_count_, options_.samples, options_.seed);
     const View view = view_of(camera_, options_.width, options_.height, offset);
-    const FrameBlock block{view.clip_from_world, view.eye, static_cast<std::uint32_t>(sample_count_),
-                           options_.seed, first_light_, end_light_};
-    glBindBuffer(GL_UNIFORM_BUFFER, frame_data_.id());
-    glBufferData(GL_UNIFORM_BUFFER, sizeof(block), &block, GL_STREAM_DRAW);
-    glBindBufferBase(GL_UNIFORM_BUFFER, frame_block, frame_data_.id());
+    frame_data_.upload({view.clip_from_world, view.eye, static_cast<std::uint32_t>(sample_count_),
+                        options_.seed, first_light_, end_light_});
     return view;
+}
+
+VisibilityTerm Renderer::opaque_visibility() const {
+    if (!scene_.occluders()) return VisibilityTerm::none;
+    return ray_answers_ ? VisibilityTerm::answered : VisibilityTerm::ray;
+}
+
+void Renderer::shade_opaque() {
+    if (!ray_answers_ || first_light_ == end_light_) {
+        forward_pass(frame_, scene_, shaders_, opaque_visibility());
+        return;
+    }
+    glEnable(GL_SCISSOR_TEST);
+    for (const Band& band : ray_answers_->bands(end_light_ - first_light_)) {
+        glScissor(0, band.first, options_.width, band.count);
+        ray_answers_->find(band, first_light_, end_light_, frame_data_, shaders_);
+        forward_pass(frame_, scene_, shaders_, VisibilityTerm::answered);
+    }
+    glDisable(GL_SCISSOR_TEST);
 }
 
 image::Image Renderer::film() const {
