@@ -108,19 +108,21 @@ std::string fitted(const std::string& name) {
 
 std::string row_of(int k, const scene::Light& light, const render::LightTerms& t) {
     const std::string extent = t.solid_angle > 0.0f ? fmt::format("{:.4g}", t.solid_angle) : "-";
-    return fmt::format("{:>3} {:<18}{:<12}{:>9} {:>7.3f}{:>7.3f}{:>7.3f}{:>8.4f}{:>8.4f}{:>11.4g}{:>10.4g}{}", k,
-                       fitted(name_of(light)), shape_of(light), extent, t.wi.x, t.wi.y, t.wi.z, t.cos_i, t.V,
-                       luminance(t.f_r), luminance(t.E), cells(t.L_r, 11));
+    return fmt::format("{:>3} {:<18}{:<12}{:>9} {:>7.3f}{:>7.3f}{:>7.3f}{:>8.4f}{:>8.4f}{:>11.4g}{:>10.4g}{}",
+                       k, fitted(name_of(light)), shape_of(light), extent, t.wi.x, t.wi.y, t.wi.z, t.cos_i,
+                       t.V, luminance(t.f_r), luminance(t.E), cells(t.L_r, 11));
 }
 
 void print(const ProbeCommand& command, const OpenScene& open, const render::PixelTerms& terms) {
     fmt::print("pixel {},{} of {}x{}, camera '{}', {} samples, seed {}\n\n", command.pixel.column,
                command.pixel.row, open.size.width, open.size.height, open.stage.camera.name,
                command.rendering.samples, command.rendering.seed);
-    fmt::print("  x   {} m\n  n   {}\n  wo  {}\n\n", cells(terms.x, 11), cells(terms.n, 11), cells(terms.wo, 11));
-    fmt::print("  L_o = L_e + Σ E f_r; directions, cosθ, V and f_r are means over the light; f_r and E as luminance\n\n");
-    fmt::print("    {:<18}{:<12}{:>9} {:>21}{:>8}{:>8}{:>11}{:>10}{:>33}\n", "light", "shape", "Ω [sr]", "wi", "cosθ",
-               "V", "f_r [1/sr]", "E [lx]", "L R, G, B [cd/m²]");
+    fmt::print("  x   {} m\n  n   {}\n  wo  {}\n\n", cells(terms.x, 11), cells(terms.n, 11),
+               cells(terms.wo, 11));
+    fmt::print("  L_o = L_e + Σ E f_r; directions, cosθ, V and f_r are means over the light; f_r and E as "
+               "luminance\n\n");
+    fmt::print("    {:<18}{:<12}{:>9} {:>21}{:>8}{:>8}{:>11}{:>10}{:>33}\n", "light", "shape", "Ω [sr]", "wi",
+               "cosθ", "V", "f_r [1/sr]", "E [lx]", "L R, G, B [cd/m²]");
     vec3 sum = terms.L_e;
     for (std::size_t k = 0; k < terms.lights.size(); ++k) {
         fmt::print("{}\n", row_of(static_cast<int>(k), open.stage.lights[k], terms.lights[k]));
@@ -136,21 +138,25 @@ ExitStatus probe(const ProbeCommand& command) {
     PhaseTimes times;
     const OpenScene open = open_scene(command.rendering, times);
     if (command.pixel.column >= open.size.width || command.pixel.row >= open.size.height)
-        throw CLI::ValidationError("--pixel", fmt::format("{},{} is outside the picture of {}x{}", command.pixel.column,
-                                                          command.pixel.row, open.size.width, open.size.height));
-    const render::GpuScene scene(open.stage.scene, open.stage.lights);
+        throw CLI::ValidationError("--pixel",
+                                   fmt::format("{},{} is outside the picture of {}x{}", command.pixel.column,
+                                               command.pixel.row, open.size.width, open.size.height));
+    const render::GpuScene scene(open.stage.scene, open.stage.lights, command.rendering.visibility);
     const Interruption interruption;
-    const auto terms = render::probe(scene, open.stage.camera, render_options(command.rendering, open.size),
-                                     command.pixel.column, command.pixel.row,
-                                     [&] { return !interruption.has_come(); });
+    const auto terms =
+        render::probe(scene, open.stage.camera, render_options(command.rendering, open.size),
+                      command.pixel.column, command.pixel.row, [&] { return !interruption.has_come(); });
     open.context->require_silence();
     if (!terms) {
         fmt::print(stderr, "interrupted: nothing was printed\n");
         return interrupted;
     }
-    if (terms->coverage == 0.0f) fmt::print(stderr, "no surface covers this pixel: it shows the background\n");
+    if (terms->coverage == 0.0f)
+        fmt::print(stderr, "no surface covers this pixel: it shows the background\n");
     if (command.rendering.json)
-        fmt::print("{}\n", as_json(command, open, *terms).dump(2, ' ', false, ordered_json::error_handler_t::replace));
+        fmt::print(
+            "{}\n",
+            as_json(command, open, *terms).dump(2, ' ', false, ordered_json::error_handler_t::replace));
     else
         print(command, open, *terms);
     return done;
@@ -174,11 +180,12 @@ void add_probe_command(CLI::App& app) {
         ->type_name("X,Y")
         ->required();
     command->add_flag("--json", options->rendering.json, "print JSON");
-    command->footer("The rows add up to the pixel that render writes with the same options. wi, cosθ and f_r are means,\n"
-                    "weighted by what arrives; x, n and wo are those of the pixel's centre.\n\n"
-                    "Examples:\n"
-                    "  steradian probe scene.glb --pixel 640,360\n"
-                    "  steradian probe scene.glb --pixel 10,20 --size 64x64 --samples 256 --json | jq .lights");
+    command->footer(
+        "The rows add up to the pixel that render writes with the same options. wi, cosθ and f_r are means,\n"
+        "weighted by what arrives; x, n and wo are those of the pixel's centre.\n\n"
+        "Examples:\n"
+        "  steradian probe scene.glb --pixel 640,360\n"
+        "  steradian probe scene.glb --pixel 10,20 --size 64x64 --samples 256 --json | jq .lights");
     command->callback([options] {
         const ExitStatus status = probe(*options);
         if (status != done) throw CLI::RuntimeError(status);
