@@ -1,5 +1,5 @@
 // What of an outline's piece is above the horizon z = 0.
-#include "light/cone.glsl"
+#include "light/cone_outline.glsl"
 
 struct Piece {
     Arc arc;

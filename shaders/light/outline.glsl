@@ -59,7 +59,7 @@ Piece piece_at(Outline outline, int k) {
 }
 
 // Whether x is on a flat emitter's bright side. `front` is the normal there, to_corner leads from x to any point of it.
-bool faces(vec3 front, vec3 to_corner, bool is_two_sided) {
+bool shines_on(vec3 front, vec3 to_corner, bool is_two_sided) {
     float towards = dot(front, to_corner);
     return is_two_sided ? towards != 0.0 : towards < 0.0;
 }
@@ -67,7 +67,7 @@ bool faces(vec3 front, vec3 to_corner, bool is_two_sided) {
 Outline rectangle_outline(Light light, vec3 x, mat3 warp) {
     Outline o = empty_outline(x, warp);
     vec3 c = light.position - x;
-    if (!faces(light.direction, c, light.is_two_sided)) return o;
+    if (!shines_on(light.direction, c, light.is_two_sided)) return o;
     o.count = 4;
     vec3 u = light.half_u;
     vec3 v = dot(light.direction, c) < 0.0 ? -light.half_v : light.half_v; // the front is seen the other way round
@@ -82,7 +82,7 @@ Outline rectangle_outline(Light light, vec3 x, mat3 warp) {
 Outline polygon_outline(int first_texel, int count, vec3 front, bool is_two_sided, vec3 x, mat3 warp) {
     Outline o = empty_outline(x, warp);
     vec3 to_corner = texelFetch(light_table, first_texel).xyz - x;
-    if (!faces(front, to_corner, is_two_sided)) return o;
+    if (!shines_on(front, to_corner, is_two_sided)) return o;
     o.count = count;
     o.first_texel = first_texel;
     o.is_reversed = dot(front, to_corner) < 0.0;

@@ -4,9 +4,9 @@
 #include "interface/features.glsl"
 #include "light/outline_round.glsl"
 #include "light/radiance.glsl"
+#include "light/sample_light.glsl"
 #include "light/visible_outline.glsl"
 
-const int texels_per_triangle = 5;
 
 // How many outlines a light has; 0 if it is to be sampled.
 int outlines_of(Light light) {
@@ -36,4 +36,13 @@ vec3 radiance_towards(Light light, int part, vec3 x, vec3 wi) {
     if (has_mesh_lights && light.kind == mesh_light)
         return light.quantity * triangle_radiance(light, light.data + texels_per_triangle * part, x, wi);
     return light.quantity * radiance_of(light, x, wi);
+}
+
+// How far that part is in the direction wi [m].
+float distance_along(int k, Light light, int part, vec3 x, vec3 wi) {
+    if (!has_mesh_lights || light.kind != mesh_light) return light_along(k, x, wi).distance;
+    int texel = light.data + texels_per_triangle * part;
+    vec3 a = texelFetch(light_table, texel).xyz;
+    vec3 normal = cross(texelFetch(light_table, texel + 1).xyz - a, texelFetch(light_table, texel + 2).xyz - a);
+    return dot(normal, a - x) / dot(normal, wi);
 }

@@ -4,7 +4,9 @@
 #include "light/punctual.glsl"
 
 vec3 radiance_of(Light light, vec3 x, vec3 wi) {
-    if (light.kind == sphere_light) return vec3(cone_falloff(light, wi));
+    if (light.kind == sphere_light) // points and spots with a radius, too: as sphere.glsl has it
+        return vec3(profile_intensity(light, -wi) * cone_falloff(light, -wi)
+                    * range_window(length(light.position - x), light.inverse_range));
     if (!has_emission_maps || light.map < 0) return vec3(1.0);
     vec3 to_center = light.position - x;
     vec3 q = dot(light.direction, to_center) / dot(light.direction, wi) * wi - to_center; // in the emitter's plane

@@ -94,10 +94,11 @@ struct FanStep {
     float weight;  // solid angle of one of its points [sr]
 };
 
-FanStep fan_step(Arc arc, int i, int steps, vec3 center) {
+// At step `at` of `steps`, whose middle is 0.5 further.
+FanStep fan_step(Arc arc, float at, int steps, vec3 center) {
     float width = (arc.to - arc.from) / float(steps);
     vec3 b, turn;
-    arc_at(arc, arc.from + (float(i) + 0.5) * width, b, turn);
+    arc_at(arc, arc.from + at * width, b, turn);
     float cosine = dot(center, b);
     vec3 outwards = b - cosine * center;
     float l = length(outwards);
@@ -106,8 +107,10 @@ FanStep fan_step(Arc arc, int i, int steps, vec3 center) {
                    max(dot(center, turn), 0.0) * width / (float(points_a_step) * (1.0 + cosine)));
 }
 
-// The direction of its point i of points_a_step: Gauss's rule on [0, 1].
-vec3 fan_point(FanStep fan, int i, vec3 center) {
-    float rise = fan.reach * (0.5 + (i == 0 ? -0.5 : 0.5) / sqrt(3.0)); // 1 - cosψ
+// The place of point i of points_a_step between centre and outline: Gauss's rule on [0, 1].
+float fan_distance(int i) { return 0.5 + (i == 0 ? -0.5 : 0.5) / sqrt(3.0); }
+
+vec3 fan_point(FanStep fan, float distance, vec3 center) {
+    float rise = fan.reach * distance; // 1 - cosψ
     return (1.0 - rise) * center + sqrt(rise * (2.0 - rise)) * fan.outwards;
 }

@@ -5,6 +5,7 @@
 #include "image/display.hpp"
 #include "image/file.hpp"
 #include "render/renderer.hpp"
+#include "render/occluders.hpp"
 #include "scene/stage.hpp"
 
 namespace CLI {
@@ -20,6 +21,7 @@ struct RenderCommand {
     std::string camera;
     std::optional<int> scene_index;
     int samples = 16;
+    render::Visibility visibility = render::Visibility::ray;
     std::uint32_t seed = 0;
     render::Estimator estimator = render::Estimator::sampled;
     int analytic_points = render::default_analytic_points;
@@ -36,5 +38,8 @@ struct RenderCommand {
 
 /// Declares the options on `command`; parsing fills `options`.
 void declare(CLI::App& command, RenderCommand& options);
+
+/// Declares those that say what is rendered and by what, without those that say where it goes.
+void declare_rendering(CLI::App& command, RenderCommand& options);
 
 } // namespace sr::cli

@@ -1,8 +1,11 @@
 #pragma once
 // A scene, a camera and a size; out comes the Film. Adding samples is adding frames.
+#include "render/frame_data.hpp"
 #include "render/passes.hpp"
+#include "render/ray_answers.hpp"
 
-#include <memory>
+#include <optional>
+#include <string>
 
 namespace sr::render {
 
@@ -15,6 +18,13 @@ inline constexpr int default_analytic_points = 16;
 
 /// A mesh of more emissive triangles is sampled by the analytic estimator too.
 inline constexpr int most_outlined_triangles = 32;
+/// A part of a picture, counted from its upper left corner.
+struct Window {
+    int column = 0;
+    int row = 0;
+    int width = 0;
+    int height = 0;
+};
 
 struct RenderOptions {
     int width = 1280;
@@ -22,6 +32,10 @@ struct RenderOptions {
     int samples = 16; // how many will be added; one sample looks at the centre of each pixel
     std::uint32_t seed = 0;
     vec3 background{0.0f}; // radiance where there is no surface [cd/m²]
+    /// What surfaces are drawn with: forward.frag is the equation, views/ shows one of its terms.
+    std::string shader = "forward.frag";
+    /// The only part that is drawn; the rest of the film stays black.
+    std::optional<Window> window;
     /// The roots that shaders come from, most particular first.
     std::vector<glsl::Root> shader_path{glsl::embedded()};
     Estimator estimator = Estimator::sampled;
@@ -52,9 +66,14 @@ public:
     image::Image film() const;
 
     std::size_t program_count() const { return shaders_.program_count(); }
+    /// The rays that the CPU answered; null where it is not asked.
+    const RayAnswers* ray_answers() const { return ray_answers_ ? &*ray_answers_ : nullptr; }
 
 private:
     View begin_frame();
+    void keep_to_window() const;
+    VisibilityTerm opaque_visibility() const;
+    void shade_opaque();
 
     const GpuScene& scene_;
     scene::Camera camera_;
@@ -64,7 +83,8 @@ private:
     ShaderLibrary shaders_;
     Target frame_;
     Target film_;
-    gl::Buffer frame_data_{"frame"};
+    FrameData frame_data_;
+    std::optional<RayAnswers> ray_answers_;
     gl::VertexArray no_vertices_{"no vertices"}; // core profile draws need one bound
     int sample_count_ = 0;
 };

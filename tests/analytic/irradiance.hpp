@@ -1,17 +1,25 @@
 #pragma once
-// What `--estimator analytic` makes of a white Lambert plane under one light, against a number in doubles a pixel.
+// Irradiance in closed form or by a contour in doubles: what emitters of radiance 1 give on the plane y = 0,
+// facing up.
 #include "scene/light.hpp"
 
-#include <functional>
-#include <glm/glm.hpp>
+#include <glm/vec3.hpp>
+#include <vector>
 
 namespace sr::testing {
 
-/// Irradiance [W/m²] at a point of the plane y = 0, which faces +y.
-using Irradiance = std::function<double(glm::dvec3 x)>;
+/// E/L at x of the part above the horizon of a flat convex outline, whose front x is on: clipped in doubles,
+/// then E = 1/2 Σ θ_k (Γ_k · n), with θ_k the angle that edge k subtends and Γ_k the unit normal of its plane
+/// through x (Lambert 1760; in this form Baum et al. 1989, Eq. 5).
+double polygon_irradiance(const std::vector<glm::dvec3>& corners, glm::dvec3 x);
 
-/// Every pixel of a 9×9 picture of [-half_extent, half_extent]² is E/π within `tolerance` of the value, or of a
-/// thousandth of the greatest where the light only grazes (and of 1e-3 at least, for a radiance of 1).
-void expect_irradiance(const scene::Light& light, const Irradiance& E, double half_extent, double tolerance = 1e-4);
+/// The outline of an ellipse by 4096 corners, within 1e-6 of its area.
+double disk_irradiance(const scene::DiskLight& light, glm::dvec3 x);
+
+/// E/L = π (r/d)² cosθ where the ball is wholly above the horizon; else by the disk that it looks like.
+double sphere_irradiance(const scene::SphereLight& light, glm::dvec3 x);
+
+std::vector<glm::dvec3> corners_of(const scene::RectangleLight& light);
+std::vector<glm::dvec3> corners_of(const scene::PolygonLight& light);
 
 } // namespace sr::testing

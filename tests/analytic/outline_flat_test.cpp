@@ -1,5 +1,5 @@
 // Flat emitters in closed form, whole and partly below the receiver's horizon.
-#include "analytic/irradiance.hpp"
+#include "analytic/expect_irradiance.hpp"
 #include "analytic/silhouette.hpp"
 #include "support/address.hpp"
 

@@ -1,8 +1,8 @@
 #pragma once
 // Evaluates GLSL over a table of inputs, on the very code that renders: a law is tested where it applies.
 #include "core/math.hpp"
-#include "gl/object.hpp"
 #include "glsl/root.hpp"
+#include "render/gpu_scene.hpp"
 
 #include <array>
 #include <span>
@@ -14,16 +14,10 @@ namespace sr::testing {
 /// One row of inputs, which the GLSL reads as vec4 a, b, c.
 using Row = std::array<vec4, 3>;
 
-/// A texture and the sampler that reads it.
-struct NamedTexture {
-    const char* sampler;
-    const gl::Texture* texture;
-};
-
 /// Runs `body`, the body of `vec4 f(vec4 a, vec4 b, vec4 c)`, for each row, after `preamble` (includes,
-/// functions). Draws into an RGBA32F target; nothing is clamped. Samplers read `textures`;
-/// files of `overlay` stand in for the shaders' own.
+/// functions). Draws into an RGBA32F target; nothing is clamped. With a `scene`, its lights are in the light
+/// table. Files of `overlay` stand in for the shaders' own.
 std::vector<vec4> evaluate(const std::string& preamble, const std::string& body, std::span<const Row> rows,
-                           std::span<const NamedTexture> textures = {}, const glsl::Files& overlay = {});
+                           const render::GpuScene* scene = nullptr, const glsl::Files& overlay = {});
 
 } // namespace sr::testing
