@@ -36,6 +36,7 @@ scene::Stage staged(const RenderCommand& command, gltf::Loaded&& loaded) {
     if (command.size)
         options.aspect_ratio =
             static_cast<float>(command.size->width) / static_cast<float>(command.size->height);
+    options.hide_emitters = command.hide_emitters;
     scene::Stage stage = scene::set_stage(std::move(loaded.scene), command.scene, options);
     for (const std::string& remark : stage.remarks) fmt::print(stderr, "{}\n", remark);
     return stage;
@@ -69,7 +70,7 @@ void describe(image::Image& film, const RenderCommand& command, const scene::Sta
               const gl::ContextInfo& gl) {
     film.channel_names = {"R", "G", "B", "A"};
     film.attributes = {{"steradian:version", STERADIAN_VERSION},
-                       {"steradian:unit", "cd/m^2"},
+                       {"steradian:unit", std::string(scene::radiance_unit(stage.scene.units))},
                        {"steradian:estimator", "sampled"},
                        {"steradian:samples", std::to_string(command.samples)},
                        {"steradian:seed", std::to_string(command.seed)},
@@ -125,7 +126,7 @@ ordered_json summary(const RenderCommand& command, const scene::Stage& stage, co
             {"height", size.height},
             {"samples", command.samples},
             {"seed", command.seed},
-            {"unit", "cd/m^2"},
+            {"unit", scene::radiance_unit(stage.scene.units)},
             {"camera", stage.camera.name},
             {"lights", stage.lights.size()},
             {"triangles", scene::triangle_count(stage.scene)},
