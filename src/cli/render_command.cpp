@@ -1,58 +1,21 @@
 #include "cli/commands.hpp"
 #include "cli/interruption.hpp"
+#include "cli/open_scene.hpp"
 #include "cli/progress.hpp"
 #include "cli/render_options.hpp"
 #include "cli/summary.hpp"
 #include "core/error.hpp"
-#include "gltf/load.hpp"
 #include "render/renderer.hpp"
 
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <cstdio>
 #include <fmt/format.h>
-#include <future>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 namespace sr::cli {
 namespace {
-
-struct TimedLoad {
-    gltf::Loaded loaded;
-    double seconds = 0.0;
-};
-
-TimedLoad load_timed(const RenderCommand& command) {
-    PhaseTimes times;
-    TimedLoad result{gltf::load(command.scene, {command.scene_index}), 0.0};
-    result.seconds = times.total();
-    return result;
-}
-
-scene::Stage staged(const RenderCommand& command, gltf::Loaded&& loaded) {
-    for (const std::string& warning : loaded.warnings) fmt::print(stderr, "{}\n", warning);
-    scene::StageOptions options{command.camera, command.rig};
-    if (command.size)
-        options.aspect_ratio =
-            static_cast<float>(command.size->width) / static_cast<float>(command.size->height);
-    options.hide_emitters = command.hide_emitters;
-    scene::Stage stage = scene::set_stage(std::move(loaded.scene), command.scene, options);
-    for (const std::string& remark : stage.remarks) fmt::print(stderr, "{}\n", remark);
-    return stage;
-}
-
-Size picture_size(const RenderCommand& command, const scene::Camera& camera) {
-    if (command.size) return *command.size;
-    constexpr int rows = 720;
-    const float aspect = camera.aspect_ratio().value_or(16.0f / 9.0f);
-    return {std::clamp(static_cast<int>(std::lround(rows * aspect)), 1, 16 * rows), rows};
-}
-
-render::RenderOptions render_options(const RenderCommand& command, Size size) {
-    return {size.width,   size.height,        command.samples,
-            command.seed, command.background, shader_path(command.shaders)};
-}
 
 /// @return whether all samples were taken; false if Ctrl-C was pressed.
 bool add_samples(render::Renderer& renderer, int count) {
@@ -146,19 +109,8 @@ ExitStatus render(const RenderCommand& command) {
     PhaseTimes times;
     for (const std::string& output : command.outputs)
         image::is_scene_referred(output); // refuses unknown formats
-    // The context first: the dynamic loader has one lock, and behind OpenImageIO a driver would wait for
-    // long.
-    const auto context = gl::open_context({command.backend, command.gl_debug});
-    times.end("start");
-    auto loading = std::async(std::launch::async, load_timed, std::cref(command));
-    const auto preloading = image::preload(); // last, since no thread can start while it has that lock
-    TimedLoad load = loading.get();
-    times.end("wait for load");
-    times.add("load (beside start)", load.seconds);
-
-    const scene::Stage stage = staged(command, std::move(load.loaded));
-    const Size size = picture_size(command, stage.camera);
-    times.end("stage");
+    const OpenScene open = open_scene(command, times);
+    const auto& [context, stage, size] = open;
     const render::GpuScene gpu_scene(stage.scene, stage.lights);
     glFinish();
     times.end("upload");

@@ -59,8 +59,8 @@ void declare_picture(CLI::App& command, RenderCommand& o) {
         ->capture_default_str();
     parsed(command, "--background", "radiance where there is no surface [cd/m²] (default: 0)", "L or R,G,B",
            parsed_color, [&o](vec3 color) { o.background = color; });
-    parsed(command, "--rig", "what lights a file without any light (default: studio)", "studio|none",
-           rig_named, [&o](scene::Rig rig) { o.rig = rig; });
+    parsed(command, "--rig", "what lights a file without a lamp; glowing details are none (default: studio)",
+           "studio|none", rig_named, [&o](scene::Rig rig) { o.rig = rig; });
     command.add_flag(
         "--hide-emitters", o.hide_emitters,
         "emitters light the scene and are not seen: lights vanish, emissive surfaces only reflect");
@@ -89,17 +89,21 @@ void declare_machine(CLI::App& command, RenderCommand& o) {
 
 } // namespace
 
-void declare(CLI::App& command, RenderCommand& options) {
+void declare_rendering(CLI::App& command, RenderCommand& options) {
     command.add_option("SCENE", options.scene, "a .gltf or .glb file")->required();
+    declare_picture(command, options);
+    declare_machine(command, options);
+}
+
+void declare(CLI::App& command, RenderCommand& options) {
+    declare_rendering(command, options);
     command
         .add_option("-o,--output", options.outputs,
                     "OUT.exr or .hdr for radiance, OUT.png or .jpg for a picture (repeatable)")
         ->type_name("OUT")
         ->allow_extra_args(false) // one a flag: what follows may be the scene
         ->required();
-    declare_picture(command, options);
     declare_output(command, options);
-    declare_machine(command, options);
     command.footer(
         "Examples:\n"
         "  steradian render scene.glb -o picture.png\n"

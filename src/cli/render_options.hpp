@@ -35,4 +35,7 @@ struct RenderCommand {
 /// Declares the options on `command`; parsing fills `options`.
 void declare(CLI::App& command, RenderCommand& options);
 
+/// Declares those that say what is rendered and by what, without those that say where it goes.
+void declare_rendering(CLI::App& command, RenderCommand& options);
+
 } // namespace sr::cli

@@ -39,7 +39,8 @@ void depth_pass(const Target& frame, const GpuScene& scene, ShaderLibrary& shade
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
-void forward_pass(const Target& frame, const GpuScene& scene, ShaderLibrary& shaders) {
+void forward_pass(const Target& frame, const GpuScene& scene, ShaderLibrary& shaders,
+                  const std::string& shader) {
     frame.bind();
     glDisable(GL_BLEND);
     glEnable(GL_DEPTH_TEST);
@@ -48,12 +49,13 @@ void forward_pass(const Target& frame, const GpuScene& scene, ShaderLibrary& sha
     scene.bind_lights();
     for (const Draw& draw : scene.opaque_draws()) {
         cull(draw.is_double_sided);
-        shaders.mesh_program("forward.frag", draw.features).use();
+        shaders.mesh_program(shader, draw.features).use();
         scene.draw(draw);
     }
 }
 
-void blend_pass(const Target& frame, const GpuScene& scene, ShaderLibrary& shaders, vec4 eye) {
+void blend_pass(const Target& frame, const GpuScene& scene, ShaderLibrary& shaders, const std::string& shader,
+                vec4 eye) {
     if (scene.blended_draws().empty()) return;
     frame.bind();
     glEnable(GL_BLEND);
@@ -67,7 +69,7 @@ void blend_pass(const Target& frame, const GpuScene& scene, ShaderLibrary& shade
     std::stable_sort(draws.begin(), draws.end(),
                      [&](const Draw& a, const Draw& b) { return farness(a, eye) > farness(b, eye); });
     for (const Draw& draw : draws) {
-        shaders.mesh_program("forward.frag", draw.features).use();
+        shaders.mesh_program(shader, draw.features).use();
         if (draw.is_double_sided) {
             cull(false, GL_FRONT);
             scene.draw(draw);

@@ -11,12 +11,14 @@ namespace sr::render {
 /// surfaces.
 void depth_pass(const Target& frame, const GpuScene& scene, ShaderLibrary& shaders, vec3 background);
 
-/// Shades the surfaces whose depth the pre-pass left: each pixel once.
-void forward_pass(const Target& frame, const GpuScene& scene, ShaderLibrary& shaders);
+/// Shades the surfaces whose depth the pre-pass left, each pixel once, by the fragment shader `shader`.
+void forward_pass(const Target& frame, const GpuScene& scene, ShaderLibrary& shaders,
+                  const std::string& shader);
 
 /// Blends the transparent instances over what is behind them, the farthest first; of double-sided ones the
 /// backs first. Instances that interpenetrate are not split.
-void blend_pass(const Target& frame, const GpuScene& scene, ShaderLibrary& shaders, vec4 eye);
+void blend_pass(const Target& frame, const GpuScene& scene, ShaderLibrary& shaders, const std::string& shader,
+                vec4 eye);
 
 /// Adds the frame to the film.
 void accumulate_pass(const Target& film, const Target& frame, ShaderLibrary& shaders);

@@ -20,9 +20,9 @@ Renderer::Renderer(const GpuScene& scene, const scene::Camera& camera, const Ren
 void Renderer::compile() {
     for (const Draw& draw : scene_.opaque_draws()) {
         shaders_.mesh_program("depth.frag", depth_features(draw.features));
-        shaders_.mesh_program("forward.frag", draw.features);
+        shaders_.mesh_program(options_.shader, draw.features);
     }
-    for (const Draw& draw : scene_.blended_draws()) shaders_.mesh_program("forward.frag", draw.features);
+    for (const Draw& draw : scene_.blended_draws()) shaders_.mesh_program(options_.shader, draw.features);
     shaders_.fullscreen_program("accumulate.frag");
 }
 
@@ -40,20 +40,29 @@ void Renderer::clear() {
 }
 
 void Renderer::add_sample() {
+    keep_to_window();
     const View view = begin_frame();
     depth_pass(frame_, scene_, shaders_, options_.background);
-    forward_pass(frame_, scene_, shaders_);
-    blend_pass(frame_, scene_, shaders_, view.eye);
+    forward_pass(frame_, scene_, shaders_, options_.shader);
+    blend_pass(frame_, scene_, shaders_, options_.shader, view.eye);
     glBindVertexArray(no_vertices_.id());
     accumulate_pass(film_, frame_, shaders_);
+    glDisable(GL_SCISSOR_TEST);
     ++sample_count_;
+}
+
+void Renderer::keep_to_window() const {
+    if (!options_.window) return;
+    const Window& w = *options_.window;
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(w.column, options_.height - w.row - w.height, w.width, w.height); // GL counts rows from below
 }
 
 View Renderer::begin_frame() {
     const vec2 offset = sub_pixel(sample_count_, options_.samples, options_.seed);
     const View view = view_of(camera_, options_.width, options_.height, offset);
-    const FrameBlock block{view.clip_from_world, view.eye, static_cast<std::uint32_t>(sample_count_),
-                           options_.seed, first_light_, end_light_};
+    const FrameBlock block{view.clip_from_world, view.eye,     static_cast<std::uint32_t>(sample_count_),
+                           options_.seed,        first_light_, end_light_};
     glBindBuffer(GL_UNIFORM_BUFFER, frame_data_.id());
     glBufferData(GL_UNIFORM_BUFFER, sizeof(block), &block, GL_STREAM_DRAW);
     glBindBufferBase(GL_UNIFORM_BUFFER, frame_block, frame_data_.id());

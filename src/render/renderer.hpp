@@ -2,9 +2,18 @@
 // A scene, a camera and a size; out comes the Film. Adding samples is adding frames.
 #include "render/passes.hpp"
 
-#include <memory>
+#include <optional>
+#include <string>
 
 namespace sr::render {
+
+/// A part of a picture, counted from its upper left corner.
+struct Window {
+    int column = 0;
+    int row = 0;
+    int width = 0;
+    int height = 0;
+};
 
 struct RenderOptions {
     int width = 1280;
@@ -12,6 +21,10 @@ struct RenderOptions {
     int samples = 16; // how many will be added; one sample looks at the centre of each pixel
     std::uint32_t seed = 0;
     vec3 background{0.0f}; // radiance where there is no surface [cd/m²]
+    /// What surfaces are drawn with: forward.frag is the equation, views/ shows one of its terms.
+    std::string shader = "forward.frag";
+    /// The only part that is drawn; the rest of the film stays black.
+    std::optional<Window> window;
     /// The roots that shaders come from, most particular first.
     std::vector<glsl::Root> shader_path{glsl::embedded()};
 };
@@ -25,8 +38,8 @@ public:
     /// ShaderError
     void compile();
 
-    /// Only the lights [first, end) shine from the next sample on; their samples are those that they have among
-    /// all lights. Every surface goes on emitting.
+    /// Only the lights [first, end) shine from the next sample on; their samples are those that they have
+    /// among all lights. Every surface goes on emitting.
     void use_lights(int first, int end);
 
     /// Starts over with an empty film.
@@ -43,6 +56,7 @@ public:
 
 private:
     View begin_frame();
+    void keep_to_window() const;
 
     const GpuScene& scene_;
     scene::Camera camera_;
