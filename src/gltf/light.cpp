@@ -126,6 +126,23 @@ scene::Light punctual(const Document& document, const PlacedNode& placed, const 
     return light;
 }
 
+/// What extras without a shape can state of the lights that a node has by extensions; nothing if there are
+/// none.
+std::vector<std::string> properties_without_shape(const tinygltf::Node& node) {
+    std::vector<std::string> known;
+    const auto take = [&](const char* name, std::initializer_list<std::string> properties) {
+        if (extension(node.extensions, name)) known.insert(known.end(), properties);
+    };
+    take("KHR_lights_punctual", {"radius", "angular_diameter"});
+    take("EXT_lights_area", {"texture", "two_sided"});
+    take("EXT_lights_ies", {"radius"});
+    if (!known.empty())
+
+        for (const char* shared : {"quantity", "color", "temperature", "spectrum", "visible"})
+            known.emplace_back(shared);
+    return known;
+}
+
 } // namespace
 
 void LightTable::append_punctual(const PlacedNode& placed) {
@@ -150,10 +167,14 @@ void LightTable::append(const PlacedNode& placed) {
     append_ies(placed);
     append_shape(placed);
     const Value* stated = steradian_in(node.extras);
-    const bool has_light = extension(node.extensions, "KHR_lights_punctual")
-                           || extension(node.extensions, "EXT_lights_area")
-                           || extension(node.extensions, "EXT_lights_ies");
-    if (stated && !stated->Has("shape") && !has_light)
+    if (!stated || stated->Has("shape")) return;
+    const std::vector<std::string> known = properties_without_shape(node);
+    for (const std::string& key : stated->Keys())
+        if (!known.empty() && std::find(known.begin(), known.end(), key) == known.end())
+            document_.fail(
+                fmt::format("/nodes/{}/extras/steradian states {}", placed.node, key),
+                fmt::format("the light of this node has {}; leave it out", fmt::join(known, ", ")));
+    if (known.empty())
         document_.fail(
             fmt::format("/nodes/{}/extras/steradian names no shape, and its node has no light", placed.node),
             "give it a \"shape\", or put it on the node of a light");

@@ -107,6 +107,9 @@ const Test punctual("unit.gltf.bad_light.punctual", [] {
         with_light("directional", "{" + std::string(lumens) + "}"),
         "is stated in lm: state a directional light in lx or W/m^2 (its beam is as wide as the scene");
     expect_error(with_light("point", R"({"radius": 0})"), "has the radius 0");
+    expect_error(with_light("point", R"({"width": 1})"),
+                 "/nodes/1/extras/steradian states width: the light of this node has radius, "
+                 "angular_diameter, quantity");
     expect_error(with_light("spot", R"({"radius": -1})"), "has the radius -1");
     expect_error(with_light("point", R"({"angular_diameter": 0.1})"),
                  "has the angular_diameter of another kind");

@@ -190,4 +190,24 @@ const Test schema("unit.gltf.shape.schema_and_rules_agree", [] {
               words_in(*quantity.properties[1].rule));
 });
 
+// The example of the README is a scene.
+const Test readme("unit.gltf.shape.the_example_of_the_readme", [] {
+    std::ifstream stream(source_folder() / "README.md");
+    const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+    const auto begin = text.find("    \"nodes\": [\n");
+    const auto end = text.find("\n    ]\n", begin);
+    ASSERT_NE(end, std::string::npos);
+    MadeGltf made = MadeGltf::triangle();
+    made.root["nodes"] = json::parse("{" + text.substr(begin, end - begin) + "]}").at("nodes");
+    made.root["scenes"][0]["nodes"] = {0, 1, 2, 3, 4};
+    made.root["extensions"]["KHR_lights_punctual"]["lights"] =
+        json::parse(R"([{"type": "point"}, {"type": "directional"}])");
+    made.root["images"] = json::array({{{"uri", png_uri()}}});
+    made.root["textures"] = json::parse(R"([{"source": 0}])");
+    const scene::Scene scene = load(made).scene;
+    ASSERT_EQ(scene.lights.size(), 5u);
+    EXPECT_NEAR(scene::luminance(*scene::flux_of(scene.lights[1], {})), 800.0, 0.01);
+    EXPECT_FLOAT_EQ(std::get<scene::PointLight>(scene.lights[2]).radius, 0.03f);
+});
+
 } // namespace
