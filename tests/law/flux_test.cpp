@@ -58,6 +58,19 @@ void append_sphere(Patches& patches, double radius, int rows) {
             patches.push_back(area * at(mat3(1.0f), -1.0 + (2.0 * i + 1.0) / rows, pi64 * (j + 0.5) / rows));
 }
 
+Patches patches_of(const scene::TubeLight& l) {
+    Patches patches;
+    append_sphere(patches, l.radius, 30); // both round ends
+    const dvec3 axis = glm::normalize(dvec3(l.half_axis));
+    const dvec3 u = glm::normalize(glm::cross(axis, dvec3(0.36, 0.48, 0.8)));
+    const double band = 4.0 * pi64 * l.radius * glm::length(dvec3(l.half_axis)) / 360.0;
+    for (int i = 0; i < 360; ++i) {
+        const double phi = 2.0 * pi64 * i / 360.0;
+        patches.push_back(band * (std::cos(phi) * u + std::sin(phi) * glm::cross(axis, u)));
+    }
+    return patches;
+}
+
 struct NumericFlux {
     double operator()(const scene::RectangleLight& l) const {
         return flux_of({4.0 * glm::cross(dvec3(l.half_u), dvec3(l.half_v))}, luminance_of(l.L),
@@ -86,16 +99,7 @@ struct NumericFlux {
         return flux_of(patches, luminance_of(l.L), false);
     }
     double operator()(const scene::TubeLight& l) const {
-        Patches patches;
-        append_sphere(patches, l.radius, 30); // both round ends
-        const dvec3 axis = glm::normalize(dvec3(l.half_axis));
-        const dvec3 u = glm::normalize(glm::cross(axis, dvec3(0.36, 0.48, 0.8)));
-        const double band = 4.0 * pi64 * l.radius * glm::length(dvec3(l.half_axis)) / 360.0;
-        for (int i = 0; i < 360; ++i) {
-            const double phi = 2.0 * pi64 * i / 360.0;
-            patches.push_back(band * (std::cos(phi) * u + std::sin(phi) * glm::cross(axis, u)));
-        }
-        return flux_of(patches, luminance_of(l.L), false);
+        return flux_of(patches_of(l), luminance_of(l.L), false);
     }
     double operator()(const scene::MeshLight& l) const {
         Patches patches;
@@ -199,6 +203,29 @@ const Test round_trip("law.light.flux.units_convert_both_ways", [] {
         const double K = is_spectral ? scene::color_of_blackbody(2700.0).efficacy : scene::lumens_per_watt;
         EXPECT_NEAR(watts, 2.0 * K, 1e-5 * K) << c.extras;
     }
+});
+
+// What is stated in cd is the intensity on the axis: of a flat light its normal, of a tube any direction
+// across it.
+const Test on_axis("law.light.flux.stated_candelas_are_those_on_the_axis", [] {
+    const auto seen = [](const Patches& patches, dvec3 w) {
+        double area = 0.0;
+        for (const dvec3 patch : patches) area += std::max(glm::dot(patch, w), 0.0);
+        return area;
+    };
+    const auto light = [](const char* extras) { return stated({extras}, 70.0, "cd").lights.at(0); };
+    const auto tube =
+        std::get<scene::TubeLight>(light(R"({"shape": "tube", "radius": 0.05, "length": 0.3})"));
+    const dvec3 across = glm::normalize(glm::cross(dvec3(tube.half_axis), dvec3(0.3, -0.2, 0.9)));
+    EXPECT_NEAR(luminance_of(tube.L) * seen(patches_of(tube), across), 70.0, 70.0 * tolerance);
+    const auto sphere = std::get<scene::SphereLight>(light(R"({"shape": "sphere", "radius": 0.15})"));
+    Patches patches;
+    append_sphere(patches, sphere.radius, 60);
+    EXPECT_NEAR(luminance_of(sphere.L) * seen(patches, glm::normalize(dvec3(1, 2, 3))), 70.0,
+                70.0 * tolerance);
+    const auto panel = std::get<scene::RectangleLight>(
+        light(R"({"shape": "rectangle", "width": 0.4, "height": 0.1, "two_sided": true})"));
+    EXPECT_NEAR(luminance_of(panel.L) * panel.area(), 70.0, 70.0 * tolerance);
 });
 
 // A mesh's flux is shared among all surfaces that have its material.
