@@ -2,6 +2,7 @@
 //
 //   E = L_i/p · V · cosθ_i          [lx]
 #include "integrator/random_point.glsl"
+#include "integrator/rays.glsl"
 #include "light/sample_light.glsl"
 #include "surface/surface.glsl"
 #include "visibility/visibility.glsl"
@@ -17,7 +18,7 @@ Arriving arriving_from(int k, Surface x) {
     float cos_i = dot(x.n, light.wi);
     if (!(cos_i > 0.0)) return Arriving(light, vec3(0.0), vec3(0.0));
     vec3 E = light.Li_over_p * cos_i;
-    return Arriving(light, E * visibility(x.position, light.wi, light.distance), E);
+    return Arriving(light, E * visibility(x, light.wi, light.distance, k, towards_light), E);
 }
 
 // 1/p, whose mean is the solid angle of an area light [sr]; 0 for emitters without extent.

@@ -35,6 +35,7 @@ void describe(image::Image& film, const RenderCommand& command, const scene::Sta
     film.attributes = {{"steradian:version", STERADIAN_VERSION},
                        {"steradian:unit", std::string(scene::radiance_unit(stage.scene.units))},
                        {"steradian:estimator", "sampled"},
+                       {"steradian:visibility", std::string(render::name_of(command.visibility))},
                        {"steradian:samples", std::to_string(command.samples)},
                        {"steradian:seed", std::to_string(command.seed)},
                        {"steradian:camera", stage.camera.name},
@@ -98,6 +99,22 @@ ordered_json summary(const RenderCommand& command, const scene::Stage& stage, co
             {"GL_VERSION", context.info().version}};
 }
 
+/// How V was found; null where nothing casts shadows.
+ordered_json shadows(const render::GpuScene& scene, const render::Renderer& renderer) {
+    const render::Occluders* occluders = scene.occluders();
+    if (!occluders) return nullptr;
+    const render::RayAnswers* answers = renderer.ray_answers();
+    ordered_json json{{"by", answers ? "cpu" : "glsl"},
+                      {"bvh_triangles", occluders->triangle_count()},
+                      {"bvh_nodes", occluders->node_count()},
+                      {"build_seconds", occluders->build_seconds()}};
+    if (answers && answers->seconds() > 0.0) {
+        json["rays"] = answers->ray_count();
+        json["rays_per_second"] = static_cast<double>(answers->ray_count()) / answers->seconds();
+    }
+    return json;
+}
+
 ordered_json seconds(const PhaseTimes& times) {
     ordered_json json;
     for (const auto& [phase, duration] : times.phases()) json[phase] = duration;
@@ -111,9 +128,10 @@ ExitStatus render(const RenderCommand& command) {
         image::is_scene_referred(output); // refuses unknown formats
     const OpenScene open = open_scene(command, times);
     const auto& [context, stage, size] = open;
-    const render::GpuScene gpu_scene(stage.scene, stage.lights);
+    const render::GpuScene gpu_scene(stage.scene, stage.lights, command.visibility);
     glFinish();
     times.end("upload");
+    if (gpu_scene.occluders()) times.add("bvh (in upload)", gpu_scene.occluders()->build_seconds());
     render::Renderer renderer(gpu_scene, stage.camera, render_options(command, size));
     renderer.compile();
     times.end("compile");
@@ -135,6 +153,7 @@ ExitStatus render(const RenderCommand& command) {
         ordered_json json = summary(command, stage, *context, size);
         json["draw_calls"] = gpu_scene.opaque_draws().size() * 2 + gpu_scene.blended_draws().size();
         json["programs"] = renderer.program_count();
+        json["shadows"] = shadows(gpu_scene, renderer);
         if (ev100) json["ev100"] = *ev100;
         json["seconds"] = seconds(times);
         fmt::print("{}\n", json.dump(2, ' ', false, ordered_json::error_handler_t::replace));

@@ -57,6 +57,11 @@ void declare_picture(CLI::App& command, RenderCommand& o) {
         ->capture_default_str();
     command.add_option("--seed", o.seed, "another seed is another, equally good set of samples")
         ->capture_default_str();
+    parsed(
+        command, "--visibility",
+        "shadows: a ray to each sample, on the CPU in software GL, in GLSL elsewhere; or none (default: ray)",
+        "ray|ray-cpu|ray-glsl|none", render::visibility_named,
+        [&o](render::Visibility visibility) { o.visibility = visibility; });
     parsed(command, "--background", "radiance where there is no surface [cd/m²] (default: 0)", "L or R,G,B",
            parsed_color, [&o](vec3 color) { o.background = color; });
     parsed(command, "--rig", "what lights a file without a lamp; glowing details are none (default: studio)",

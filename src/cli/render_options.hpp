@@ -4,6 +4,7 @@
 #include "gl/context.hpp"
 #include "image/display.hpp"
 #include "image/file.hpp"
+#include "render/occluders.hpp"
 #include "scene/stage.hpp"
 
 namespace CLI {
@@ -19,6 +20,7 @@ struct RenderCommand {
     std::string camera;
     std::optional<int> scene_index;
     int samples = 16;
+    render::Visibility visibility = render::Visibility::ray;
     std::uint32_t seed = 0;
     vec3 background{0.0f};
     scene::Rig rig = scene::Rig::studio;

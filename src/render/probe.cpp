@@ -8,9 +8,11 @@ namespace {
 /// One pixel of a picture, by any of the shaders that draw surfaces.
 class Pixel {
 public:
-    Pixel(const GpuScene& scene, const scene::Camera& camera, RenderOptions options, std::string shader, int column,
-          int row)
-        : column_(column), row_(row), renderer_(scene, camera, windowed(options, std::move(shader), column, row)) {}
+    Pixel(const GpuScene& scene, const scene::Camera& camera, RenderOptions options, std::string shader,
+          int column, int row)
+        : column_(column),
+          row_(row),
+          renderer_(scene, camera, windowed(options, std::move(shader), column, row)) {}
 
     /// The mean of `samples` samples, lit by the lights [first, end).
     vec4 mean(int samples, int first, int end) {
@@ -40,11 +42,12 @@ vec3 quotient(vec3 a, vec3 b) {
 
 } // namespace
 
-std::optional<PixelTerms> probe(const GpuScene& scene, const scene::Camera& camera, const RenderOptions& options,
-                                int column, int row, const std::function<bool()>& goes_on) {
-    require(column >= 0 && column < options.width && row >= 0 && row < options.height, "the pixel is in the picture");
-    const int samples = options.samples, lights = scene.light_count();
-    const auto pixel = [&](const char* shader) { return Pixel(scene, camera, options, shader, column, row); };
+std::optional<PixelTerms> probe(const GpuScene& scene, const scene::Camera& camera,
+                                const RenderOptions& options, int column, int row,
+                                const std::function<bool()>& goes_on) {
+    require(column >= 0 && column < options.width && row >= 0 && row < options.height,
+            "the pixel is in the picture");
+    const auto lights = static_cast<std::size_t>(scene.light_count());
     PixelTerms terms;
 
     RenderOptions centre = options;
@@ -57,26 +60,37 @@ std::optional<PixelTerms> probe(const GpuScene& scene, const scene::Camera& came
     terms.n = at_centre("views/normal.frag");
     terms.wo = at_centre("views/to_viewer.frag");
 
-    Pixel beauty = pixel("forward.frag"), irradiance = pixel("views/irradiance.frag");
-    Pixel arrival = pixel("views/arrival.frag"), extent = pixel("views/extent.frag");
-    const vec4 L_o = beauty.mean(samples, 0, lights);
-    terms.L_o = vec3(L_o);
-    terms.coverage = L_o.w;
-    terms.L_e = vec3(beauty.mean(samples, 0, 0));
-    for (int k = 0; k < lights; ++k) {
-        if (!goes_on()) return std::nullopt;
-        LightTerms light;
-        light.L_r = vec3(beauty.mean(samples, k, k + 1)) - terms.L_e;
-        light.E = vec3(irradiance.mean(samples, k, k + 1));
-        light.f_r = quotient(light.L_r, light.E);
-        const vec4 from = arrival.mean(samples, k, k + 1);
-        if (from.w > 0.0f) light.wi = vec3(from) / from.w;
-        light.cos_i = glm::dot(light.wi, terms.n);
-        const vec4 seen = extent.mean(samples, k, k + 1);
-        light.solid_angle = seen.x;
-        light.V = seen.z > 0.0f ? seen.y / seen.z : 1.0f;
-        terms.lights.push_back(light);
+    // One shader after the other: each renderer has targets of its own.
+    bool goes = true;
+    const auto for_each_light = [&](const char* shader, auto take) {
+        Pixel pixel(scene, camera, options, shader, column, row);
+        for (std::size_t k = 0; k < lights && goes; ++k) {
+            take(terms.lights[k], pixel.mean(options.samples, static_cast<int>(k), static_cast<int>(k) + 1));
+            goes = goes_on();
+        }
+    };
+    terms.lights.resize(lights);
+    {
+        Pixel beauty(scene, camera, options, "forward.frag", column, row);
+        const vec4 L_o = beauty.mean(options.samples, 0, scene.light_count());
+        terms.L_o = vec3(L_o);
+        terms.coverage = L_o.w;
+        terms.L_e = vec3(beauty.mean(options.samples, 0, 0));
     }
+    for_each_light("forward.frag", [&](LightTerms& t, vec4 film) { t.L_r = vec3(film) - terms.L_e; });
+    for_each_light("views/irradiance.frag", [](LightTerms& t, vec4 film) {
+        t.E = vec3(film);
+        t.f_r = quotient(t.L_r, t.E);
+    });
+    for_each_light("views/arrival.frag", [&](LightTerms& t, vec4 film) {
+        if (film.w > 0.0f) t.wi = vec3(film) / film.w;
+        t.cos_i = glm::dot(t.wi, terms.n);
+    });
+    for_each_light("views/extent.frag", [](LightTerms& t, vec4 film) {
+        t.solid_angle = film.x;
+        t.V = film.z > 0.0f ? film.y / film.z : 1.0f;
+    });
+    if (!goes) return std::nullopt;
     return terms;
 }
 

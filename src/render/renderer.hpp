@@ -1,6 +1,8 @@
 #pragma once
 // A scene, a camera and a size; out comes the Film. Adding samples is adding frames.
+#include "render/frame_data.hpp"
 #include "render/passes.hpp"
+#include "render/ray_answers.hpp"
 
 #include <optional>
 #include <string>
@@ -53,10 +55,14 @@ public:
     image::Image film() const;
 
     std::size_t program_count() const { return shaders_.program_count(); }
+    /// The rays that the CPU answered; null where it is not asked.
+    const RayAnswers* ray_answers() const { return ray_answers_ ? &*ray_answers_ : nullptr; }
 
 private:
     View begin_frame();
     void keep_to_window() const;
+    VisibilityTerm opaque_visibility() const;
+    void shade_opaque();
 
     const GpuScene& scene_;
     scene::Camera camera_;
@@ -66,7 +72,8 @@ private:
     ShaderLibrary shaders_;
     Target frame_;
     Target film_;
-    gl::Buffer frame_data_{"frame"};
+    FrameData frame_data_;
+    std::optional<RayAnswers> ray_answers_;
     gl::VertexArray no_vertices_{"no vertices"}; // core profile draws need one bound
     int sample_count_ = 0;
 };

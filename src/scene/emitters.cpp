@@ -132,4 +132,14 @@ std::vector<Light> emitters_of(const Scene& scene) {
     return lights;
 }
 
+std::vector<Light> assign_emitters(Scene& scene) {
+    std::vector<Light> lights = scene.lights;
+    for (Instance& instance : scene.instances) {
+        instance.emits_as.first = static_cast<int>(lights.size());
+        append_emitters_of(instance, scene, lights);
+        instance.emits_as.end = static_cast<int>(lights.size());
+    }
+    return lights;
+}
+
 } // namespace sr::scene

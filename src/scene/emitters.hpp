@@ -9,4 +9,7 @@ namespace sr::scene {
 /// rectangles, any other is one MeshLight.
 std::vector<Light> emitters_of(const Scene& scene);
 
+/// The same, and every instance learns which of these lights its surface is.
+std::vector<Light> assign_emitters(Scene& scene);
+
 } // namespace sr::scene

@@ -47,7 +47,7 @@ Stage set_stage(Scene scene, const std::string& name, const StageOptions& option
     const Bounds bounds = bounds_of(scene);
     stage.camera = chosen_camera(scene, name, options);
 
-    stage.lights = emitters_of(scene);
+    stage.lights = assign_emitters(scene);
     if (std::ranges::all_of(stage.lights, is_detail) && options.rig == Rig::studio) {
         for (RectangleLight& light : studio_rig(bounds, stage.camera))
             stage.lights.emplace_back(std::move(light));

@@ -33,7 +33,8 @@ render::RenderOptions options() {
     return o;
 }
 
-// What probe prints is what render writes: the pixel to the bit, its terms to the rounding of a sum of 32 samples.
+// What probe prints is what render writes: the pixel to the bit, its terms to the rounding of a sum of 32
+// samples.
 const Test sum("law.probe.terms_add_up_to_the_pixel", [] {
     context();
     const scene::Camera camera = camera_from_above(1.0f);
