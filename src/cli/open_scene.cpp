@@ -29,6 +29,7 @@ scene::Stage staged(const RenderCommand& command, gltf::Loaded&& loaded) {
     if (command.size)
         options.aspect_ratio =
             static_cast<float>(command.size->width) / static_cast<float>(command.size->height);
+    options.hide_emitters = command.hide_emitters;
     scene::Stage stage = scene::set_stage(std::move(loaded.scene), command.scene, options);
     for (const std::string& remark : stage.remarks) fmt::print(stderr, "{}\n", remark);
     return stage;

@@ -37,7 +37,7 @@ void describe(image::Image& film, const RenderCommand& command, const scene::Sta
               const gl::ContextInfo& gl) {
     film.channel_names = {"R", "G", "B", "A"};
     film.attributes = {{"steradian:version", STERADIAN_VERSION},
-                       {"steradian:unit", "cd/m^2"},
+                       {"steradian:unit", std::string(scene::radiance_unit(stage.scene.units))},
                        {"steradian:estimator", name_of(command.estimator)},
                        {"steradian:visibility", std::string(render::name_of(command.visibility))},
                        {"steradian:samples", std::to_string(command.samples)},
@@ -95,7 +95,7 @@ ordered_json summary(const RenderCommand& command, const scene::Stage& stage, co
             {"estimator", name_of(command.estimator)},
             {"samples", command.samples},
             {"seed", command.seed},
-            {"unit", "cd/m^2"},
+            {"unit", scene::radiance_unit(stage.scene.units)},
             {"camera", stage.camera.name},
             {"lights", stage.lights.size()},
             {"triangles", scene::triangle_count(stage.scene)},

@@ -72,6 +72,9 @@ void declare_picture(CLI::App& command, RenderCommand& o) {
            parsed_color, [&o](vec3 color) { o.background = color; });
     parsed(command, "--rig", "what lights a file without a lamp; glowing details are none (default: studio)",
            "studio|none", rig_named, [&o](scene::Rig rig) { o.rig = rig; });
+    command.add_flag(
+        "--hide-emitters", o.hide_emitters,
+        "emitters light the scene and are not seen: lights vanish, emissive surfaces only reflect");
 }
 
 void declare_estimator(CLI::App& command, RenderCommand& o) {

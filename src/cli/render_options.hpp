@@ -27,6 +27,7 @@ struct RenderCommand {
     int analytic_points = render::default_analytic_points;
     vec3 background{0.0f};
     scene::Rig rig = scene::Rig::studio;
+    bool hide_emitters = false;
     std::optional<float> ev100; // absent: automatic
     image::ToneCurve tone_curve = image::ToneCurve::neutral;
     image::SampleType exr_type = image::SampleType::floating;
