@@ -41,13 +41,6 @@ scene::Stage staged(const RenderCommand& command, gltf::Loaded&& loaded) {
     return stage;
 }
 
-Size picture_size(const RenderCommand& command, const scene::Camera& camera) {
-    if (command.size) return *command.size;
-    constexpr int rows = 720;
-    const float aspect = camera.aspect_ratio().value_or(16.0f / 9.0f);
-    return {std::clamp(static_cast<int>(std::lround(rows * aspect)), 1, 16 * rows), rows};
-}
-
 render::RenderOptions render_options(const RenderCommand& command, Size size) {
     return {size.width,   size.height,        command.samples,
             command.seed, command.background, shader_path(command.shaders)};
@@ -156,7 +149,7 @@ ExitStatus render(const RenderCommand& command) {
     times.add("load (beside start)", load.seconds);
 
     const scene::Stage stage = staged(command, std::move(load.loaded));
-    const Size size = picture_size(command, stage.camera);
+    const Size size = command.size.value_or(picture_size(stage.camera.aspect_ratio()));
     times.end("stage");
     const render::GpuScene gpu_scene(stage.scene, stage.lights);
     glFinish();

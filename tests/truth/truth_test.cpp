@@ -1,0 +1,57 @@
+#include "support/address.hpp"
+#include "truth/rendering.hpp"
+#include "truth/scenes.hpp"
+
+#include <fmt/format.h>
+#include <string>
+
+using namespace sr;
+using namespace sr::testing;
+
+namespace {
+
+/// One picture of the matrix against Mitsuba's, material by material.
+void expect_truth(std::string_view shape, std::string_view view) {
+    for (const auto material : truth::materials) {
+        SCOPED_TRACE(std::string(material));
+        const truth::Distance d =
+            truth::distance(truth::rendered(shape, material, view), truth::stored(shape, material, view));
+        const std::string line =
+            fmt::format("{:<20}{:<9}{:<11} energy {:.4f} % (noise {:.4f} %), rms {:.2f}, beyond 3 {:.2f} %, largest {:.1f}, "
+                        "noise {:.2f} %, median {:.2f} %, p95 {:.2f} %",
+                        shape, view, material, 100.0 * d.energy, 100.0 * d.energy_noise, d.rms,
+                        100.0 * d.beyond_three, d.largest, 100.0 * d.noise, 100.0 * d.median, 100.0 * d.p95);
+        fmt::print("{}\n", line);
+        EXPECT_LT(d.energy, 0.003);
+        // Noise alone puts 0.3 % of all pixels beyond three standard deviations, in one cell of a hundred 1.2 %, and
+        // one in 5·10^8 beyond six.
+        EXPECT_LT(d.beyond_three, 0.02);
+        EXPECT_LT(d.largest, 6.0);
+        EXPECT_LT(d.rms, 1.25) << "a difference in all pixels that each of them could hide in its noise";
+        EXPECT_LT(d.energy_noise, 0.001) << "too much noise for the claim";
+    }
+}
+
+const Test rectangle_steep("truth.rectangle.steep", [] { expect_truth("rectangle", "steep"); });
+const Test rectangle_middle("truth.rectangle.middle", [] { expect_truth("rectangle", "middle"); });
+const Test rectangle_grazing("truth.rectangle.grazing", [] { expect_truth("rectangle", "grazing"); });
+const Test disk_steep("truth.disk.steep", [] { expect_truth("disk", "steep"); });
+const Test disk_middle("truth.disk.middle", [] { expect_truth("disk", "middle"); });
+const Test disk_grazing("truth.disk.grazing", [] { expect_truth("disk", "grazing"); });
+const Test sphere_steep("truth.sphere.steep", [] { expect_truth("sphere", "steep"); });
+const Test sphere_middle("truth.sphere.middle", [] { expect_truth("sphere", "middle"); });
+const Test sphere_grazing("truth.sphere.grazing", [] { expect_truth("sphere", "grazing"); });
+const Test tube_steep("truth.tube.steep", [] { expect_truth("tube", "steep"); });
+const Test tube_middle("truth.tube.middle", [] { expect_truth("tube", "middle"); });
+const Test tube_grazing("truth.tube.grazing", [] { expect_truth("tube", "grazing"); });
+const Test polygon_steep("truth.polygon.steep", [] { expect_truth("polygon", "steep"); });
+const Test polygon_middle("truth.polygon.middle", [] { expect_truth("polygon", "middle"); });
+const Test polygon_grazing("truth.polygon.grazing", [] { expect_truth("polygon", "grazing"); });
+const Test mesh_steep("truth.mesh.steep", [] { expect_truth("mesh", "steep"); });
+const Test mesh_middle("truth.mesh.middle", [] { expect_truth("mesh", "middle"); });
+const Test mesh_grazing("truth.mesh.grazing", [] { expect_truth("mesh", "grazing"); });
+const Test textured_steep("truth.textured_rectangle.steep", [] { expect_truth("textured_rectangle", "steep"); });
+const Test textured_middle("truth.textured_rectangle.middle", [] { expect_truth("textured_rectangle", "middle"); });
+const Test textured_grazing("truth.textured_rectangle.grazing", [] { expect_truth("textured_rectangle", "grazing"); });
+
+} // namespace
