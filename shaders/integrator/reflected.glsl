@@ -21,30 +21,35 @@ vec2 random_point(uint purpose) {
 // f_r · L_i/p · V · cosθ_i: what one direction adds, before its weight.
 vec3 integrand_over_p(Surface x, LightSample light, vec3 wo) {
     float cos_i = dot(x.n, light.wi);
-    if (cos_i <= 0.0 || light.Li_over_p == vec3(0.0)) return vec3(0.0);
+    if (!(cos_i > 0.0) || light.Li_over_p == vec3(0.0)) return vec3(0.0);
     float V = visibility(x.position, light.wi, light.distance);
     return f_r(x, light.wi, wo) * light.Li_over_p * V * cos_i;
 }
 
 // The share of the integral that a point of density p answers for, where another could have come with density q.
-float power_heuristic(float p, float q) { return p * p / (p * p + q * q); }
+float power_heuristic(float p, float q) {
+    float odds = q / p;
+    return 1.0 / (1.0 + odds * odds);
+}
 
 vec3 reflected(Surface x, vec3 wo) {
-    bool samples_brdf = has_rectangle_lights && has_peak(x);
+    bool samples_brdf = has_lights_to_meet && has_peak(x);
     vec3 w_brdf = samples_brdf ? sample_f_r(x, wo, random_point(0u)) : vec3(0.0);
     float p_brdf = samples_brdf ? p_f_r(x, w_brdf, wo) : 0.0;
 
     vec3 L_r = vec3(0.0);
     for (int k = first_light; k < end_light; ++k) {
-        vec2 u = has_rectangle_lights ? random_point(uint(k) + 1u) : vec2(0.0);
+        vec2 u = has_area_lights ? random_point(uint(k) + 1u) : vec2(0.0);
         LightSample from_light = sample_light(k, x.position, u);
         float weight = from_light.p > 0.0 ? power_heuristic(from_light.p, p_f_r(x, from_light.wi, wo)) : 1.0;
         L_r += weight * integrand_over_p(x, from_light, wo);
 
         if (!samples_brdf) continue;
         LightSample along = light_along(k, x.position, w_brdf);
-        if (along.p > 0.0) // the point came with density p_brdf, so that is what the integrand is over
-            L_r += power_heuristic(p_brdf, along.p) * along.p / p_brdf * integrand_over_p(x, along, wo);
+        if (along.p > 0.0) { // the point came with density p_brdf, so that is what the integrand is over
+            float odds = along.p / p_brdf;
+            L_r += 1.0 / (odds + 1.0 / odds) * integrand_over_p(x, along, wo); // power_heuristic(p_brdf, along.p) * odds
+        }
     }
     return L_r;
 }

@@ -26,7 +26,8 @@ gl::Program table_program(const std::string& preamble, const std::string& body) 
 
 } // namespace
 
-std::vector<vec4> evaluate(const std::string& preamble, const std::string& body, std::span<const Row> rows) {
+std::vector<vec4> evaluate(const std::string& preamble, const std::string& body, std::span<const Row> rows,
+                           const render::GpuScene* scene) {
     context();
     const gl::Program program = table_program(preamble, body);
     const int count = static_cast<int>(rows.size());
@@ -48,6 +49,9 @@ std::vector<vec4> evaluate(const std::string& preamble, const std::string& body,
     glDisable(GL_DEPTH_TEST);
     program.use();
     program.bind_texture("rows", 0);
+    program.bind_texture("light_table", render::light_table_unit);
+    program.bind_texture("emission_texels", render::emission_texels_unit);
+    if (scene) scene->bind_lights();
     glProgramUniform1i(program.id(), program.uniform("row_count"), count);
     glDrawArrays(GL_TRIANGLES, 0, 3);
 
