@@ -16,8 +16,8 @@ float largest(vec3 v) { return max(v.x, max(v.y, v.z)); }
 
 vec3 f_metallic_roughness(Surface x, vec3 wi, vec3 wo) {
     float cos_i = dot(x.n, wi);
-    float cos_o = dot(x.n, wo);
-    if (cos_i <= 0.0 || cos_o < 0.0) return vec3(0.0);
+    float cos_o = max(dot(x.n, wo), 0.0); // n is on the viewer's side; where it was bent there, but for rounding
+    if (cos_i <= 0.0) return vec3(0.0);
 
     vec3 h = normalize(wi + wo);
     float cos_h = dot(wo, h);
@@ -26,5 +26,6 @@ vec3 f_metallic_roughness(Surface x, vec3 wi, vec3 wo) {
     vec3 F = x.specular * F_schlick(x.F0_dielectric, cos_h);
     vec3 dielectric = (1.0 - largest(F)) * f_lambert(x.base_color) + F * DV;
     vec3 metal = F_schlick(x.base_color, cos_h) * DV;
-    return mix(dielectric, metal, x.metallic);
+    // Not mix(): drivers may form a + t (b - a), and what rounding leaves of a is more than a metal's tails.
+    return (1.0 - x.metallic) * dielectric + x.metallic * metal;
 }
