@@ -24,7 +24,8 @@ struct ExportCommand {
 
 /// What `render` would render, without the surfaces that it gives to lights.
 scene::Stage staged(const ExportCommand& command, std::optional<Size> size, scene::Scene&& scene) {
-    scene::StageOptions options{command.camera, command.rig == "none" ? scene::Rig::none : scene::Rig::studio};
+    scene::StageOptions options{command.camera,
+                                command.rig == "none" ? scene::Rig::none : scene::Rig::studio};
     if (size) options.aspect_ratio = static_cast<float>(size->width) / static_cast<float>(size->height);
     const std::size_t instances = scene.instances.size();
     const bool has_lights = !scene.lights.empty();
@@ -42,7 +43,8 @@ void export_scene(const ExportCommand& command) {
     const scene::Stage stage = staged(command, asked, std::move(loaded.scene));
     for (const std::string& remark : stage.remarks) fmt::print(stderr, "{}\n", remark);
     const Size size = asked.value_or(picture_size(stage.camera.aspect_ratio()));
-    const auto warnings = mitsuba::write({stage.scene, stage.camera, size.width, size.height}, command.folder);
+    const auto warnings =
+        mitsuba::write({stage.scene, stage.camera, size.width, size.height}, command.folder);
     for (const std::string& warning : warnings) fmt::print(stderr, "{}: {}\n", command.scene, warning);
 }
 
@@ -52,16 +54,23 @@ void add_export_command(CLI::App& app) {
     const auto options = std::make_shared<ExportCommand>();
     CLI::App* command = app.add_subcommand("export", "write a scene for another renderer, to compare with");
     command->add_option("SCENE", options->scene, "a .gltf or .glb file")->required();
-    command->add_option("--to", options->to, "for which renderer")->required()->check(CLI::IsMember({"mitsuba"}));
-    command->add_option("DIR", options->folder, "a folder that is new, empty, or an earlier export, which is replaced")
+    command->add_option("--to", options->to, "for which renderer")
+        ->required()
+        ->check(CLI::IsMember({"mitsuba"}));
+    command
+        ->add_option("DIR", options->folder,
+                     "a folder that is new, empty, or an earlier export, which is replaced")
         ->required();
     command->add_option("--size", options->size, "size of the picture (default: as render's)")
         ->type_name("WIDTHxHEIGHT")
         ->check([](const std::string& text) {
             return parsed_size(text) ? std::string() : "'" + text + "' is not WIDTHxHEIGHT";
         });
-    command->add_option("--camera", options->camera, "camera by name or index, or auto (default: the first, or auto)");
-    command->add_option("--scene", options->scene_index, "which of the file's scenes (default: the file's choice)")
+    command->add_option("--camera", options->camera,
+                        "camera by name or index, or auto (default: the first, or auto)");
+    command
+        ->add_option("--scene", options->scene_index,
+                     "which of the file's scenes (default: the file's choice)")
         ->check(CLI::NonNegativeNumber);
     command->add_option("--rig", options->rig, "what lights a file without any light")
         ->check(CLI::IsMember({"studio", "none"}))

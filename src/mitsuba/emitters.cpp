@@ -6,7 +6,8 @@
 namespace sr::mitsuba {
 namespace {
 
-/// Of an ellipse's outline. The polygon is given the ellipse's area, so that only its outline differs, by 2·10^-5.
+/// Of an ellipse's outline. The polygon is given the ellipse's area, so that only its outline differs, by
+/// 2·10^-5.
 constexpr int outline_corners = 512;
 
 mat4 placed(vec3 x, vec3 y, vec3 z, vec3 origin) {
@@ -46,8 +47,10 @@ public:
 
     void operator()(const scene::PointLight& light) {
         if (light.profile >= 0) return warn(light.name, "has a photometric profile: left out");
-        if (!(light.radius > 0.0f)) return punctual(light.position, vec3(0, 0, -1), light.I, light.range, 0.0f, 1.0f);
-        if (std::isfinite(light.range)) warn(light.name, "has a radius and a range: exported without the range");
+        if (!(light.radius > 0.0f))
+            return punctual(light.position, vec3(0, 0, -1), light.I, light.range, 0.0f, 1.0f);
+        if (std::isfinite(light.range))
+            warn(light.name, "has a radius and a range: exported without the range");
         sphere(light.position, light.radius, light.I / (pi * light.radius * light.radius));
     }
 
@@ -77,7 +80,8 @@ public:
 
     void operator()(const scene::DiskLight& light) {
         const float u = glm::length(light.half_u), v = glm::length(light.half_v);
-        if (light.map.is_present() || light.is_two_sided || u != v) return mesh(outline(light), emission_of(light));
+        if (light.map.is_present() || light.is_two_sided || u != v)
+            return mesh(outline(light), emission_of(light));
         open("disk"); // Mitsuba's must be scaled alike along all axes
         xml_.transform("to_world", placed(light.half_u, light.half_v, u * light.normal(), light.center));
         close(light.L);
@@ -170,7 +174,8 @@ private:
         const float distance = 1000.0f * (bounds.is_empty() ? 1.0f : std::max(bounds.radius(), 1e-3f));
         const float radius = distance * std::tan(light.angular_radius);
         const vec3 center = (bounds.is_empty() ? vec3(0.0f) : bounds.center()) - distance * light.direction;
-        const vec3 u = glm::normalize(glm::cross(light.direction, std::abs(light.direction.x) < 0.5f ? vec3(1, 0, 0) : vec3(0, 1, 0)));
+        const vec3 u = glm::normalize(
+            glm::cross(light.direction, std::abs(light.direction.x) < 0.5f ? vec3(1, 0, 0) : vec3(0, 1, 0)));
         const vec3 v = glm::cross(light.direction, u);
         const float sine = std::sin(light.angular_radius);
         open("disk");
@@ -208,7 +213,8 @@ void write_emitters(Output& output) {
     Writer writer(output);
     for (const scene::Light& light : output.scene.lights) std::visit(writer, light);
     if (any_light_is(output.scene, false) && !hides_emitters(output.scene))
-        output.warnings.emplace_back("some lights are invisible, others are not: all are exported as visible");
+        output.warnings.emplace_back(
+            "some lights are invisible, others are not: all are exported as visible");
 }
 
 bool hides_emitters(const scene::Scene& scene) {

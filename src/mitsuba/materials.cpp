@@ -87,7 +87,8 @@ void Materials::write(Xml& xml, const scene::Material& material, const scene::Me
 }
 
 void Materials::write_textures(Xml& xml, const scene::Material& material, const scene::Mesh& mesh) {
-    const auto write_slot = [&](std::string_view name, const scene::TextureSlot& slot, Part part = Part::color) {
+    const auto write_slot = [&](std::string_view name, const scene::TextureSlot& slot,
+                                Part part = Part::color) {
         if (slot.is_present()) textures_.write(xml, name, slot.texture, slot.uv_transform, part);
     };
     write_slot("base_color_texture", material.base_color_texture);
@@ -97,7 +98,8 @@ void Materials::write_textures(Xml& xml, const scene::Material& material, const 
     if (!mesh.colors.empty()) write_attribute(xml, "vertex_color");
     if (!reads_normal_map(material, mesh)) return;
     write_slot("normal_texture", material.normal_texture);
-    for (const char* name : {"vertex_normal", "vertex_tangent", "vertex_handedness"}) write_attribute(xml, name);
+    for (const char* name : {"vertex_normal", "vertex_tangent", "vertex_handedness"})
+        write_attribute(xml, name);
 }
 
 } // namespace sr::mitsuba

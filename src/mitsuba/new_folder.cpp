@@ -16,8 +16,8 @@ namespace {
 namespace fs = std::filesystem;
 
 /// What an export leaves in a folder, and Python's cache of it.
-constexpr std::array<std::string_view, 7> own_names{"scene.xml", "README.md",           "render.py",  "steradian_mitsuba.py",
-                                                    "meshes",    "textures", "__pycache__"};
+constexpr std::array<std::string_view, 7> own_names{
+    "scene.xml", "README.md", "render.py", "steradian_mitsuba.py", "meshes", "textures", "__pycache__"};
 
 void require_own(const fs::path& place) {
     std::error_code failure;
@@ -77,7 +77,9 @@ void NewFolder::put_in_place() {
         fs::rename(place_, old, failure);
     }
     if (!failure) fs::rename(temporary_, place_, failure);
-    if (failure) throw Error({place_.string()}, fmt::format("cannot be replaced ({})", failure.message()), "name another folder");
+    if (failure)
+        throw Error({place_.string()}, fmt::format("cannot be replaced ({})", failure.message()),
+                    "name another folder");
     temporary_ = old; // to be removed
 }
 

@@ -5,7 +5,8 @@
 
 namespace sr::mitsuba {
 
-/// Writes the <sensor>: the same view as the renderer's, a box filter of one pixel, linear RGB in 32-bit floats.
+/// Writes the <sensor>: the same view as the renderer's, a box filter of one pixel, linear RGB in 32-bit
+/// floats.
 /// @param width, height of the picture [pixels]
 void write_sensor(Xml& xml, const scene::Camera& camera, int width, int height);
 

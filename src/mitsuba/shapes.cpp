@@ -57,7 +57,8 @@ void write_area_emitter(Output& output, const Emission& emission) {
     if (emission.texture < 0)
         output.xml.color("radiance", emission.L);
     else
-        output.textures.write(output.xml, "radiance", emission.texture, emission.uv_transform, Part::color, emission.L);
+        output.textures.write(output.xml, "radiance", emission.texture, emission.uv_transform, Part::color,
+                              emission.L);
     output.xml.close();
 }
 

@@ -29,8 +29,8 @@ struct Emission {
 /// Writes the <emitter> of an open <shape>. @throws Error as Textures
 void write_area_emitter(Output& output, const Emission& emission);
 
-/// Writes a mesh's file and its <shape>, an emitter too if asked. Mitsuba's emitters have one side: a second shape
-/// with its front behind, a 10^-5 of the mesh's size away, does for the other. @throws Error
+/// Writes a mesh's file and its <shape>, an emitter too if asked. Mitsuba's emitters have one side: a second
+/// shape with its front behind, a 10^-5 of the mesh's size away, does for the other. @throws Error
 void write_mesh(Output& output, const Triangles& triangles, std::string_view bsdf,
                 const std::optional<Emission>& emission);
 

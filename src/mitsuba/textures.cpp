@@ -23,7 +23,8 @@ void fill(image::Image& picture, const std::vector<Texel>& texels, bool is_srgb,
             // Alpha is linear in every image.
             const float stored = static_cast<float>(texels[4 * i + (part == Part::alpha ? 3 : c)]) / scale;
             const bool is_encoded = is_srgb && part == Part::color;
-            picture.pixels[3 * i + c] = factor[static_cast<int>(c)] * (is_encoded ? linear_of_srgb(stored) : stored);
+            picture.pixels[3 * i + c] =
+                factor[static_cast<int>(c)] * (is_encoded ? linear_of_srgb(stored) : stored);
         }
     }
 }
@@ -43,8 +44,8 @@ std::string Textures::file_of(int index, Part part, vec3 factor) {
     const scene::Texture& texture = scene_.textures[static_cast<std::size_t>(index)];
     const scene::TextureImage& source = scene_.images[static_cast<std::size_t>(texture.image)];
     const bool is_srgb = texture.color_space == scene::ColorSpace::srgb;
-    const std::string content = fmt::format("{} {} {} {} {} {}", texture.image, is_srgb, static_cast<int>(part), factor.x,
-                                            factor.y, factor.z);
+    const std::string content = fmt::format("{} {} {} {} {} {}", texture.image, is_srgb,
+                                            static_cast<int>(part), factor.x, factor.y, factor.z);
     const auto [entry, is_new] = files_.try_emplace(content, fmt::format("textures/{}.exr", files_.size()));
     if (is_new) {
         image::Image picture(source.width, source.height, 3);
@@ -55,11 +56,13 @@ std::string Textures::file_of(int index, Part part, vec3 factor) {
     return entry->second;
 }
 
-void Textures::write(Xml& xml, std::string_view name, int index, const mat3& uv_transform, Part part, vec3 factor) {
+void Textures::write(Xml& xml, std::string_view name, int index, const mat3& uv_transform, Part part,
+                     vec3 factor) {
     const scene::Texture& texture = scene_.textures[static_cast<std::size_t>(index)];
     const scene::Sampler& sampler = texture.sampler;
     if (sampler.wrap_u != sampler.wrap_v) {
-        const std::string warning = fmt::format("texture {} wraps otherwise in u than in v: exported as it wraps in u", index);
+        const std::string warning =
+            fmt::format("texture {} wraps otherwise in u than in v: exported as it wraps in u", index);
         if (std::ranges::find(warnings_, warning) == warnings_.end()) warnings_.push_back(warning);
     }
     xml.open("texture", "bitmap", name);

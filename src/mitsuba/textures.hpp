@@ -14,13 +14,14 @@ enum class Part { color, alpha };
 class Textures {
 public:
     /// Files go to folder/textures/.
-    Textures(const scene::Scene& scene, std::filesystem::path folder) : scene_(scene), folder_(std::move(folder)) {}
+    Textures(const scene::Scene& scene, std::filesystem::path folder)
+        : scene_(scene), folder_(std::move(folder)) {}
 
     /// Writes the texture's file, unless it is there, and a <texture> of that name that reads it.
     /// @param factor multiplies every texel; @param uv_transform as scene::TextureSlot has it
     /// @throws Error if the file cannot be written.
-    void write(Xml& xml, std::string_view name, int texture, const mat3& uv_transform, Part part = Part::color,
-               vec3 factor = vec3(1.0f));
+    void write(Xml& xml, std::string_view name, int texture, const mat3& uv_transform,
+               Part part = Part::color, vec3 factor = vec3(1.0f));
 
     /// What could not be said, one line each.
     const std::vector<std::string>& warnings() const { return warnings_; }

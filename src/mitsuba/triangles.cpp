@@ -26,7 +26,8 @@ private:
 };
 
 std::string header(const Triangles& triangles) {
-    std::string text = fmt::format("ply\nformat binary_little_endian 1.0\nelement vertex {}\n", triangles.positions.size());
+    std::string text =
+        fmt::format("ply\nformat binary_little_endian 1.0\nelement vertex {}\n", triangles.positions.size());
     const auto property = [&](std::string_view name) { text += fmt::format("property float {}\n", name); };
     for (const char* name : {"x", "y", "z"}) property(name);
     if (!triangles.normals.empty())
@@ -35,7 +36,8 @@ std::string header(const Triangles& triangles) {
         for (const char* name : {"u", "v"}) property(name);
     for (const VertexAttribute& attribute : triangles.attributes)
         for (const char* axis : {"x", "y", "z"}) property(attribute.name + "_" + axis);
-    text += fmt::format("element face {}\nproperty list uchar int vertex_indices\nend_header\n", triangles.indices.size() / 3);
+    text += fmt::format("element face {}\nproperty list uchar int vertex_indices\nend_header\n",
+                        triangles.indices.size() / 3);
     return text;
 }
 

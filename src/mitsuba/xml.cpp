@@ -53,7 +53,8 @@ void Xml::leaf(std::string_view tag, std::string_view name, const std::string& v
 
 void Xml::triple(std::string_view tag, std::string_view name, vec3 value) {
     indent();
-    text_ += fmt::format("<{}{} x=\"{}\" y=\"{}\" z=\"{}\"/>\n", tag, attribute("name", name), value.x, value.y, value.z);
+    text_ += fmt::format("<{}{} x=\"{}\" y=\"{}\" z=\"{}\"/>\n", tag, attribute("name", name), value.x,
+                         value.y, value.z);
 }
 
 void Xml::number(std::string_view name, float value) { leaf("float", name, fmt::format("{}", value)); }
@@ -70,7 +71,8 @@ void Xml::transform(std::string_view name, const mat4& matrix) {
     open("transform", "", name);
     std::string values;
     for (int row = 0; row < 4; ++row)
-        for (int column = 0; column < 4; ++column) values += fmt::format("{}{}", values.empty() ? "" : " ", matrix[column][row]);
+        for (int column = 0; column < 4; ++column)
+            values += fmt::format("{}{}", values.empty() ? "" : " ", matrix[column][row]);
     leaf("matrix", "", values);
     close();
 }

@@ -12,7 +12,8 @@ namespace sr::mitsuba {
 class Xml {
 public:
     /// <tag type="type" name="name" id="id">, without those that are empty; to be closed.
-    void open(std::string_view tag, std::string_view type = {}, std::string_view name = {}, std::string_view id = {});
+    void open(std::string_view tag, std::string_view type = {}, std::string_view name = {},
+              std::string_view id = {});
     void close();
 
     void number(std::string_view name, float value);

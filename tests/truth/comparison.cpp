@@ -9,7 +9,8 @@ namespace sr::truth {
 namespace {
 
 double quantile(std::vector<double> values, double q) {
-    const auto place = values.begin() + static_cast<std::ptrdiff_t>(q * static_cast<double>(values.size() - 1));
+    const auto place =
+        values.begin() + static_cast<std::ptrdiff_t>(q * static_cast<double>(values.size() - 1));
     std::ranges::nth_element(values, place);
     return *place;
 }
@@ -44,7 +45,8 @@ Measured measured(const std::vector<image::Image>& sets) {
                 for (int v = std::max(y - 1, 0); v <= std::min(y + 1, height - 1); ++v)
                     for (int u = std::max(x - 1, 0); u <= std::min(x + 1, width - 1); ++u, ++count)
                         sum += variances[static_cast<std::size_t>((v * width + u) * 3 + c)];
-                result.noise.at(x, y)[static_cast<std::size_t>(c)] = static_cast<float>(std::sqrt(sum / count));
+                result.noise.at(x, y)[static_cast<std::size_t>(c)] =
+                    static_cast<float>(std::sqrt(sum / count));
             }
         }
     }

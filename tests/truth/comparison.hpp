@@ -13,8 +13,8 @@ struct Measured {
     image::Image noise;
 };
 
-/// From the means of equally large, independent sets of samples. The variance is taken over the sets and the 3×3 pixels
-/// around: few sets alone would give an estimate as noisy as what it is about.
+/// From the means of equally large, independent sets of samples. The variance is taken over the sets and the
+/// 3×3 pixels around: few sets alone would give an estimate as noisy as what it is about.
 Measured measured(const std::vector<image::Image>& sets);
 
 /// How far `ours` is from `reference`.
@@ -26,7 +26,7 @@ struct Distance {
     double rms = 0.0;          // root mean square of these units, 1 if there is nothing but noise
     double median = 0.0;       // of |ours / reference - 1| over pixels and channels
     double p95 = 0.0;
-    double noise = 0.0;        // median of the noise of both relative to the reference
+    double noise = 0.0; // median of the noise of both relative to the reference
 };
 
 Distance distance(const Measured& ours, const Measured& reference);

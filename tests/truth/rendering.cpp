@@ -24,7 +24,8 @@ image::Image shrunk(const image::Image& large) {
     for (int y = 0; y < large.height; ++y)
         for (int x = 0; x < large.width; ++x)
             for (std::size_t c = 0; c < 3; ++c)
-                small.at(x / enlargement, y / enlargement)[c] += large.at(x, y)[c] / (enlargement * enlargement);
+                small.at(x / enlargement, y / enlargement)[c] +=
+                    large.at(x, y)[c] / (enlargement * enlargement);
     return small;
 }
 
@@ -50,7 +51,8 @@ Measured rendered(std::string_view shape, std::string_view material, std::string
 }
 
 Measured stored(std::string_view shape, std::string_view material, std::string_view view) {
-    const auto file = sr::testing::source_folder() / "tests/truth/references" / fmt::format("{}.{}.exr", shape, view);
+    const auto file =
+        sr::testing::source_folder() / "tests/truth/references" / fmt::format("{}.{}.exr", shape, view);
     const image::Image atlas = image::read(file);
     require(atlas.channels == 6 && atlas.height == cell_size, "an atlas has R G B and their noise");
     const auto column = std::ranges::find(materials, material) - materials.begin();

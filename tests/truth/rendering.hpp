@@ -6,8 +6,9 @@
 
 namespace sr::truth {
 
-/// Renders a scene of scenes.hpp by `sampled`, each pixel from 16 × 256 samples: the picture is drawn four times larger,
-/// which gives the same box-filtered pixels in a sixteenth of the frames. Needs the tests' GL context.
+/// Renders a scene of scenes.hpp by `sampled`, each pixel from 16 × 256 samples: the picture is drawn four
+/// times larger, which gives the same box-filtered pixels in a sixteenth of the frames. Needs the tests' GL
+/// context.
 Measured rendered(std::string_view shape, std::string_view material, std::string_view view);
 
 /// The stored reference: one part of tests/truth/references/SHAPE.VIEW.exr. @throws Error if there is none.

@@ -1,6 +1,7 @@
 #include "truth/scenes.hpp"
 
 #include "core/error.hpp"
+#include "truth/textures.hpp"
 
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
@@ -25,8 +26,8 @@ View view_named(std::string_view name) {
     return {80.0f * degree, 9.9f * degree, 1.5f, 2.0f};
 }
 
-/// Axes of an emitter whose picture in a mirror the camera sees: where it is, and its own frame. It faces the picture's
-/// centre, roughly: turned by 20° about its own axis and 15° aside.
+/// Axes of an emitter whose picture in a mirror the camera sees: where it is, and its own frame. It faces the
+/// picture's centre, roughly: turned by 20° about its own axis and 15° aside.
 struct Place {
     vec3 center;
     vec3 u, v, n; // orthonormal
@@ -45,16 +46,17 @@ Place place_in(const View& view) {
 scene::Material material_named(std::string_view name) {
     scene::Material material;
     material.name = name;
-    if (name == "lambert" || name == "dielectric") {
-        material.base_color = vec4(0.8f, 0.5f, 0.3f, 1.0f);
-        material.metallic = 0.0f;
-        material.roughness = 0.4f;
-        material.specular = name == "lambert" ? 0.0f : 1.0f;
+    if (name.starts_with("ggx_")) {
+        material.base_color = vec4(0.95f, 0.64f, 0.54f, 1.0f); // copper
+        material.roughness = 0.1f * static_cast<float>(10 * (name[4] - '0') + (name[5] - '0'));
         return material;
     }
-    require(name.starts_with("ggx_"), "the material is one of the list");
-    material.base_color = vec4(0.95f, 0.64f, 0.54f, 1.0f); // copper
-    material.roughness = 0.1f * static_cast<float>(10 * (name[4] - '0') + (name[5] - '0'));
+    require(name == "lambert" || name == "dielectric" || name == "textured",
+            "the material is one of the list");
+    material.base_color = vec4(0.8f, 0.5f, 0.3f, 1.0f);
+    material.metallic = 0.0f;
+    material.roughness = 0.4f;
+    material.specular = name == "lambert" ? 0.0f : 1.0f;
     return material;
 }
 
@@ -68,22 +70,6 @@ scene::Mesh receiver() {
     return mesh;
 }
 
-/// Bright and dark squares of many colours, 8×8 texels.
-void add_pattern(scene::Scene& scene) {
-    scene::TextureImage image{"pattern", 8, 8, {}};
-    auto& texels = image.texels.emplace<std::vector<std::uint8_t>>();
-    for (int y = 0; y < 8; ++y) {
-        for (int x = 0; x < 8; ++x) {
-            const bool is_dark = (x / 2 + y / 2) % 2 == 1;
-            for (const int value : {250 - 20 * x, 60 + 24 * y, (x * y * 37) % 256})
-                texels.push_back(static_cast<std::uint8_t>(is_dark ? value / 4 : value));
-            texels.push_back(255);
-        }
-    }
-    scene.images.push_back(image);
-    scene.textures.push_back({0, {}, scene::ColorSpace::srgb});
-}
-
 /// An irregular octahedron, as an instance that emits.
 void add_mesh(scene::Scene& scene, const Place& p) {
     scene::Material material;
@@ -94,8 +80,8 @@ void add_mesh(scene::Scene& scene, const Place& p) {
     scene::Mesh mesh;
     mesh.name = "octahedron";
     mesh.material = 1;
-    const std::array<vec3, 6> tips{0.40f * p.u,  -0.30f * p.u,   0.25f * p.v,
-                                   -0.35f * p.v, 0.20f * p.n, -0.30f * p.n};
+    const std::array<vec3, 6> tips{0.40f * p.u,  -0.30f * p.u, 0.25f * p.v,
+                                   -0.35f * p.v, 0.20f * p.n,  -0.30f * p.n};
     for (const std::uint32_t a : {0u, 1u})
         for (const std::uint32_t b : {2u, 3u})
             for (const std::uint32_t c : {4u, 5u}) {
@@ -105,8 +91,9 @@ void add_mesh(scene::Scene& scene, const Place& p) {
                     mesh.positions.push_back(p.center + tips[tip]);
                 }
                 const std::size_t first = mesh.positions.size() - 3;
-                const vec3 normal = glm::normalize(glm::cross(mesh.positions[first + 1] - mesh.positions[first],
-                                                              mesh.positions[first + 2] - mesh.positions[first]));
+                const vec3 normal =
+                    glm::normalize(glm::cross(mesh.positions[first + 1] - mesh.positions[first],
+                                              mesh.positions[first + 2] - mesh.positions[first]));
                 mesh.normals.insert(mesh.normals.end(), 3, normal);
             }
     scene.meshes.push_back(mesh);
@@ -114,12 +101,17 @@ void add_mesh(scene::Scene& scene, const Place& p) {
 }
 
 void add_emitter(scene::Scene& scene, std::string_view shape, const Place& p) {
-    if (shape == "rectangle") {
-        scene.lights.push_back(scene::RectangleLight{"", p.center, 0.40f * p.u, 0.25f * p.v, L, false, false, {}});
+    if (shape == "sun") {
+        scene.lights.push_back(scene::DirectionalLight{"", -glm::normalize(p.center), L, 0.15f});
+    } else if (shape == "spot") { // the cone's edge and the range's window are in every picture
+        scene.lights.push_back(
+            scene::SpotLight{"", p.center, glm::normalize(-p.center), L, 3.0f, 0.05f, 0.25f});
+    } else if (shape == "rectangle") {
+        scene.lights.push_back(
+            scene::RectangleLight{"", p.center, 0.40f * p.u, 0.25f * p.v, L, false, false, {}});
     } else if (shape == "textured_rectangle") {
-        add_pattern(scene);
         scene::RectangleLight light{"", p.center, 0.40f * p.u, 0.35f * p.v, L, false, false, {}};
-        light.map.texture = 0;
+        light.map.texture = add_pattern(scene, scene::ColorSpace::srgb, {});
         scene.lights.push_back(light);
     } else if (shape == "disk") {
         scene.lights.push_back(scene::DiskLight{"", p.center, 0.35f * p.u, 0.35f * p.v, L, false, false, {}});
@@ -129,7 +121,8 @@ void add_emitter(scene::Scene& scene, std::string_view shape, const Place& p) {
         scene.lights.push_back(scene::TubeLight{"", p.center, 0.45f * p.u, 0.08f, L, false});
     } else if (shape == "polygon") {
         std::vector<vec3> corners;
-        for (const vec2 st : {vec2(0.45f, 0.0f), vec2(0.2f, 0.35f), vec2(-0.3f, 0.3f), vec2(-0.4f, -0.1f), vec2(0.1f, -0.3f)})
+        for (const vec2 st :
+             {vec2(0.45f, 0.0f), vec2(0.2f, 0.35f), vec2(-0.3f, 0.3f), vec2(-0.4f, -0.1f), vec2(0.1f, -0.3f)})
             corners.push_back(p.center + st.x * p.u + st.y * p.v);
         scene.lights.push_back(scene::PolygonLight{"", corners, L, false, false});
     } else {
@@ -145,6 +138,7 @@ scene::Scene scene_of(std::string_view shape, std::string_view material, std::st
     scene.materials.push_back(material_named(material));
     scene.meshes.push_back(receiver());
     scene.instances.push_back({0, mat4(1.0f), "receiver"});
+    if (material == "textured") add_textures(scene);
     add_emitter(scene, shape, place_in(view_named(view)));
     return scene;
 }

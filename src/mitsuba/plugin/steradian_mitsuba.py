@@ -89,7 +89,7 @@ class MetallicRoughness(mi.BSDF):
     @staticmethod
     def f_r(surface, view, light):
         n, base_color, metallic, alpha, F0, specular = surface
-        cos_i, cos_o = dr.dot(n, light), dr.dot(n, view)
+        cos_i, cos_o = dr.dot(n, light), dr.maximum(dr.dot(n, view), 0)
         h = dr.normalize(light + view)
         weight = dr.power(dr.clip(1 - dr.dot(view, h), 0, 1), 5)
         s, c, a2 = dr.cross(n, h), dr.dot(n, h), alpha * alpha
@@ -98,7 +98,7 @@ class MetallicRoughness(mi.BSDF):
         F = specular * (F0 + (1 - F0) * weight)
         dielectric = (1 - dr.max(F)) * base_color / dr.pi + F * D * V
         metal = (base_color + (1 - base_color) * weight) * D * V
-        return dr.select((cos_i > 0) & (cos_o >= 0), (1 - metallic) * dielectric + metallic * metal, 0)
+        return dr.select(cos_i > 0, (1 - metallic) * dielectric + metallic * metal, 0)
 
     @staticmethod
     def specular_share(surface):
@@ -108,19 +108,22 @@ class MetallicRoughness(mi.BSDF):
 
     @classmethod
     def density(cls, surface, view, light):
-        """Of `sample`: visible GGX normals (Heitz 2018) and cosines, in the shares that specular_share gives."""
+        """Of `sample`: visible GGX normals and cosines, in the shares that specular_share gives.
+
+        The former: D G1 / (4 cos_o), Heitz 2018, Eq. 2 and 17, with G1 = 2 cos_o / (cos_o + √(…)) divided out.
+        """
         frame = mi.Frame3f(surface[0])
-        o, i = frame.to_local(view), frame.to_local(light)
-        h = dr.normalize(o + i)
-        ggx = mi.MicrofacetDistribution(mi.MicrofacetType.GGX, surface[3])
+        i, cos_o, a2 = frame.to_local(light), dr.maximum(dr.dot(surface[0], view), 0), dr.square(surface[3])
+        D = mi.MicrofacetDistribution(mi.MicrofacetType.GGX, surface[3]).eval(dr.normalize(frame.to_local(view) + i))
         share = cls.specular_share(surface)
-        p = share * ggx.pdf(o, h) / (4 * dr.dot(o, h)) + (1 - share) * i.z / dr.pi
-        return dr.select((i.z > 0) & (o.z > 0), p, 0)
+        p = share * 0.5 * D / (cos_o + dr.sqrt(a2 + (1 - a2) * cos_o * cos_o)) + (1 - share) * i.z / dr.pi
+        return dr.select(i.z > 0, p, 0)
 
     def sample(self, ctx, si, sample1, sample2, active=True):
         surface = self.surface(si, active)
         frame = mi.Frame3f(surface[0])
         o = frame.to_local(si.wi)
+        o.z = dr.maximum(o.z, 0)
         ggx = mi.MicrofacetDistribution(mi.MicrofacetType.GGX, surface[3])
         mirrored = mi.reflect(o, ggx.sample(o, sample2)[0])
         is_specular = sample1 < self.specular_share(surface)
