@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace sr::truth {
 namespace {
@@ -15,38 +16,37 @@ double quantile(std::vector<double> values, double q) {
     return *place;
 }
 
-/// Variance of the mean of the sets at one value.
-double variance(const std::vector<image::Image>& sets, std::size_t i) {
+/// Mean over the sets of one value, and the variance of that mean.
+std::pair<double, double> mean_and_variance(const std::vector<image::Image>& sets, std::size_t i) {
     const auto n = static_cast<double>(sets.size());
     double sum = 0.0, squares = 0.0;
     for (const image::Image& set : sets) sum += set.pixels[i];
     for (const image::Image& set : sets) squares += std::pow(set.pixels[i] - sum / n, 2.0);
-    return squares / (n - 1.0) / n;
+    return {sum / n, squares / (n - 1.0) / n};
 }
 
 } // namespace
 
-Measured measured(const std::vector<image::Image>& sets) {
+Measured measured(const std::vector<image::Image>& sets, int enlargement) {
     require(sets.size() > 1, "noise shows in two or more sets");
-    const int width = sets[0].width, height = sets[0].height;
+    const int width = sets[0].width / enlargement, height = sets[0].height / enlargement;
+    const auto channels = static_cast<std::size_t>(sets[0].channels);
+    const double share = 1.0 / (enlargement * enlargement); // of a small pixel in its large one
     Measured result{image::Image(width, height, 3), image::Image(width, height, 3)};
-    std::vector<double> variances(result.mean.pixels.size());
-    for (std::size_t i = 0; i < variances.size(); ++i) {
-        double sum = 0.0;
-        for (const image::Image& set : sets) sum += set.pixels[i];
-        result.mean.pixels[i] = static_cast<float>(sum / static_cast<double>(sets.size()));
-        variances[i] = variance(sets, i);
-    }
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {
-            for (int c = 0; c < 3; ++c) {
-                double sum = 0.0;
-                int count = 0;
-                for (int v = std::max(y - 1, 0); v <= std::min(y + 1, height - 1); ++v)
-                    for (int u = std::max(x - 1, 0); u <= std::min(x + 1, width - 1); ++u, ++count)
-                        sum += variances[static_cast<std::size_t>((v * width + u) * 3 + c)];
-                result.noise.at(x, y)[static_cast<std::size_t>(c)] =
-                    static_cast<float>(std::sqrt(sum / count));
+            for (std::size_t c = 0; c < 3; ++c) {
+                double mean = 0.0, variance = 0.0;
+                for (int part = 0; part < enlargement * enlargement; ++part) {
+                    const int u = x * enlargement + part % enlargement,
+                              v = y * enlargement + part / enlargement;
+                    const auto [m, var] = mean_and_variance(
+                        sets, static_cast<std::size_t>(v * sets[0].width + u) * channels + c);
+                    mean += share * m;
+                    variance += share * share * var;
+                }
+                result.mean.at(x, y)[c] = static_cast<float>(mean);
+                result.noise.at(x, y)[c] = static_cast<float>(std::sqrt(variance));
             }
         }
     }

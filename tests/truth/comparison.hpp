@@ -13,9 +13,9 @@ struct Measured {
     image::Image noise;
 };
 
-/// From the means of equally large, independent sets of samples. The variance is taken over the sets and the
-/// 3×3 pixels around: few sets alone would give an estimate as noisy as what it is about.
-Measured measured(const std::vector<image::Image>& sets);
+/// From the means of equally large, independent sets of samples, `enlargement` times as wide and high as the
+/// result. The variance is taken over the sets, pixel by pixel of theirs, so that few sets tell much.
+Measured measured(const std::vector<image::Image>& sets, int enlargement);
 
 /// How far `ours` is from `reference`.
 struct Distance {

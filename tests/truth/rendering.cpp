@@ -18,17 +18,6 @@ constexpr int enlargement = 4;
 constexpr int sets = 4;
 constexpr int samples_per_set = 64;
 
-/// The means of enlargement² pixels, RGB.
-image::Image shrunk(const image::Image& large) {
-    image::Image small(cell_size, cell_size, 3);
-    for (int y = 0; y < large.height; ++y)
-        for (int x = 0; x < large.width; ++x)
-            for (std::size_t c = 0; c < 3; ++c)
-                small.at(x / enlargement, y / enlargement)[c] +=
-                    large.at(x, y)[c] / (enlargement * enlargement);
-    return small;
-}
-
 } // namespace
 
 Measured rendered(std::string_view shape, std::string_view material, std::string_view view) {
@@ -45,9 +34,9 @@ Measured rendered(std::string_view shape, std::string_view material, std::string
         options.seed = static_cast<std::uint32_t>(set);
         render::Renderer renderer(gpu_scene, camera_of(view), options);
         for (int i = 0; i < samples_per_set; ++i) renderer.add_sample();
-        pictures.push_back(shrunk(renderer.film()));
+        pictures.push_back(renderer.film());
     }
-    return measured(pictures);
+    return measured(pictures, enlargement);
 }
 
 Measured stored(std::string_view shape, std::string_view material, std::string_view view) {

@@ -100,12 +100,31 @@ void add_mesh(scene::Scene& scene, const Place& p) {
     scene.instances.push_back({1, mat4(1.0f), "octahedron"});
 }
 
+/// A luminaire whose uneven beam of 1 rad across ends within the picture.
+void add_profile(scene::Scene& scene, const Place& p) {
+    scene::LightProfile profile{"beam", {0.0f, 0.02f, 0.05f, 0.1f, 0.2f, 0.25f}, {}, {}};
+    for (int column = 0; column <= 8; ++column) {
+        profile.phi.push_back(2.0f * pi * static_cast<float>(column) / 8.0f);
+        for (int row = 0; row < 6; ++row)
+            profile.I.push_back(10.0f + static_cast<float>((row * 7 + (column % 8) * 5) % 11));
+    }
+    scene.profiles.push_back(profile);
+    scene::PointLight light{"", p.center, 0.1f * L};
+    light.profile = 0;
+    const vec3 y = glm::normalize(p.center); // away from the picture
+    const vec3 x = glm::normalize(glm::cross(y, p.v));
+    light.world_from_profile = mat3(x, y, glm::cross(x, y));
+    scene.lights.push_back(light);
+}
+
 void add_emitter(scene::Scene& scene, std::string_view shape, const Place& p) {
     if (shape == "sun") {
         scene.lights.push_back(scene::DirectionalLight{"", -glm::normalize(p.center), L, 0.15f});
     } else if (shape == "spot") { // the cone's edge and the range's window are in every picture
         scene.lights.push_back(
             scene::SpotLight{"", p.center, glm::normalize(-p.center), L, 3.0f, 0.05f, 0.25f});
+    } else if (shape == "profile") {
+        add_profile(scene, p);
     } else if (shape == "rectangle") {
         scene.lights.push_back(
             scene::RectangleLight{"", p.center, 0.40f * p.u, 0.25f * p.v, L, false, false, {}});

@@ -10,8 +10,8 @@ namespace sr::truth {
 
 /// Kinds of emitters. A mesh is emissive triangles of an instance, the sun a directional light with an
 /// angular radius; all others are what they are called.
-inline constexpr std::array<std::string_view, 9> shapes{
-    "rectangle", "disk", "sphere", "tube", "polygon", "mesh", "textured_rectangle", "sun", "spot"};
+inline constexpr std::array<std::string_view, 10> shapes{
+    "rectangle", "disk", "sphere", "tube", "polygon", "mesh", "textured_rectangle", "sun", "spot", "profile"};
 
 /// Lambert, glTF's metals of roughness 0.1 to 1, its dielectric of roughness 0.4, and one that reads every
 /// texture.

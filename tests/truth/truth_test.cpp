@@ -15,7 +15,8 @@ namespace {
 /// BRDF's choice finds a mesh (shaders/light/mesh.glsl), and the picture of a spot without extent in a smooth
 /// metal is smaller than a pixel.
 bool is_noisy(std::string_view shape, std::string_view material) {
-    return (shape == "mesh" && material != "lambert") || (shape == "spot" && material == "ggx_01");
+    return (shape == "mesh" && material != "lambert")
+           || ((shape == "spot" || shape == "profile") && material == "ggx_01");
 }
 
 void expect_cell(std::string_view shape, std::string_view material, std::string_view view) {
@@ -30,10 +31,12 @@ void expect_cell(std::string_view shape, std::string_view material, std::string_
         EXPECT_LT(d.energy, std::max(0.003, 3.0 * d.energy_noise));
     } else {
         EXPECT_LT(d.energy, 0.003);
-        EXPECT_LT(d.energy_noise, 0.001) << "too much noise for the claim";
+        EXPECT_LT(d.energy_noise, 0.0015) << "too much noise for the claim";
     }
-    // Noise alone puts 0.3 % of all pixels beyond three standard deviations, and one in 5·10^8 beyond six.
-    EXPECT_LT(d.beyond_three, 0.02);
+    // Noise alone puts 0.3 % of all values beyond three standard deviations (1 % of pixels if the channels
+    // had nothing to do with one another, 4 % in one cell of ten thousand), and one value in 5·10^8 beyond
+    // six.
+    EXPECT_LT(d.beyond_three, 0.04);
     EXPECT_LT(d.largest, 6.0);
     EXPECT_LT(d.rms, 1.25) << "a difference that every pixel hides in its noise";
 }
@@ -73,5 +76,8 @@ const Test sun_grazing("truth.sun.grazing", [] { expect_truth("sun", "grazing");
 const Test spot_steep("truth.spot.steep", [] { expect_truth("spot", "steep"); });
 const Test spot_middle("truth.spot.middle", [] { expect_truth("spot", "middle"); });
 const Test spot_grazing("truth.spot.grazing", [] { expect_truth("spot", "grazing"); });
+const Test profile_steep("truth.profile.steep", [] { expect_truth("profile", "steep"); });
+const Test profile_middle("truth.profile.middle", [] { expect_truth("profile", "middle"); });
+const Test profile_grazing("truth.profile.grazing", [] { expect_truth("profile", "grazing"); });
 
 } // namespace

@@ -114,7 +114,11 @@ const Test camera("unit.mitsuba.write.shows_what_the_renderer_shows", [] {
 
 const Test lights("unit.mitsuba.write.says_every_light", [] {
     scene::Scene scene = triangle();
-    scene.lights = {scene::PointLight{"", {1, 2, 3}, {4, 5, 6}},
+    scene.profiles.push_back({"down", {0.0f, pi}, {0.0f, 2.0f * pi}, {1, 1, 1, 1}});
+    scene::PointLight profiled;
+    profiled.profile = 0;
+    scene.lights = {profiled,
+                    scene::PointLight{"", {1, 2, 3}, {4, 5, 6}},
                     scene::SpotLight{"", {1, 2, 3}, {0, -1, 0}, vec3(7.0f), 9.0f},
                     scene::DirectionalLight{"", {0, -1, 0}, {8, 9, 10}},
                     scene::DirectionalLight{"", {0, -1, 0}, vec3(1.0f), 0.5f},
@@ -125,11 +129,12 @@ const Test lights("unit.mitsuba.write.says_every_light", [] {
                     scene::PolygonLight{"", {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}};
     const Written w = written(scene, "lights");
     EXPECT_TRUE(w.warnings.empty());
-    expect_holds(w.xml, {"<vector name=\"intensity\" x=\"4\" y=\"5\" z=\"6\"/>",
-                         "name=\"inverse_range\" value=\"0.11111111\"",
-                         "<rgb name=\"irradiance\" value=\"8, 9, 10\"/>", "<shape type=\"rectangle\">",
-                         "<shape type=\"disk\">", "<rgb name=\"radiance\" value=\"20, 21, 22\"/>",
-                         "<shape type=\"cylinder\">"});
+    expect_holds(w.xml,
+                 {"<string name=\"profile_gamma\" value=\"0 3.1415927\"/>",
+                  "<vector name=\"intensity\" x=\"4\" y=\"5\" z=\"6\"/>",
+                  "name=\"inverse_range\" value=\"0.11111111\"",
+                  "<rgb name=\"irradiance\" value=\"8, 9, 10\"/>", "<shape type=\"rectangle\">",
+                  "<shape type=\"disk\">", "<rgb name=\"radiance\" value=\"20, 21, 22\"/>", "meshes/1.ply"});
 });
 
 const Test sides("unit.mitsuba.write.gives_two_sided_emitters_two_shapes", [] {
@@ -145,13 +150,14 @@ const Test unsaid("unit.mitsuba.write.names_what_mitsuba_cannot_say", [] {
     scene.profiles.push_back({"down", {0.0f, pi}, {0.0f, 2.0f * pi}, {1, 1, 1, 1}});
     scene::PointLight point{"lamp"};
     point.profile = 0;
+    point.radius = 0.1f;
     scene::SpotLight spot{"beam"};
     spot.radius = 0.1f;
     scene.lights = {point, spot};
     scene.materials[0].alpha_mode = scene::AlphaMode::mask;
     const auto warnings = written(scene, "unsaid").warnings;
     ASSERT_EQ(warnings.size(), 3u);
-    expect_holds(warnings[0], {"'lamp'", "profile", "left out"});
+    expect_holds(warnings[0], {"'lamp'", "profile", "radius"});
     expect_holds(warnings[1], {"'beam'", "radius"});
     expect_holds(warnings[2], {"'clay'", "alpha mask"});
 });
