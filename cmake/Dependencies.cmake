@@ -21,6 +21,8 @@ find_package(OpenImageIO QUIET CONFIG)
 require_package(libopenimageio-dev OpenImageIO_FOUND)
 find_package(glfw3 QUIET CONFIG)
 require_package(libglfw3-dev glfw3_FOUND)
+find_package(embree 3 QUIET CONFIG)
+require_package(libembree-dev embree_FOUND)
 find_package(CLI11 QUIET CONFIG)
 require_package(libcli11-dev CLI11_FOUND)
 

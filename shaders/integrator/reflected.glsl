@@ -5,24 +5,18 @@
 // Each integral by two points a frame, one where the light is and one where the BRDF has its peak, weighed by the
 // power heuristic (Veach & Guibas 1995, section 5.2, β = 2); emitters without extent are known exactly and take one.
 // Frames add up to the integral. This is the only loop over lights and the only cosine.
-#include "base/sampling.glsl"
 #include "brdf/f_r.glsl"
 #include "brdf/sample_f_r.glsl"
-#include "interface/frame.glsl"
+#include "integrator/random_point.glsl"
+#include "integrator/rays.glsl"
 #include "light/sample_light.glsl"
 #include "visibility/visibility.glsl"
 
-// A sequence of its own for every pixel and purpose, so that none is correlated with another.
-vec2 random_point(uint purpose) {
-    uvec2 pixel = uvec2(gl_FragCoord.xy);
-    return sobol_2d(sample_index, hash(pixel.x, hash(pixel.y, hash(purpose, seed))));
-}
-
-// f_r · L_i/p · V · cosθ_i: what one direction adds, before its weight.
-vec3 integrand_over_p(Surface x, LightSample light, vec3 wo) {
+// f_r · L_i/p · V · cosθ_i: what one direction to light k adds, before its weight.
+vec3 integrand_over_p(Surface x, LightSample light, vec3 wo, int k, int ray) {
     float cos_i = dot(x.n, light.wi);
     if (!(cos_i > 0.0) || light.Li_over_p == vec3(0.0)) return vec3(0.0);
-    float V = visibility(x.position, light.wi, light.distance);
+    float V = visibility(x, light.wi, light.distance, k, ray);
     return f_r(x, light.wi, wo) * light.Li_over_p * V * cos_i;
 }
 
@@ -42,13 +36,14 @@ vec3 reflected(Surface x, vec3 wo) {
         vec2 u = has_area_lights ? random_point(uint(k) + 1u) : vec2(0.0);
         LightSample from_light = sample_light(k, x.position, u);
         float weight = from_light.p > 0.0 ? power_heuristic(from_light.p, p_f_r(x, from_light.wi, wo)) : 1.0;
-        L_r += weight * integrand_over_p(x, from_light, wo);
+        L_r += weight * integrand_over_p(x, from_light, wo, k, towards_light);
 
         if (!samples_brdf) continue;
         LightSample along = light_along(k, x.position, w_brdf);
         if (along.p > 0.0) { // the point came with density p_brdf, so that is what the integrand is over
             float odds = along.p / p_brdf;
-            L_r += 1.0 / (odds + 1.0 / odds) * integrand_over_p(x, along, wo); // power_heuristic(p_brdf, along.p) * odds
+            float weight_over_p = 1.0 / (odds + 1.0 / odds); // power_heuristic(p_brdf, along.p) * odds
+            L_r += weight_over_p * integrand_over_p(x, along, wo, k, along_brdf);
         }
     }
     return L_r;

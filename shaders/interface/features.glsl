@@ -22,6 +22,8 @@ const bool has_specular_texture = true;
 const bool has_specular_color_texture = true;
 const bool has_vertex_colors = true;
 
+const int rays_per_light = 2; // that a point sends to each light
+
 const bool is_masked = true;  // alphaMode MASK
 const bool is_blended = true; // alphaMode BLEND
 const bool is_unlit = false;  // KHR_materials_unlit

@@ -1,5 +1,6 @@
 // surface_at_fragment(): from interpolated vertices and textures to the point x of the equation.
 #include "interface/frame.glsl"
+#include "interface/object.glsl"
 #include "surface/shading_normal.glsl"
 #include "surface/surface.glsl"
 
@@ -19,6 +20,7 @@ Surface surface_at_fragment() {
 
     Surface x;
     x.position = vertex_position;
+    x.triangle = first_triangle + gl_PrimitiveID;
     x.n = shading_normal(direction_to_viewer());
     x.base_color = color.rgb;
     x.metallic = rm.y;

@@ -8,5 +8,6 @@ struct Surface {
     vec3 F0_dielectric;   // reflectance of the dielectric part at normal incidence
     float specular;       // weight of the dielectric part's specular layer
     vec3 emission;        // L_e [cd/m²]
+    int triangle;         // that x lies on: its index among the shadow casters
     float coverage;       // alpha of the base colour, 1 if opaque
 };

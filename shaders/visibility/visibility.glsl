@@ -1,5 +1,7 @@
-// V(x, y): 1 where nothing stands between x and the emitter's point, 0 where something does.
+// V(x, y): 1 where nothing stands between x and the emitter's point at `distance` in direction wi, 0 where something
+// does, in between where a surface lets a part of the light through.
 //
-// For now every emitter is seen from everywhere: shadows are the next chapter, and this is their place.
-
-float visibility(vec3 x, vec3 wi, float distance) { return 1.0; }
+// `light` is the emitter's index, for emitters do not shadow themselves; `ray` counts the rays that x sends to one
+// light, from 0 up to rays_per_light. The renderer overlays this file with the way it finds V: ray.glsl walks a tree,
+// record.glsl notes the ray down for the CPU, answered.glsl reads what the CPU found.
+#include "visibility/none.glsl"

@@ -49,7 +49,8 @@ ordered_json rgb(vec3 v) { return {v.x, v.y, v.z}; }
 /// A light's kind, quantity and extent.
 struct DescribeLight {
     ordered_json operator()(const scene::PointLight& l) const {
-        ordered_json json{{"kind", "point"}, {"name", l.name}, {l.profile < 0 ? "I [cd]" : "factor", rgb(l.I)}};
+        ordered_json json{
+            {"kind", "point"}, {"name", l.name}, {l.profile < 0 ? "I [cd]" : "factor", rgb(l.I)}};
         if (l.profile >= 0) json["profile"] = l.profile;
         if (l.radius > 0.0f) json["radius [m]"] = l.radius;
         return json;

@@ -1,50 +1,21 @@
 #include "cli/commands.hpp"
 #include "cli/interruption.hpp"
+#include "cli/open_scene.hpp"
 #include "cli/progress.hpp"
 #include "cli/render_options.hpp"
 #include "cli/summary.hpp"
 #include "core/error.hpp"
-#include "gltf/load.hpp"
 #include "render/renderer.hpp"
 
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <cstdio>
 #include <fmt/format.h>
-#include <future>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 namespace sr::cli {
 namespace {
-
-struct TimedLoad {
-    gltf::Loaded loaded;
-    double seconds = 0.0;
-};
-
-TimedLoad load_timed(const RenderCommand& command) {
-    PhaseTimes times;
-    TimedLoad result{gltf::load(command.scene, {command.scene_index}), 0.0};
-    result.seconds = times.total();
-    return result;
-}
-
-scene::Stage staged(const RenderCommand& command, gltf::Loaded&& loaded) {
-    for (const std::string& warning : loaded.warnings) fmt::print(stderr, "{}\n", warning);
-    scene::StageOptions options{command.camera, command.rig};
-    if (command.size)
-        options.aspect_ratio =
-            static_cast<float>(command.size->width) / static_cast<float>(command.size->height);
-    scene::Stage stage = scene::set_stage(std::move(loaded.scene), command.scene, options);
-    for (const std::string& remark : stage.remarks) fmt::print(stderr, "{}\n", remark);
-    return stage;
-}
-
-render::RenderOptions render_options(const RenderCommand& command, Size size) {
-    return {size.width,   size.height,        command.samples,
-            command.seed, command.background, shader_path(command.shaders)};
-}
 
 /// @return whether all samples were taken; false if Ctrl-C was pressed.
 bool add_samples(render::Renderer& renderer, int count) {
@@ -64,6 +35,7 @@ void describe(image::Image& film, const RenderCommand& command, const scene::Sta
     film.attributes = {{"steradian:version", STERADIAN_VERSION},
                        {"steradian:unit", "cd/m^2"},
                        {"steradian:estimator", "sampled"},
+                       {"steradian:visibility", std::string(render::name_of(command.visibility))},
                        {"steradian:samples", std::to_string(command.samples)},
                        {"steradian:seed", std::to_string(command.seed)},
                        {"steradian:camera", stage.camera.name},
@@ -127,6 +99,22 @@ ordered_json summary(const RenderCommand& command, const scene::Stage& stage, co
             {"GL_VERSION", context.info().version}};
 }
 
+/// How V was found; null where nothing casts shadows.
+ordered_json shadows(const render::GpuScene& scene, const render::Renderer& renderer) {
+    const render::Occluders* occluders = scene.occluders();
+    if (!occluders) return nullptr;
+    const render::RayAnswers* answers = renderer.ray_answers();
+    ordered_json json{{"by", answers ? "cpu" : "glsl"},
+                      {"bvh_triangles", occluders->triangle_count()},
+                      {"bvh_nodes", occluders->node_count()},
+                      {"build_seconds", occluders->build_seconds()}};
+    if (answers && answers->seconds() > 0.0) {
+        json["rays"] = answers->ray_count();
+        json["rays_per_second"] = static_cast<double>(answers->ray_count()) / answers->seconds();
+    }
+    return json;
+}
+
 ordered_json seconds(const PhaseTimes& times) {
     ordered_json json;
     for (const auto& [phase, duration] : times.phases()) json[phase] = duration;
@@ -138,22 +126,12 @@ ExitStatus render(const RenderCommand& command) {
     PhaseTimes times;
     for (const std::string& output : command.outputs)
         image::is_scene_referred(output); // refuses unknown formats
-    // The context first: the dynamic loader has one lock, and behind OpenImageIO a driver would wait for
-    // long.
-    const auto context = gl::open_context({command.backend, command.gl_debug});
-    times.end("start");
-    auto loading = std::async(std::launch::async, load_timed, std::cref(command));
-    const auto preloading = image::preload(); // last, since no thread can start while it has that lock
-    TimedLoad load = loading.get();
-    times.end("wait for load");
-    times.add("load (beside start)", load.seconds);
-
-    const scene::Stage stage = staged(command, std::move(load.loaded));
-    const Size size = command.size.value_or(picture_size(stage.camera.aspect_ratio()));
-    times.end("stage");
-    const render::GpuScene gpu_scene(stage.scene, stage.lights);
+    const OpenScene open = open_scene(command, times);
+    const auto& [context, stage, size] = open;
+    const render::GpuScene gpu_scene(stage.scene, stage.lights, command.visibility);
     glFinish();
     times.end("upload");
+    if (gpu_scene.occluders()) times.add("bvh (in upload)", gpu_scene.occluders()->build_seconds());
     render::Renderer renderer(gpu_scene, stage.camera, render_options(command, size));
     renderer.compile();
     times.end("compile");
@@ -175,6 +153,7 @@ ExitStatus render(const RenderCommand& command) {
         ordered_json json = summary(command, stage, *context, size);
         json["draw_calls"] = gpu_scene.opaque_draws().size() * 2 + gpu_scene.blended_draws().size();
         json["programs"] = renderer.program_count();
+        json["shadows"] = shadows(gpu_scene, renderer);
         if (ev100) json["ev100"] = *ev100;
         json["seconds"] = seconds(times);
         fmt::print("{}\n", json.dump(2, ' ', false, ordered_json::error_handler_t::replace));

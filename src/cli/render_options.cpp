@@ -57,10 +57,15 @@ void declare_picture(CLI::App& command, RenderCommand& o) {
         ->capture_default_str();
     command.add_option("--seed", o.seed, "another seed is another, equally good set of samples")
         ->capture_default_str();
+    parsed(
+        command, "--visibility",
+        "shadows: a ray to each sample, on the CPU in software GL, in GLSL elsewhere; or none (default: ray)",
+        "ray|ray-cpu|ray-glsl|none", render::visibility_named,
+        [&o](render::Visibility visibility) { o.visibility = visibility; });
     parsed(command, "--background", "radiance where there is no surface [cd/m²] (default: 0)", "L or R,G,B",
            parsed_color, [&o](vec3 color) { o.background = color; });
-    parsed(command, "--rig", "what lights a file without any light (default: studio)", "studio|none",
-           rig_named, [&o](scene::Rig rig) { o.rig = rig; });
+    parsed(command, "--rig", "what lights a file without a lamp; glowing details are none (default: studio)",
+           "studio|none", rig_named, [&o](scene::Rig rig) { o.rig = rig; });
 }
 
 void declare_output(CLI::App& command, RenderCommand& o) {
@@ -86,17 +91,21 @@ void declare_machine(CLI::App& command, RenderCommand& o) {
 
 } // namespace
 
-void declare(CLI::App& command, RenderCommand& options) {
+void declare_rendering(CLI::App& command, RenderCommand& options) {
     command.add_option("SCENE", options.scene, "a .gltf or .glb file")->required();
+    declare_picture(command, options);
+    declare_machine(command, options);
+}
+
+void declare(CLI::App& command, RenderCommand& options) {
+    declare_rendering(command, options);
     command
         .add_option("-o,--output", options.outputs,
                     "OUT.exr or .hdr for radiance, OUT.png or .jpg for a picture (repeatable)")
         ->type_name("OUT")
         ->allow_extra_args(false) // one a flag: what follows may be the scene
         ->required();
-    declare_picture(command, options);
     declare_output(command, options);
-    declare_machine(command, options);
     command.footer(
         "Examples:\n"
         "  steradian render scene.glb -o picture.png\n"

@@ -4,6 +4,7 @@
 #include "gl/context.hpp"
 #include "image/display.hpp"
 #include "image/file.hpp"
+#include "render/occluders.hpp"
 #include "scene/stage.hpp"
 
 namespace CLI {
@@ -19,6 +20,7 @@ struct RenderCommand {
     std::string camera;
     std::optional<int> scene_index;
     int samples = 16;
+    render::Visibility visibility = render::Visibility::ray;
     std::uint32_t seed = 0;
     vec3 background{0.0f};
     scene::Rig rig = scene::Rig::studio;
@@ -33,5 +35,8 @@ struct RenderCommand {
 
 /// Declares the options on `command`; parsing fills `options`.
 void declare(CLI::App& command, RenderCommand& options);
+
+/// Declares those that say what is rendered and by what, without those that say where it goes.
+void declare_rendering(CLI::App& command, RenderCommand& options);
 
 } // namespace sr::cli

@@ -15,11 +15,13 @@ std::string driver_string(GLenum name) {
 
 } // namespace
 
-bool ContextInfo::is_software() const {
+bool is_software_renderer(std::string_view renderer) {
     for (const char* name : {"llvmpipe", "softpipe", "swrast", "SWR", "Software Rasterizer"})
-        if (renderer.find(name) != std::string::npos) return true;
+        if (renderer.find(name) != std::string_view::npos) return true;
     return false;
 }
+
+bool ContextInfo::is_software() const { return is_software_renderer(renderer); }
 
 void Context::loaded(std::string backend, void (*(*load)(const char*))(), bool debug) {
     const int version = gladLoadGL(load);

@@ -9,7 +9,7 @@
 namespace sr::render {
 
 /// Binding points.
-enum Block : unsigned { frame_block = 0, object_block = 1, material_block = 2 };
+enum Block : unsigned { frame_block = 0, object_block = 1, material_block = 2, rays_block = 3 };
 
 struct FrameBlock {
     mat4 clip_from_world;
@@ -24,6 +24,15 @@ struct ObjectBlock {
     mat4 world_from_object;
     mat4 world_from_normal;
     vec4 handedness;
+    std::int32_t first_triangle;
+    std::array<std::int32_t, 3> padding{};
+};
+
+struct RaysBlock {
+    std::int32_t first_ray;
+    std::int32_t plane_size;
+    std::int32_t row_size;
+    std::int32_t first_row;
 };
 
 /// Texture units, and indices into MaterialBlock's uv rows.
@@ -38,6 +47,8 @@ enum Slot : unsigned {
 };
 inline constexpr unsigned light_table_unit = slot_count;
 inline constexpr unsigned emission_texels_unit = slot_count + 1;
+inline constexpr unsigned answers_unit = slot_count + 2;
+inline constexpr unsigned first_caster_unit = slot_count + 3; // five of them, see gpu_casters.hpp
 
 struct MaterialBlock {
     vec4 base_color_factor;

@@ -58,18 +58,28 @@ std::string Features::glsl() const {
     constant("has_specular_texture", has_specular_texture);
     constant("has_specular_color_texture", has_specular_color_texture);
     constant("has_vertex_colors", has_vertex_colors);
+    text += fmt::format("const int rays_per_light = {};\n", rays_per_light);
     constant("is_masked", is_masked);
     constant("is_blended", is_blended);
     constant("is_unlit", is_unlit);
     return text;
 }
 
+int rays_per_light(std::span<const scene::Light> lights) {
+    Features f;
+    for (const scene::Light& light : lights) std::visit([&f](const auto& any) { ask_for(f, any); }, light);
+    const bool has_extent = f.has_rectangle_lights || f.has_disk_lights || f.has_sphere_lights
+                            || f.has_tube_lights || f.has_polygon_lights || f.has_mesh_lights
+                            || f.has_sun_disks;
+    return has_extent ? 2 : 1;
+}
+
 Features shading_features(const scene::Scene& scene, const scene::Mesh& mesh,
                           std::span<const scene::Light> lights) {
     const scene::Material& material = scene.materials[mesh.material];
     Features f;
-    for (const scene::Light& light : lights)
-        std::visit([&f](const auto& any) { ask_for(f, any); }, light);
+    for (const scene::Light& light : lights) std::visit([&f](const auto& any) { ask_for(f, any); }, light);
+    f.rays_per_light = rays_per_light(lights);
     f.has_base_color_texture = material.base_color_texture.is_present();
     f.has_metallic_roughness_texture = material.metallic_roughness_texture.is_present();
     f.has_normal_texture = material.normal_texture.is_present() && !mesh.tangents.empty();

@@ -32,6 +32,8 @@ struct Features {
     bool has_specular_color_texture = false;
     bool has_vertex_colors = false;
 
+    int rays_per_light = 1; // that a point sends to each light
+
     bool is_masked = false;
     bool is_blended = false;
     bool is_unlit = false;
@@ -45,6 +47,10 @@ struct Features {
 /// What shading this mesh under these lights takes.
 Features shading_features(const scene::Scene& scene, const scene::Mesh& mesh,
                           std::span<const scene::Light> lights);
+
+/// How many rays a point sends to each of these lights: one to a point of its, and where any of them has an
+/// extent another along the BRDF.
+int rays_per_light(std::span<const scene::Light> lights);
 
 /// What the depth pre-pass needs of `shading`: nothing, unless the material is masked.
 Features depth_features(const Features& shading);

@@ -14,6 +14,7 @@ public:
     /// Makes it the target of drawing, whole.
     void bind() const;
     const gl::Texture& color() const { return color_; }
+    const gl::Texture& depth() const { return depth_; }
 
     /// The texels with the picture's first row on top; RGBA.
     image::Image read() const;

@@ -33,9 +33,10 @@ GLsizeiptr upload_blocks(const gl::Buffer& buffer, const std::vector<BlockType>&
 
 bool mirrors(const mat4& m) { return glm::determinant(mat3(m)) < 0.0f; }
 
-ObjectBlock packed_object(const scene::Instance& instance) {
+ObjectBlock packed_object(const scene::Instance& instance, std::size_t first_triangle) {
     const mat4& m = instance.world_from_object;
-    return {m, mat4(glm::inverseTranspose(mat3(m))), vec4(mirrors(m) ? -1.0f : 1.0f, 0.0f, 0.0f, 0.0f)};
+    return {m, mat4(glm::inverseTranspose(mat3(m))), vec4(mirrors(m) ? -1.0f : 1.0f, 0.0f, 0.0f, 0.0f),
+            static_cast<std::int32_t>(first_triangle)};
 }
 
 std::array<const scene::TextureSlot*, slot_count> slots_of(const scene::Material& m) {
@@ -109,7 +110,7 @@ vec3 center_of(const scene::Mesh& mesh, const mat4& world_from_object) {
 
 } // namespace
 
-GpuScene::GpuScene(const scene::Scene& scene, std::span<const scene::Light> lights) {
+GpuScene::GpuScene(const scene::Scene& scene, std::span<const scene::Light> lights, Visibility visibility) {
     meshes_.reserve(scene.meshes.size());
     for (const scene::Mesh& mesh : scene.meshes) meshes_.emplace_back(mesh);
     upload_textures(scene);
@@ -117,6 +118,9 @@ GpuScene::GpuScene(const scene::Scene& scene, std::span<const scene::Light> ligh
     upload_materials(scene);
     upload_lights(scene, lights);
     list_draws(scene, lights);
+    rays_per_light_ = render::rays_per_light(lights);
+    if (visibility != Visibility::none && !lights.empty())
+        occluders_ = std::make_unique<Occluders>(scene, lights, visibility, !blended_.empty());
 }
 
 void GpuScene::upload_textures(const scene::Scene& scene) {
@@ -149,7 +153,11 @@ void GpuScene::upload_textures(const scene::Scene& scene) {
 
 void GpuScene::upload_objects(const scene::Scene& scene) {
     std::vector<ObjectBlock> blocks;
-    for (const scene::Instance& instance : scene.instances) blocks.push_back(packed_object(instance));
+    std::size_t triangles = 0; // so far, as shadow::Casters counts them
+    for (const scene::Instance& instance : scene.instances) {
+        blocks.push_back(packed_object(instance, triangles));
+        triangles += scene.meshes[instance.mesh].indices.size() / 3;
+    }
     object_stride_ = upload_blocks(objects_, blocks);
 }
 
@@ -180,6 +188,7 @@ void GpuScene::upload_lights(const scene::Scene& scene, std::span<const scene::L
 void GpuScene::bind_lights() const {
     light_texture_.bind(light_table_unit);
     emission_texture_.bind(emission_texels_unit);
+    if (occluders_) occluders_->bind();
 }
 
 void GpuScene::list_draws(const scene::Scene& scene, std::span<const scene::Light> lights) {

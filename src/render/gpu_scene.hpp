@@ -3,6 +3,7 @@
 #include "render/blocks.hpp"
 #include "render/features.hpp"
 #include "render/gpu_mesh.hpp"
+#include "render/occluders.hpp"
 
 #include <vector>
 
@@ -23,13 +24,17 @@ class GpuScene {
 public:
     /// Uploads `scene`, lit by `lights` (not by scene.lights). @throws Error for a texture beyond the
     /// driver's limits.
-    GpuScene(const scene::Scene& scene, std::span<const scene::Light> lights);
+    GpuScene(const scene::Scene& scene, std::span<const scene::Light> lights,
+             Visibility visibility = Visibility::ray);
 
     int light_count() const { return light_count_; }
+    int rays_per_light() const { return rays_per_light_; } // that a point of a surface sends
+    /// What casts shadows; null if nothing does.
+    const Occluders* occluders() const { return occluders_.get(); }
     const std::vector<Draw>& opaque_draws() const { return opaque_; }   // opaque and masked, by program
     const std::vector<Draw>& blended_draws() const { return blended_; } // in the scene's order
 
-    /// Binds the light table and the emitters' textures to their units.
+    /// Binds the light table, the emitters' textures and the shadow casters to their units.
     void bind_lights() const;
 
     /// Binds the instance's and the material's data and draws with whatever program is in use.
@@ -58,6 +63,8 @@ private:
     gl::Buffer emission_buffer_{"emission texels"};
     gl::Texture emission_texture_{GL_TEXTURE_BUFFER, "emission texels"};
     int light_count_ = 0;
+    int rays_per_light_ = 1;
+    std::unique_ptr<Occluders> occluders_;
     std::vector<Draw> opaque_;
     std::vector<Draw> blended_;
 };

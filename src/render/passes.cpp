@@ -13,6 +13,21 @@ void cull(bool is_double_sided, GLenum face = GL_BACK) {
     glCullFace(face);
 }
 
+/// Draws the opaque surfaces where the pre-pass left them in front.
+void draw_visible(const GpuScene& scene, ShaderLibrary& shaders, const std::string& fragment,
+                  VisibilityTerm visibility) {
+    glDisable(GL_BLEND);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_EQUAL);
+    glDepthMask(GL_FALSE);
+    scene.bind_lights();
+    for (const Draw& draw : scene.opaque_draws()) {
+        cull(draw.is_double_sided);
+        shaders.mesh_program(fragment, draw.features, visibility).use();
+        scene.draw(draw);
+    }
+}
+
 /// Larger is farther from the camera.
 float farness(const Draw& draw, vec4 eye) {
     if (eye.w == 0.0f) return -glm::dot(draw.center, vec3(eye));
@@ -39,21 +54,24 @@ void depth_pass(const Target& frame, const GpuScene& scene, ShaderLibrary& shade
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
-void forward_pass(const Target& frame, const GpuScene& scene, ShaderLibrary& shaders) {
-    frame.bind();
-    glDisable(GL_BLEND);
-    glEnable(GL_DEPTH_TEST);
-    glDepthFunc(GL_EQUAL);
-    glDepthMask(GL_FALSE);
-    scene.bind_lights();
-    for (const Draw& draw : scene.opaque_draws()) {
-        cull(draw.is_double_sided);
-        shaders.mesh_program("forward.frag", draw.features).use();
-        scene.draw(draw);
-    }
+void record_pass(const GpuScene& scene, ShaderLibrary& shaders, int attachments) {
+    constexpr float nothing[4]{0.0f, 0.0f, 0.0f, 0.0f}; // a ray without distance asks nothing
+    for (int i = 0; i < attachments; ++i) glClearBufferfv(GL_COLOR, i, nothing);
+    draw_visible(scene, shaders, "record.frag", VisibilityTerm::record);
 }
 
-void blend_pass(const Target& frame, const GpuScene& scene, ShaderLibrary& shaders, vec4 eye) {
+void forward_pass(const Target& frame, const GpuScene& scene, ShaderLibrary& shaders,
+                  const std::string& shader, VisibilityTerm visibility) {
+    frame.bind();
+    draw_visible(scene, shaders, shader, visibility);
+}
+
+VisibilityTerm blended_visibility(const GpuScene& scene) {
+    return scene.occluders() ? VisibilityTerm::ray : VisibilityTerm::none;
+}
+
+void blend_pass(const Target& frame, const GpuScene& scene, ShaderLibrary& shaders, const std::string& shader,
+                vec4 eye) {
     if (scene.blended_draws().empty()) return;
     frame.bind();
     glEnable(GL_BLEND);
@@ -67,7 +85,7 @@ void blend_pass(const Target& frame, const GpuScene& scene, ShaderLibrary& shade
     std::stable_sort(draws.begin(), draws.end(),
                      [&](const Draw& a, const Draw& b) { return farness(a, eye) > farness(b, eye); });
     for (const Draw& draw : draws) {
-        shaders.mesh_program("forward.frag", draw.features).use();
+        shaders.mesh_program(shader, draw.features, blended_visibility(scene)).use();
         if (draw.is_double_sided) {
             cull(false, GL_FRONT);
             scene.draw(draw);

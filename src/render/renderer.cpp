@@ -14,15 +14,19 @@ Renderer::Renderer(const GpuScene& scene, const scene::Camera& camera, const Ren
       frame_("frame", options.width, options.height, true),
       film_("film", options.width, options.height, false) {
     require(!options.shader_path.empty(), "the shader path has a root");
+    if (scene.occluders() && scene.occluders()->occlusion())
+        ray_answers_.emplace(scene, frame_, options.width, options.height);
     clear();
 }
 
 void Renderer::compile() {
     for (const Draw& draw : scene_.opaque_draws()) {
         shaders_.mesh_program("depth.frag", depth_features(draw.features));
-        shaders_.mesh_program("forward.frag", draw.features);
+        shaders_.mesh_program(options_.shader, draw.features, opaque_visibility());
+        if (ray_answers_) shaders_.mesh_program("record.frag", draw.features, VisibilityTerm::record);
     }
-    for (const Draw& draw : scene_.blended_draws()) shaders_.mesh_program("forward.frag", draw.features);
+    for (const Draw& draw : scene_.blended_draws())
+        shaders_.mesh_program(options_.shader, draw.features, blended_visibility(scene_));
     shaders_.fullscreen_program("accumulate.frag");
 }
 
@@ -40,24 +44,53 @@ void Renderer::clear() {
 }
 
 void Renderer::add_sample() {
+    keep_to_window();
     const View view = begin_frame();
     depth_pass(frame_, scene_, shaders_, options_.background);
-    forward_pass(frame_, scene_, shaders_);
-    blend_pass(frame_, scene_, shaders_, view.eye);
+    shade_opaque();
+    keep_to_window();
+    blend_pass(frame_, scene_, shaders_, options_.shader, view.eye);
     glBindVertexArray(no_vertices_.id());
     accumulate_pass(film_, frame_, shaders_);
+    glDisable(GL_SCISSOR_TEST);
     ++sample_count_;
+}
+
+void Renderer::keep_to_window() const {
+    if (!options_.window) return;
+    const Window& w = *options_.window;
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(w.column, options_.height - w.row - w.height, w.width, w.height); // GL counts rows from below
 }
 
 View Renderer::begin_frame() {
     const vec2 offset = sub_pixel(sample_count_, options_.samples, options_.seed);
     const View view = view_of(camera_, options_.width, options_.height, offset);
-    const FrameBlock block{view.clip_from_world, view.eye, static_cast<std::uint32_t>(sample_count_),
-                           options_.seed, first_light_, end_light_};
-    glBindBuffer(GL_UNIFORM_BUFFER, frame_data_.id());
-    glBufferData(GL_UNIFORM_BUFFER, sizeof(block), &block, GL_STREAM_DRAW);
-    glBindBufferBase(GL_UNIFORM_BUFFER, frame_block, frame_data_.id());
+    frame_data_.upload({view.clip_from_world, view.eye, static_cast<std::uint32_t>(sample_count_),
+                        options_.seed, first_light_, end_light_});
     return view;
+}
+
+VisibilityTerm Renderer::opaque_visibility() const {
+    if (!scene_.occluders()) return VisibilityTerm::none;
+    return ray_answers_ ? VisibilityTerm::answered : VisibilityTerm::ray;
+}
+
+void Renderer::shade_opaque() {
+    if (!ray_answers_ || first_light_ == end_light_) {
+        forward_pass(frame_, scene_, shaders_, options_.shader, opaque_visibility());
+        return;
+    }
+    const Window all{0, 0, options_.width, options_.height};
+    const Window& w = options_.window ? *options_.window : all;
+    const Band rows{options_.height - w.row - w.height, w.height};
+    glEnable(GL_SCISSOR_TEST);
+    for (const Band& band : ray_answers_->bands(rows, end_light_ - first_light_)) {
+        glScissor(w.column, band.first, w.width, band.count);
+        ray_answers_->find(band, first_light_, end_light_, frame_data_, shaders_);
+        forward_pass(frame_, scene_, shaders_, options_.shader, VisibilityTerm::answered);
+    }
+    glDisable(GL_SCISSOR_TEST);
 }
 
 image::Image Renderer::film() const {

@@ -1,10 +1,21 @@
 #pragma once
 // A scene, a camera and a size; out comes the Film. Adding samples is adding frames.
+#include "render/frame_data.hpp"
 #include "render/passes.hpp"
+#include "render/ray_answers.hpp"
 
-#include <memory>
+#include <optional>
+#include <string>
 
 namespace sr::render {
+
+/// A part of a picture, counted from its upper left corner.
+struct Window {
+    int column = 0;
+    int row = 0;
+    int width = 0;
+    int height = 0;
+};
 
 struct RenderOptions {
     int width = 1280;
@@ -12,6 +23,10 @@ struct RenderOptions {
     int samples = 16; // how many will be added; one sample looks at the centre of each pixel
     std::uint32_t seed = 0;
     vec3 background{0.0f}; // radiance where there is no surface [cd/m²]
+    /// What surfaces are drawn with: forward.frag is the equation, views/ shows one of its terms.
+    std::string shader = "forward.frag";
+    /// The only part that is drawn; the rest of the film stays black.
+    std::optional<Window> window;
     /// The roots that shaders come from, most particular first.
     std::vector<glsl::Root> shader_path{glsl::embedded()};
 };
@@ -25,8 +40,8 @@ public:
     /// ShaderError
     void compile();
 
-    /// Only the lights [first, end) shine from the next sample on; their samples are those that they have among
-    /// all lights. Every surface goes on emitting.
+    /// Only the lights [first, end) shine from the next sample on; their samples are those that they have
+    /// among all lights. Every surface goes on emitting.
     void use_lights(int first, int end);
 
     /// Starts over with an empty film.
@@ -40,9 +55,14 @@ public:
     image::Image film() const;
 
     std::size_t program_count() const { return shaders_.program_count(); }
+    /// The rays that the CPU answered; null where it is not asked.
+    const RayAnswers* ray_answers() const { return ray_answers_ ? &*ray_answers_ : nullptr; }
 
 private:
     View begin_frame();
+    void keep_to_window() const;
+    VisibilityTerm opaque_visibility() const;
+    void shade_opaque();
 
     const GpuScene& scene_;
     scene::Camera camera_;
@@ -52,7 +72,8 @@ private:
     ShaderLibrary shaders_;
     Target frame_;
     Target film_;
-    gl::Buffer frame_data_{"frame"};
+    FrameData frame_data_;
+    std::optional<RayAnswers> ray_answers_;
     gl::VertexArray no_vertices_{"no vertices"}; // core profile draws need one bound
     int sample_count_ = 0;
 };

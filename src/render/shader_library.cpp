@@ -1,8 +1,10 @@
 #include "render/shader_library.hpp"
 
 #include "render/blocks.hpp"
+#include "render/gpu_casters.hpp"
 
 #include <array>
+#include <fmt/format.h>
 
 namespace sr::render {
 namespace {
@@ -12,23 +14,41 @@ constexpr std::array<const char*, slot_count> sampler_names{
     "base_color_texture", "metallic_roughness_texture", "normal_texture",
     "emission_texture",   "specular_texture",           "specular_color_texture"};
 
-} // namespace
+/// What stands for a file as long as the user's own roots do not have it.
+glsl::Root specialised(const Features& features, VisibilityTerm visibility) {
+    constexpr std::array files{"none", "ray", "record", "answered"};
+    const char* file = files[static_cast<std::size_t>(visibility)];
+    return glsl::Root::memory("specialised", {{"interface/features.glsl", features.glsl()},
+                                              {"visibility/visibility.glsl",
+                                               fmt::format("#include \"visibility/{}.glsl\"\n", file)}});
+}
 
-const gl::Program& ShaderLibrary::mesh_program(const std::string& fragment, const Features& features) {
-    const auto key = std::pair(fragment, features);
-    if (const auto found = mesh_programs_.find(key); found != mesh_programs_.end()) return found->second;
-    // Behind the user's own roots: a folder that brings its own features.glsl means it.
-    std::vector<glsl::Root> path{shader_path_.begin(), shader_path_.end() - 1};
-    path.push_back(glsl::Root::memory("features", {{"interface/features.glsl", features.glsl()}}));
-    path.push_back(shader_path_.back());
-    gl::Program program(fragment, glsl::expand(path, "mesh.vert"), glsl::expand(path, fragment));
+void connect(const gl::Program& program) {
     program.bind_block("Frame", frame_block);
     program.bind_block("Object", object_block);
     program.bind_block("Material", material_block);
+    program.bind_block("Rays", rays_block);
     for (unsigned unit = 0; unit < slot_count; ++unit)
         program.bind_texture(sampler_names[unit], static_cast<GLint>(unit));
     program.bind_texture("light_table", light_table_unit);
     program.bind_texture("emission_texels", emission_texels_unit);
+    program.bind_texture("answers", answers_unit);
+    for (unsigned i = 0; i < caster_sampler_names.size(); ++i)
+        program.bind_texture(caster_sampler_names[i], static_cast<GLint>(first_caster_unit + i));
+}
+
+} // namespace
+
+const gl::Program& ShaderLibrary::mesh_program(const std::string& fragment, const Features& features,
+                                               VisibilityTerm visibility) {
+    const auto key = std::tuple(fragment, features, visibility);
+    if (const auto found = mesh_programs_.find(key); found != mesh_programs_.end()) return found->second;
+    // Behind the user's own roots: a folder that brings its own features.glsl means it.
+    std::vector<glsl::Root> path{shader_path_.begin(), shader_path_.end() - 1};
+    path.push_back(specialised(features, visibility));
+    path.push_back(shader_path_.back());
+    gl::Program program(fragment, glsl::expand(path, "mesh.vert"), glsl::expand(path, fragment));
+    connect(program);
     return mesh_programs_.emplace(key, std::move(program)).first->second;
 }
 

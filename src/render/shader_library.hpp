@@ -5,9 +5,13 @@
 #include "render/features.hpp"
 
 #include <map>
+#include <tuple>
 #include <vector>
 
 namespace sr::render {
+
+/// Which file stands for shaders/visibility/visibility.glsl.
+enum class VisibilityTerm { none, ray, record, answered };
 
 class ShaderLibrary {
 public:
@@ -17,7 +21,8 @@ public:
     /// mesh.vert with `fragment` ("depth.frag", "forward.frag") for these features. Compiles at the first
     /// call.
     /// @throws ShaderError, Error
-    const gl::Program& mesh_program(const std::string& fragment, const Features& features);
+    const gl::Program& mesh_program(const std::string& fragment, const Features& features,
+                                    VisibilityTerm visibility = VisibilityTerm::none);
 
     /// fullscreen.vert with `fragment`. Compiles at the first call. @throws ShaderError, Error
     const gl::Program& fullscreen_program(const std::string& fragment);
@@ -26,7 +31,7 @@ public:
 
 private:
     std::vector<glsl::Root> shader_path_;
-    std::map<std::pair<std::string, Features>, gl::Program> mesh_programs_;
+    std::map<std::tuple<std::string, Features, VisibilityTerm>, gl::Program> mesh_programs_;
     std::map<std::string, gl::Program> fullscreen_programs_;
 };
 

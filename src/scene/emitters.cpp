@@ -94,7 +94,8 @@ std::optional<std::vector<RectangleLight>> rectangles_of(const Mesh& mesh, const
 MeshLight mesh_light(const Mesh& mesh, const mat4& world_from_object, const Material& material) {
     MeshLight light;
     const bool is_textured = material.emission_texture.is_present();
-    light.triangles = triangles_of(mesh, world_from_object, is_textured ? &material.emission_texture : nullptr);
+    light.triangles =
+        triangles_of(mesh, world_from_object, is_textured ? &material.emission_texture : nullptr);
     light.L = material.emission;
     light.is_two_sided = material.is_double_sided;
     light.texture = material.emission_texture.texture;
@@ -128,6 +129,16 @@ void append_emitters_of(const Instance& instance, const Scene& scene, std::vecto
 std::vector<Light> emitters_of(const Scene& scene) {
     std::vector<Light> lights = scene.lights;
     for (const Instance& instance : scene.instances) append_emitters_of(instance, scene, lights);
+    return lights;
+}
+
+std::vector<Light> assign_emitters(Scene& scene) {
+    std::vector<Light> lights = scene.lights;
+    for (Instance& instance : scene.instances) {
+        instance.emits_as.first = static_cast<int>(lights.size());
+        append_emitters_of(instance, scene, lights);
+        instance.emits_as.end = static_cast<int>(lights.size());
+    }
     return lights;
 }
 

@@ -50,7 +50,8 @@ Mesh surface_of(const DiskLight& light) {
 
 Mesh surface_of(const PolygonLight& light) { return fan(light.corners, light.normal()); }
 
-/// Rings of latitude around `pole`, those of the far half shifted by `half_axis`, those of the near by its opposite.
+/// Rings of latitude around `pole`, those of the far half shifted by `half_axis`, those of the near by its
+/// opposite.
 Mesh capsule(vec3 center, vec3 half_axis, vec3 pole, float radius) {
     const vec3 helper = std::abs(pole.x) < 0.5f ? vec3(1, 0, 0) : vec3(0, 1, 0);
     const vec3 u = glm::normalize(glm::cross(helper, pole));
@@ -115,7 +116,8 @@ void append(Scene& scene, const std::string& name, Looks looks) {
 
 template<class Flat>
 void append_flat(Scene& scene, const Flat& light, int texture) {
-    if (light.is_visible) append(scene, light.name, {surface_of(light), light.L, light.is_two_sided, texture});
+    if (light.is_visible)
+        append(scene, light.name, {surface_of(light), light.L, light.is_two_sided, texture});
 }
 
 struct Append {
@@ -141,7 +143,12 @@ struct Append {
 int add_light_surfaces(Scene& scene) {
     const std::size_t before = scene.instances.size();
     const std::vector<Light> lights = scene.lights; // appending may not touch what is walked over
-    for (const Light& light : lights) std::visit(Append{scene}, light);
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+        const std::size_t first = scene.instances.size();
+        std::visit(Append{scene}, lights[i]);
+        for (std::size_t s = first; s < scene.instances.size(); ++s)
+            scene.instances[s].emits_as = {static_cast<int>(i), static_cast<int>(i) + 1};
+    }
     return static_cast<int>(scene.instances.size() - before);
 }
 

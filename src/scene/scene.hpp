@@ -25,11 +25,21 @@ struct Mesh {
     int material = 0; // index into Scene::materials
 };
 
+/// Some of the lights that go with a scene: those from `first` up to the one before `end`.
+struct LightRange {
+    int first = 0;
+    int end = 0;
+
+    bool is_empty() const { return first >= end; }
+    bool contains(int light) const { return first <= light && light < end; }
+};
+
 /// A mesh placed in the world. The transform may mirror (negative determinant).
 struct Instance {
     int mesh = 0;
     mat4 world_from_object{1.0f};
     std::string name;
+    LightRange emits_as{}; // which lights of the Stage this surface is; empty: none
 };
 
 struct Scene {

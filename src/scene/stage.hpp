@@ -10,7 +10,7 @@ struct StageOptions {
     /// A camera of the scene by name or by index, or "auto" for one that frames the scene. Empty: the scene's
     /// first camera, or "auto" if it has none.
     std::string camera;
-    /// What lights a scene that has no light at all.
+    /// What lights a scene that has no lamp: no emitter but, perhaps, glowing details (textured emission).
     Rig rig = Rig::studio;
     /// Width / height of the picture, which "auto" fits the scene into.
     float aspect_ratio = 16.0f / 9.0f;

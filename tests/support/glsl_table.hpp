@@ -14,7 +14,8 @@ namespace sr::testing {
 using Row = std::array<vec4, 3>;
 
 /// Runs `body`, the body of `vec4 f(vec4 a, vec4 b, vec4 c)`, for each row, after `preamble` (includes,
-/// functions). Draws into an RGBA32F target; nothing is clamped. With a `scene`, its lights are in the light table.
+/// functions). Draws into an RGBA32F target; nothing is clamped. With a `scene`, its lights are in the light
+/// table.
 std::vector<vec4> evaluate(const std::string& preamble, const std::string& body, std::span<const Row> rows,
                            const render::GpuScene* scene = nullptr);
 

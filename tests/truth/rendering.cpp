@@ -25,7 +25,7 @@ Measured rendered(std::string_view shape, std::string_view material, std::string
     scene::Scene scene = scene_of(shape, material, view);
     const std::vector<scene::Light> lights = scene::emitters_of(scene);
     scene.instances.resize(1); // the camera looks past the emitter: only the receiver is drawn
-    const render::GpuScene gpu_scene(scene, lights);
+    const render::GpuScene gpu_scene(scene, lights, render::Visibility::none); // nothing could hide anything
     render::RenderOptions options;
     options.width = options.height = enlargement * cell_size;
     options.samples = samples_per_set;

@@ -3,6 +3,7 @@
 #include "gl/context.hpp"
 #include "gltf/load.hpp"
 #include "render/renderer.hpp"
+#include "scene/rig.hpp"
 #include "scene/stage.hpp"
 
 #include <CLI/CLI.hpp>
@@ -22,6 +23,8 @@ struct Arguments {
     int height = 720;
     int frames = 60;
     bool own_lights = false;
+    int softboxes = 0;
+    std::string visibility = "ray";
     std::string backend = "auto";
 };
 
@@ -32,6 +35,13 @@ scene::Stage stage_for(const Arguments& arguments) {
     scene::Stage stage =
         scene::set_stage(std::move(scene), arguments.scene, {"auto", scene::Rig::studio, aspect});
     if (arguments.own_lights) return stage;
+    if (arguments.softboxes > 0) {
+        stage.lights.clear();
+        const auto rig = scene::studio_rig(bounds, stage.camera);
+        for (int i = 0; i < arguments.softboxes; ++i)
+            stage.lights.emplace_back(rig[static_cast<std::size_t>(i) % rig.size()]);
+        return stage;
+    }
     const vec3 eye = stage.camera.world_from_camera[3];
     stage.lights = {scene::PointLight{"beside the camera", eye + vec3(0.5f, 1.0f, 0.0f) * bounds.radius(),
                                       vec3(1000.0f * bounds.radius() * bounds.radius())}};
@@ -50,11 +60,23 @@ std::vector<double> frame_times(render::Renderer& renderer, int frames) {
     return milliseconds;
 }
 
+void report_rays(const render::GpuScene& scene, const render::Renderer& renderer) {
+    if (!scene.occluders()) return;
+    fmt::print("shadows: built in {:.3f} s, {} boxes", scene.occluders()->build_seconds(),
+               scene.occluders()->node_count());
+    if (const auto* answers = renderer.ray_answers())
+        fmt::print(", {:.2f} M rays a frame, {:.1f} M rays/s",
+                   1e-6 * static_cast<double>(answers->ray_count()) / renderer.sample_count(),
+                   1e-6 * static_cast<double>(answers->ray_count()) / answers->seconds());
+    fmt::print("\n");
+}
+
 void run(const Arguments& arguments) {
     const auto context =
         gl::open_context({gl::backend_named(arguments.backend).value_or(gl::Backend::automatic)});
     const scene::Stage stage = stage_for(arguments);
-    const render::GpuScene gpu_scene(stage.scene, stage.lights);
+    const render::GpuScene gpu_scene(stage.scene, stage.lights,
+                                     *render::visibility_named(arguments.visibility));
     render::RenderOptions options;
     options.width = arguments.width;
     options.height = arguments.height;
@@ -73,6 +95,7 @@ void run(const Arguments& arguments) {
                "{:.2f})\n",
                first, times[times.size() / 2], times.front(), times[times.size() * 95 / 100], times.size(),
                load[0]);
+    report_rays(gpu_scene, renderer);
 }
 
 } // namespace
@@ -86,6 +109,10 @@ int main(int argc, char** argv) {
     app.add_option("--frames", arguments.frames)->check(CLI::PositiveNumber)->capture_default_str();
     app.add_flag("--own-lights", arguments.own_lights,
                  "the scene's lights (or the studio rig) instead of one point light");
+    app.add_option("--softboxes", arguments.softboxes, "this many rectangles of the studio rig instead");
+    app.add_option("--visibility", arguments.visibility)
+        ->check(CLI::IsMember({"none", "ray", "ray-cpu", "ray-glsl"}))
+        ->capture_default_str();
     app.add_option("--backend", arguments.backend)->capture_default_str();
     app.footer("Example:\n  build/bench_frame scene.glb --frames 100");
     CLI11_PARSE(app, argc, argv);

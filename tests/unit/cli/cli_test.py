@@ -162,6 +162,18 @@ class CommandLine(unittest.TestCase):
         self.assertGreater(scene["triangles"], 0)
         self.assertEqual(scene["lights"][0]["kind"], "rectangle")
 
+    def test_probe_prints_the_equation_at_a_pixel(self):
+        arguments = ("probe", SCENE, "--size", "48x48", "--samples", "2", "--gl-debug")
+        table = run(*arguments, "--pixel", "30,24")
+        self.assertEqual((table.returncode, table.stderr), (0, ""))
+        self.assertIn("rectangle", table.stdout)
+        terms = json.loads(run(*arguments, "--pixel", "30,24", "--json").stdout)
+        for channel in range(3):
+            total = terms["L_e [cd/m^2]"][channel] + sum(light["L_r [cd/m^2]"][channel] for light in terms["lights"])
+            self.assertAlmostEqual(total / terms["L_o [cd/m^2]"][channel], 1.0, places=5)
+        self.assertEqual(run(*arguments, "--pixel", "48,0").returncode, 2)
+        self.assertEqual(run(*arguments, "--pixel", "a,0").returncode, 2)
+
     def test_expand_prints_a_whole_shader(self):
         result = run("expand", "forward.frag")
         self.assertTrue(result.stdout.startswith("#version 410 core\n"))

@@ -1,0 +1,10 @@
+// The rays that are noted down for the CPU. Ray r of light k has number k * rays_per_light + r.
+// Mirror: RaysBlock in src/render/blocks.hpp.
+const int rays_a_pass = 7; // OpenGL 4.1 has eight colour attachments; the first is the receiver
+
+layout(std140) uniform Rays {
+    int first_ray;  // the number of the first one that is noted down or answered
+    int plane_size; // answers a ray
+    int row_size;   // answers a row
+    int first_row;  // of the answers, counted from the picture's lower edge
+};

@@ -1,0 +1,17 @@
+#version 410 core
+// What the shading pass will ask visibility(), written out for the CPU. It is the shading pass itself with
+// visibility/record.glsl in place of an answer, so samples are defined once; the compiler drops what no ray needs.
+#include "integrator/reflected.glsl"
+#include "surface/at_fragment.glsl"
+#include "visibility/recorded.glsl"
+
+layout(location = 0) out vec4 receiver;          // x [m], and the triangle that it lies on
+layout(location = 1) out vec4 rays[rays_a_pass]; // wi, distance [m]
+
+void main() {
+    for (int i = 0; i < rays_a_pass; ++i) recorded[i] = vec4(0.0);
+    Surface x = surface_at_fragment();
+    if (!is_unlit) reflected(x, direction_to_viewer());
+    receiver = vec4(x.position, float(x.triangle));
+    for (int i = 0; i < rays_a_pass; ++i) rays[i] = recorded[i];
+}

@@ -1,0 +1,33 @@
+// What a triangle that is not plain lets through. Mirror: src/shadow/alpha.cpp and casters.cpp.
+#include "interface/casters.glsl"
+
+int wrapped_texel(int i, int size, int wrap) {
+    if (wrap == 2) return clamp(i, 0, size - 1); // scene::Wrap: repeat, mirrored_repeat, clamp_to_edge
+    int period = wrap == 0 ? size : 2 * size;
+    int m = i - period * int(floor(float(i) / float(period)));
+    return m < size ? m : 2 * size - 1 - m;
+}
+
+// Bilinear in the full-size texture.
+float map_alpha(Caster caster, vec2 uv) {
+    vec2 at = uv * vec2(caster.map_size) - 0.5;
+    ivec2 corner = ivec2(floor(at));
+    vec2 f = at - floor(at);
+    int x0 = wrapped_texel(corner.x, caster.map_size.x, caster.wrap_u);
+    int x1 = wrapped_texel(corner.x + 1, caster.map_size.x, caster.wrap_u);
+    int row0 = caster.map + caster.map_size.x * wrapped_texel(corner.y, caster.map_size.y, caster.wrap_v);
+    int row1 = caster.map + caster.map_size.x * wrapped_texel(corner.y + 1, caster.map_size.y, caster.wrap_v);
+    return mix(mix(texelFetch(alpha_texels, row0 + x0).r, texelFetch(alpha_texels, row0 + x1).r, f.x),
+               mix(texelFetch(alpha_texels, row1 + x0).r, texelFetch(alpha_texels, row1 + x1).r, f.x), f.y);
+}
+
+// Where a ray meets the triangle: weights of its corners. `corners`: texel of its alpha corners.
+float transmittance_at(Caster caster, int corners, vec3 weights) {
+    if (caster.alpha_mode == opaque_mode) return 0.0;
+    vec3 mean = weights.x * texelFetch(caster_data, corners).xyz + weights.y * texelFetch(caster_data, corners + 1).xyz
+                + weights.z * texelFetch(caster_data, corners + 2).xyz; // u, v, alpha
+    float alpha = mean.z;
+    if (caster.map_size.x > 0) alpha *= map_alpha(caster, mean.xy);
+    if (caster.alpha_mode == mask_mode) return alpha < caster.alpha_cutoff ? 1.0 : 0.0;
+    return 1.0 - clamp(alpha, 0.0, 1.0);
+}

@@ -1,0 +1,64 @@
+#include "cli/open_scene.hpp"
+
+#include "gltf/load.hpp"
+
+#include <cstdio>
+#include <fmt/format.h>
+#include <future>
+
+namespace sr::cli {
+namespace {
+
+struct TimedLoad {
+    gltf::Loaded loaded;
+    double seconds = 0.0;
+};
+
+TimedLoad load_timed(const RenderCommand& command) {
+    PhaseTimes times;
+    TimedLoad result{gltf::load(command.scene, {command.scene_index}), 0.0};
+    result.seconds = times.total();
+    return result;
+}
+
+scene::Stage staged(const RenderCommand& command, gltf::Loaded&& loaded) {
+    for (const std::string& warning : loaded.warnings) fmt::print(stderr, "{}\n", warning);
+    scene::StageOptions options{command.camera, command.rig};
+    if (command.size)
+        options.aspect_ratio =
+            static_cast<float>(command.size->width) / static_cast<float>(command.size->height);
+    scene::Stage stage = scene::set_stage(std::move(loaded.scene), command.scene, options);
+    for (const std::string& remark : stage.remarks) fmt::print(stderr, "{}\n", remark);
+    return stage;
+}
+
+} // namespace
+
+OpenScene open_scene(const RenderCommand& command, PhaseTimes& times) {
+    // The context first: the dynamic loader has one lock, and behind OpenImageIO a driver would wait for
+    // long.
+    auto context = gl::open_context({command.backend, command.gl_debug});
+    times.end("start");
+    auto loading = std::async(std::launch::async, load_timed, std::cref(command));
+    const auto preloading = image::preload(); // last, since no thread can start while it has that lock
+    TimedLoad load = loading.get();
+    times.end("wait for load");
+    times.add("load (beside start)", load.seconds);
+    scene::Stage stage = staged(command, std::move(load.loaded));
+    const Size size = command.size.value_or(picture_size(stage.camera.aspect_ratio()));
+    times.end("stage");
+    return {std::move(context), std::move(stage), size};
+}
+
+render::RenderOptions render_options(const RenderCommand& command, Size size) {
+    render::RenderOptions options;
+    options.width = size.width;
+    options.height = size.height;
+    options.samples = command.samples;
+    options.seed = command.seed;
+    options.background = command.background;
+    options.shader_path = shader_path(command.shaders);
+    return options;
+}
+
+} // namespace sr::cli

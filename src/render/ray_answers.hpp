@@ -1,0 +1,54 @@
+#pragma once
+// Rays that the shading pass will ask about, noted down by it and answered by the CPU.
+#include "render/blocks.hpp"
+#include "render/film.hpp"
+#include "render/frame_data.hpp"
+#include "render/gpu_scene.hpp"
+#include "render/shader_library.hpp"
+
+namespace sr::render {
+
+/// Rows [first, first + count) of the picture, counted from its lower edge.
+struct Band {
+    int first = 0;
+    int count = 0;
+};
+
+class RayAnswers {
+public:
+    /// For the opaque surfaces whose depth lies in `frame`. @throws Error if the driver refuses the targets.
+    RayAnswers(const GpuScene& scene, const Target& frame, int width, int height);
+
+    /// These rows in bands for which the answers about this many lights fit into memory.
+    /// @throws Error if not even one row does.
+    std::vector<Band> bands(Band rows, int light_count) const;
+
+    /// Finds V for every ray of the band to the lights [first, end), and leaves it where
+    /// visibility/answered.glsl reads it. Leaves frame_data at these lights.
+    void find(Band band, int first_light, int end_light, FrameData& frame_data, ShaderLibrary& shaders);
+
+    std::size_t ray_count() const { return ray_count_; } // answered so far
+    double seconds() const { return seconds_; }          // that the CPU took for them
+
+private:
+    void read_receivers(Band band);
+    void read_rays(Band band, int attachment);
+    void answer_plane(Band band, int light, std::span<float> plane);
+    void upload_block(const RaysBlock& block);
+
+    const GpuScene& scene_;
+    int width_;
+    int height_;
+    int rays_per_light_;
+    std::vector<gl::Texture> targets_; // the receivers, then a ray each
+    gl::Framebuffer framebuffer_{"rays"};
+    gl::Buffer block_{"rays"};
+    BufferTexture answers_{"the answered rays", GL_R32F};
+    std::vector<vec4> receivers_; // of the band
+    std::vector<vec4> rays_;
+    std::vector<float> values_;
+    std::size_t ray_count_ = 0;
+    double seconds_ = 0.0;
+};
+
+} // namespace sr::render

@@ -1,0 +1,27 @@
+#pragma once
+// The tree of boxes that shaders walk.
+#include "shadow/casters.hpp"
+
+namespace sr::shadow {
+
+/// A box of a binary tree in depth-first order. Who meets the box goes on with the next node, who misses it
+/// with node `skip`: no stack is needed. 32 bytes; mirror: shaders/visibility/bvh.glsl.
+struct BvhNode {
+    vec3 low{0.0f}; // [m]
+    std::int32_t skip = 0;
+    vec3 high{0.0f};
+    std::int32_t leaf = 0; // 0: no leaf; else 8 * (place of its first triangle) + (how many, 1 to 4)
+};
+static_assert(sizeof(BvhNode) == 32);
+
+struct Bvh {
+    std::vector<BvhNode> nodes;       // never empty; beyond the last is the end
+    std::vector<std::uint32_t> order; // the triangles' indices as leaves name them
+};
+
+/// Embree's builder with the surface area heuristic. Triangles without finite corners are left out,
+/// degenerate ones do no harm. Of two boxes the larger comes first, since any hit will do. @throws Error if
+/// Embree fails.
+Bvh bvh_of(const Casters& casters);
+
+} // namespace sr::shadow

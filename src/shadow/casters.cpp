@@ -1,0 +1,121 @@
+#include "shadow/casters.hpp"
+
+#include "core/error.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <map>
+
+namespace sr::shadow {
+namespace {
+
+using scene::AlphaMode;
+
+/// Collects the casters of a scene instance by instance.
+class Collector {
+public:
+    Collector(const scene::Scene& scene, std::span<const scene::Light> lights)
+        : scene_(scene), lights_(lights) {}
+
+    void append(const scene::Instance& instance) {
+        const scene::Mesh& mesh = scene_.meshes[static_cast<std::size_t>(instance.mesh)];
+        const scene::Material& material = scene_.materials[static_cast<std::size_t>(mesh.material)];
+        Caster caster;
+        caster.emits_as = clipped(instance.emits_as);
+        caster.own_share = own_share(caster.emits_as);
+        caster.alpha_mode = material.alpha_mode;
+        caster.alpha_cutoff = material.alpha_cutoff;
+        caster.first_triangle = static_cast<int>(all_.caster_of.size());
+        if (material.alpha_mode != AlphaMode::opaque) {
+            caster.first_corner = static_cast<int>(all_.alpha_corners.size());
+            caster.alpha_map = map_of(material.base_color_texture.texture);
+            append_alpha(mesh, material);
+        }
+        for (const std::uint32_t index : mesh.indices)
+            all_.corners.push_back(vec3(instance.world_from_object * vec4(mesh.positions[index], 1.0f)));
+        all_.caster_of.resize(all_.corners.size() / 3, static_cast<std::uint32_t>(all_.casters.size()));
+        all_.casters.push_back(caster);
+    }
+
+    Casters take() { return std::move(all_); }
+
+private:
+    /// Where a renderer is given other lights than the Stage's, none is a surface of the scene.
+    scene::LightRange clipped(scene::LightRange range) const {
+        return range.end <= static_cast<int>(lights_.size()) ? range : scene::LightRange{};
+    }
+
+    float own_share(scene::LightRange range) const {
+        if (range.is_empty()) return 0.0f;
+        const scene::Light& first = lights_[static_cast<std::size_t>(range.first)];
+        const bool is_alone =
+            range.end - range.first == 1 && !std::holds_alternative<scene::MeshLight>(first);
+        return is_alone ? whole_ray : last_thousandth;
+    }
+
+    int map_of(int texture) {
+        if (texture < 0) return -1;
+        const auto [entry, is_new] = maps_.try_emplace(texture, static_cast<int>(all_.alpha_maps.size()));
+        if (!is_new) return entry->second;
+        const scene::Texture& source = scene_.textures[static_cast<std::size_t>(texture)];
+        const scene::TextureImage& image = scene_.images[static_cast<std::size_t>(source.image)];
+        all_.alpha_maps.push_back({static_cast<int>(all_.alpha_texels.size()), image.width, image.height,
+                                   source.sampler.wrap_u, source.sampler.wrap_v});
+        const std::vector<std::uint16_t> alphas = alphas_of(image);
+        all_.alpha_texels.insert(all_.alpha_texels.end(), alphas.begin(), alphas.end());
+        return entry->second;
+    }
+
+    void append_alpha(const scene::Mesh& mesh, const scene::Material& material) {
+        const scene::TextureSlot& slot = material.base_color_texture;
+        const std::vector<vec2>& uv = mesh.texcoords[slot.texcoord];
+        for (const std::uint32_t index : mesh.indices) {
+            AlphaCorner corner;
+            corner.uv = vec2(slot.uv_transform * vec3(uv.empty() ? vec2(0.0f) : uv[index], 1.0f));
+            corner.alpha = material.base_color.w * (mesh.colors.empty() ? 1.0f : mesh.colors[index].w);
+            all_.alpha_corners.push_back(corner);
+        }
+    }
+
+    const scene::Scene& scene_;
+    std::span<const scene::Light> lights_;
+    Casters all_;
+    std::map<int, int> maps_; // by texture
+};
+
+} // namespace
+
+bool Casters::has_partial() const {
+    return std::ranges::any_of(casters, [](const Caster& c) { return c.alpha_mode == AlphaMode::blend; });
+}
+
+Casters casters_of(const scene::Scene& scene, std::span<const scene::Light> lights) {
+    constexpr std::size_t most = std::size_t{1} << 24; // shaders count triangles in floats
+    const std::size_t count = scene::triangle_count(scene);
+    if (count > most)
+        throw Error(fmt::format("{} triangles, shadows are for {} at most", count, most),
+                    "simplify the scene, or render with --visibility none");
+    Collector collector(scene, lights);
+    for (const scene::Instance& instance : scene.instances) collector.append(instance);
+    return collector.take();
+}
+
+float transmittance(const Casters& casters, std::uint32_t triangle, float u, float v) {
+    const Caster& caster = casters.casters[casters.caster_of[triangle]];
+    if (caster.alpha_mode == AlphaMode::opaque) return 0.0f;
+    const std::size_t local = triangle - static_cast<std::uint32_t>(caster.first_triangle);
+    const AlphaCorner* corner =
+        &casters.alpha_corners[static_cast<std::size_t>(caster.first_corner) + 3 * local];
+    const float w = 1.0f - u - v;
+    float alpha = w * corner[0].alpha + u * corner[1].alpha + v * corner[2].alpha;
+    if (caster.alpha_map >= 0) {
+        const vec2 uv = w * corner[0].uv + u * corner[1].uv + v * corner[2].uv;
+        alpha *= map_alpha(casters.alpha_maps[static_cast<std::size_t>(caster.alpha_map)],
+                           casters.alpha_texels, uv);
+    }
+    if (caster.alpha_mode == AlphaMode::mask) return alpha < caster.alpha_cutoff ? 1.0f : 0.0f;
+    return 1.0f - std::clamp(alpha, 0.0f, 1.0f);
+}
+
+} // namespace sr::shadow

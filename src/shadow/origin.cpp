@@ -1,0 +1,35 @@
+#include "shadow/origin.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace sr::shadow {
+namespace {
+
+constexpr float offset_share = 1.0f / 131072.0f;     // 2^-17
+constexpr float last_share = 1.0f - 1.0f / 32768.0f; // 1 - 2^-15
+
+float largest(vec3 v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+
+} // namespace
+
+Ray ray_of(const Query& query, std::span<const vec3, 3> triangle) {
+    const vec3 a = triangle[0];
+    vec3 n = glm::cross(triangle[1] - a, triangle[2] - a);
+    const float length = glm::length(n);
+    n = length > 0.0f ? n / length : vec3(0.0f);
+    const float reach = std::max({largest(a), largest(triangle[1]), largest(triangle[2])});
+    const float side = glm::dot(n, query.wi) < 0.0f ? -1.0f : 1.0f;
+    Ray ray;
+    ray.origin = query.x + (side * offset_share * reach - glm::dot(query.x - a, n)) * n;
+    if (query.distance >= infinitely_far) {
+        ray.direction = query.wi;
+        ray.end = std::numeric_limits<float>::infinity();
+    } else {
+        ray.direction = query.x + query.distance * query.wi - ray.origin;
+        ray.end = last_share;
+    }
+    return ray;
+}
+
+} // namespace sr::shadow

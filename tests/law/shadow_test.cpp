@@ -1,0 +1,166 @@
+#include "support/address.hpp"
+#include "support/gl.hpp"
+#include "support/scenes.hpp"
+
+#include <cmath>
+
+using namespace sr;
+using namespace sr::testing;
+using render::Visibility;
+
+namespace {
+
+constexpr std::array providers{Visibility::ray_on_cpu, Visibility::ray_in_glsl};
+
+const std::vector<scene::Light> zoo{
+    scene::PointLight{"", {-1.0f, 1.0f, 0.0f}, vec3(3.0f, 1.0f, 0.5f)},
+    scene::SpotLight{"", {1.0f, 2.0f, 0.5f}, {0.0f, -1.0f, 0.0f}, vec3(0.2f, 5.0f, 1.0f)},
+    scene::DirectionalLight{"", glm::normalize(vec3(1.0f, -0.02f, 0.3f)), vec3(0.7f)},
+    scene::RectangleLight{"", {0.0f, 1.5f, 0.0f}, {0.3f, 0, 0}, {0, 0, 0.3f}, vec3(10.0f)},
+};
+
+mat3 turned(vec3 half) {
+    return mat3_cast(glm::quat(glm::normalize(glm::quat(0.8f, 0.3f, 0.4f, 0.33f))))
+           * mat3(half.x, 0, 0, 0, half.y, 0, 0, 0, half.z);
+}
+
+// A plane sees all that is above it, at any angle: no ray meets the surface that it leaves. (Each way to find
+// V is another program, in which a rectangle's points may come out 1e-5 of its extent elsewhere.)
+const Test empty("law.shadow.nothing_in_the_way_is_no_shadow", [] {
+    for (const float half_edge : {3.0f, 3000.0f}) {
+        auto plane = lambert_plane(half_edge);
+        plane.materials[0].specular = 1.0f;
+        plane.materials[0].roughness = 0.5f;
+        const auto camera = camera_from_above(2.0f);
+        const auto bare = picture(plane, zoo, camera, 64, 2, 0, Visibility::none);
+        for (const Visibility visibility : providers)
+            EXPECT_LT(
+                largest_relative_difference(picture(plane, zoo, camera, 64, 2, 0, visibility), bare, 1e-3f),
+                2e-4f);
+    }
+});
+
+// So does every face of a convex body, far from the origin, too, where coordinates are coarse.
+const Test convex("law.shadow.a_convex_body_does_not_shadow_itself", [] {
+    const vec3 far(0.0f, 0.0f, 0.0f);
+    for (const vec3 offset : {far, vec3(700.0f, 40.0f, -300.0f)}) {
+        scene::Scene scene;
+        add_box(scene, offset, turned(vec3(0.8f, 0.5f, 0.9f)), 3, lambert());
+        auto camera = camera_from_above(1.5f);
+        camera.world_from_camera[3] += vec4(offset, 0.0f);
+        const std::vector<scene::Light> lights{
+            scene::PointLight{"", offset + vec3(1.0f, 3.0f, 0.5f), vec3(3.0f)},
+            scene::DirectionalLight{"", glm::normalize(vec3(1.0f, -0.3f, 0.2f)), vec3(1.0f)}};
+        const auto bare = picture(scene, lights, camera, 96, 1, 0, Visibility::none);
+        for (const Visibility visibility : providers) {
+            const auto shadowed = picture(scene, lights, camera, 96, 1, 0, visibility);
+            EXPECT_LT(largest_relative_difference(shadowed, bare, 1e-2f), 1e-5f) << offset.x;
+        }
+    }
+});
+
+const Test closed("law.shadow.a_closed_box_leaks_nothing", [] {
+    for (const float scale : {0.01f, 1.0f}) {
+        auto scene = lambert_plane(4.0f);
+        add_box(scene, {0.0f, 1.0f, 0.0f}, turned(vec3(0.4f, 0.3f, 0.5f) * scale), 7, lambert());
+        const std::vector<scene::Light> lights{
+            scene::PointLight{"", {0.0f, 1.0f, 0.0f}, vec3(1e4f)},
+            scene::RectangleLight{
+                "", {0.0f, 1.0f, 0.0f}, {0.1f * scale, 0, 0}, {0, 0, 0.1f * scale}, vec3(1e6f)}};
+        for (const Visibility visibility : providers) {
+            const auto image = picture(scene, lights, camera_from_above(2.0f), 128, 2, 0, visibility);
+            float largest = 0.0f;
+            for (std::size_t i = 0; i < image.pixels.size(); i += 4)
+                largest = std::max(largest, image.pixels[i]);
+            EXPECT_EQ(largest, 0.0f);
+        }
+    }
+});
+
+/// A plane, and above it at height h a sheet that covers x > edge, which the camera does not see: its back is
+/// culled.
+scene::Scene under_an_edge(float edge, float h) {
+    auto scene = lambert_plane(4.0f);
+    add_quad(scene, {edge + 3.0f, h, 0.0f}, {3.0f, 0, 0}, {0, 0, 3.0f}, lambert());
+    return scene;
+}
+
+const Test umbra("law.shadow.a_point_lights_umbra_ends_where_geometry_says", [] {
+    constexpr int size = 200;
+    constexpr float extent = 1.0f, pixel = 2.0f * extent / size;
+    const std::vector<scene::Light> lights{scene::PointLight{"", {-0.1f, 2.0f, 0.0f}, vec3(1.0f)}};
+    constexpr float shadow = 0.1f + (0.1f + 0.1f) * 0.5f / (2.0f - 0.5f); // by similar triangles
+    for (const Visibility visibility : providers) {
+        const auto image =
+            picture(under_an_edge(0.1f, 0.5f), lights, camera_from_above(extent), size, 1, 0, visibility);
+        for (int y = 0; y < size; ++y) {
+            for (int x = 0; x < size; ++x) {
+                const float at = place_of(x, y, size, extent).x;
+                if (std::abs(at - shadow) < pixel) continue;
+                ASSERT_EQ(image.at(x, y)[0] > 0.0f, at < shadow) << x << ", " << y;
+            }
+        }
+    }
+});
+
+// Along x, V falls from 1 to 0 like the distribution of a uniform variable, whose variance is width²/12.
+const Test penumbra("law.shadow.a_penumbra_is_as_wide_as_similar_triangles_say", [] {
+    constexpr int size = 128;
+    constexpr float extent = 0.06f;
+    const std::vector<scene::Light> lights{
+        scene::RectangleLight{"", {0.0f, 2.0f, 0.0f}, {0.05f, 0, 0}, {0, 0, 0.05f}, vec3(1.0f)}};
+    const auto camera = camera_from_above(extent);
+    const auto bare = picture(lambert_plane(4.0f), lights, camera, size, 8, 0, Visibility::none);
+    for (const Visibility visibility : providers) {
+        const auto image = picture(under_an_edge(0.0f, 0.8f), lights, camera, size, 8, 0, visibility);
+        double last = 1.0, mean = 0.0, square = 0.0;
+        for (int x = 0; x < size; ++x) {
+            double lit = 0.0, all = 0.0;
+            for (int y = 0; y < size; ++y) {
+                lit += image.at(x, y)[0];
+                all += bare.at(x, y)[0];
+            }
+            const double V = lit / all, at = (x + 0.0) / size * 2.0 * extent - extent;
+            mean += (last - V) * at;
+            square += (last - V) * at * at;
+            last = V;
+        }
+        EXPECT_EQ(last, 0.0) << "the umbra is in the picture";
+        const double width = std::sqrt(12.0 * (square - mean * mean));
+        EXPECT_NEAR(width / (0.1 * 0.8 / 1.2), 1.0, 0.02);
+    }
+});
+
+// Light stays linear with shadows, over more rays than one pass of the recorder takes.
+const Test superposition("law.shadow.superposition", [] {
+    context();
+    auto scene = lambert_plane(4.0f);
+    scene.materials[0].specular = 1.0f;
+    scene.materials[0].roughness = 0.3f;
+    add_box(scene, {0.0f, 0.5f, 0.0f}, turned(vec3(0.3f)), 1, lambert());
+    std::vector<scene::Light> lights = zoo;
+    for (int i = 0; i < 3; ++i)
+        lights.push_back(scene::RectangleLight{
+            "", {1.0f, 1.5f, static_cast<float>(i) - 1.0f}, {0.1f, 0, 0}, {0, 0, 0.1f}, vec3(20.0f)});
+    for (const Visibility visibility : providers) {
+        const render::GpuScene gpu_scene(scene, lights, visibility);
+        const auto shone = [&](int first, int end) {
+            render::RenderOptions options;
+            options.width = options.height = 64;
+            options.samples = 1;
+            render::Renderer renderer(gpu_scene, camera_from_above(2.0f), options);
+            renderer.use_lights(first, end);
+            renderer.add_sample();
+            return renderer.film();
+        };
+        const auto together = shone(0, static_cast<int>(lights.size()));
+        image::Image sum(64, 64, 4);
+        for (int k = 0; k < static_cast<int>(lights.size()); ++k) {
+            const auto alone = shone(k, k + 1);
+            for (std::size_t i = 0; i < sum.pixels.size(); ++i) sum.pixels[i] += alone.pixels[i];
+        }
+        EXPECT_LT(largest_relative_difference(together, sum, 1e-3f), 1e-5f);
+    }
+});
+
+} // namespace
