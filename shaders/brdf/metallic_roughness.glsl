@@ -21,8 +21,8 @@ struct Lobes {
 
 Lobes metallic_roughness_lobes(Surface x, vec3 wi, vec3 wo) {
     float cos_i = dot(x.n, wi);
-    float cos_o = dot(x.n, wo);
-    if (cos_i <= 0.0 || cos_o < 0.0) return Lobes(vec3(0.0), vec3(0.0));
+    float cos_o = max(dot(x.n, wo), 0.0); // n is on the viewer's side; where it was bent there, but for rounding
+    if (cos_i <= 0.0) return Lobes(vec3(0.0), vec3(0.0));
 
     vec3 h = normalize(wi + wo);
     float cos_h = dot(wo, h);
@@ -30,7 +30,8 @@ Lobes metallic_roughness_lobes(Surface x, vec3 wi, vec3 wo) {
 
     vec3 F = x.specular * F_schlick(x.F0_dielectric, cos_h);
     vec3 F_metal = F_schlick(x.base_color, cos_h);
-    return Lobes((1.0 - x.metallic) * (1.0 - largest(F)) * f_lambert(x.base_color), mix(F, F_metal, x.metallic) * DV);
+    return Lobes((1.0 - x.metallic) * (1.0 - largest(F)) * f_lambert(x.base_color),
+                 ((1.0 - x.metallic) * F + x.metallic * F_metal) * DV);
 }
 
 vec3 f_metallic_roughness(Surface x, vec3 wi, vec3 wo) {

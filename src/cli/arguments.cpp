@@ -1,5 +1,6 @@
 #include "cli/arguments.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
@@ -23,6 +24,12 @@ std::optional<float> parsed_number(const std::string& text) {
 }
 
 } // namespace
+
+Size picture_size(std::optional<float> aspect_ratio) {
+    constexpr int rows = 720;
+    const float aspect = aspect_ratio.value_or(16.0f / 9.0f);
+    return {std::clamp(static_cast<int>(std::lround(rows * aspect)), 1, 16 * rows), rows};
+}
 
 std::optional<Size> parsed_size(const std::string& text) {
     const auto cross = text.find('x');

@@ -14,6 +14,10 @@ struct Size {
     int height = 0;
 };
 
+/// The size of a picture that was asked for no other: 720 rows in the camera's aspect ratio, 16:9 if it has
+/// none.
+Size picture_size(std::optional<float> aspect_ratio);
+
 /// "1280x720"; absent if it is not two whole numbers from 1 to 65536.
 std::optional<Size> parsed_size(const std::string& text);
 

@@ -25,6 +25,7 @@ int main(int argc, char** argv) {
     add_expand_command(app);
     add_compare_command(app);
     add_golden_command(app);
+    add_export_command(app);
     try {
         app.parse(argc, argv);
         return done;

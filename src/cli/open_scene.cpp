@@ -2,8 +2,6 @@
 
 #include "gltf/load.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <fmt/format.h>
 #include <future>
@@ -46,13 +44,6 @@ void remark_on_estimator(const RenderCommand& command, const scene::Stage& stage
     }
 }
 
-Size picture_size(const RenderCommand& command, const scene::Camera& camera) {
-    if (command.size) return *command.size;
-    constexpr int rows = 720;
-    const float aspect = camera.aspect_ratio().value_or(16.0f / 9.0f);
-    return {std::clamp(static_cast<int>(std::lround(rows * aspect)), 1, 16 * rows), rows};
-}
-
 } // namespace
 
 OpenScene open_scene(const RenderCommand& command, PhaseTimes& times) {
@@ -67,7 +58,7 @@ OpenScene open_scene(const RenderCommand& command, PhaseTimes& times) {
     times.add("load (beside start)", load.seconds);
     scene::Stage stage = staged(command, std::move(load.loaded));
     remark_on_estimator(command, stage);
-    const Size size = picture_size(command, stage.camera);
+    const Size size = command.size.value_or(picture_size(stage.camera.aspect_ratio()));
     times.end("stage");
     return {std::move(context), std::move(stage), size};
 }

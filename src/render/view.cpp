@@ -1,8 +1,5 @@
 #include "render/view.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 namespace sr::render {
 namespace {
 
@@ -32,26 +29,19 @@ mat4 orthographic_matrix(const scene::Orthographic& o, float scale_x, float scal
     return m;
 }
 
-/// Half the picture's extent at unit distance (or, orthographic, in metres), grown to the picture's shape.
-vec2 fitted(vec2 half_extent, float aspect) {
-    return {std::max(half_extent.x, half_extent.y * aspect), std::max(half_extent.y, half_extent.x / aspect)};
-}
-
 } // namespace
 
 View view_of(const scene::Camera& camera, int width, int height, vec2 sub_pixel) {
     const float aspect = static_cast<float>(width) / static_cast<float>(height);
+    const vec2 half = scene::half_extent(camera, aspect);
     const mat4& world_from_camera = camera.world_from_camera;
     View view;
     mat4 clip_from_camera(1.0f);
     if (const auto* p = std::get_if<scene::Perspective>(&camera.projection)) {
-        const float tan_y = std::tan(0.5f * p->yfov);
-        const vec2 half = fitted({tan_y * p->aspect_ratio.value_or(aspect), tan_y}, aspect);
         clip_from_camera = perspective_matrix(*p, 1.0f / half.x, 1.0f / half.y);
         view.eye = world_from_camera[3];
     } else {
         const auto& o = std::get<scene::Orthographic>(camera.projection);
-        const vec2 half = fitted({o.xmag, o.ymag}, aspect);
         clip_from_camera = orthographic_matrix(o, 1.0f / half.x, 1.0f / half.y);
         view.eye = vec4(glm::normalize(vec3(world_from_camera[2])), 0.0f);
     }

@@ -35,4 +35,9 @@ struct Camera {
     }
 };
 
+/// Half of what a picture of the given width / height shows: at unit distance for a perspective camera [1],
+/// else in metres. The whole of the camera's own frame is in the picture: where their shapes differ, more is
+/// seen at the sides.
+vec2 half_extent(const Camera& camera, float aspect);
+
 } // namespace sr::scene

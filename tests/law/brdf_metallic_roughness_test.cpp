@@ -162,4 +162,25 @@ const Test lambert("law.brdf.metallic_roughness.no_layer_is_lambert", [] {
     for (const vec4 value : values) EXPECT_NEAR(value.x * pi, 1.0f, 1e-6f);
 });
 
+// Where the normal is bent back until wo grazes the surface (surface/shading_normal.glsl), cos_o comes out a
+// rounding above or below zero: f_r is the same on both sides, and not zero.
+const Test grazing("law.brdf.metallic_roughness.continuous_where_wo_grazes", [] {
+    std::mt19937 random(3);
+    std::vector<Row> rows;
+    for (int i = 0; i < 300; ++i) {
+        const float metallic = static_cast<float>(i % 2);
+        rows.push_back({vec4(0.2f + 0.1f * static_cast<float>(i % 8), metallic, 1.0f, 0.04f),
+                        vec4(random_direction(random), 0.0f), vec4(1.0f, 0.0f, 0.0f, 0.0f)});
+    }
+    const auto values = evaluate(material, R"(
+        Surface x = surface(a);
+        return vec4(f_r(x, b.xyz, vec3(1.0, 0.0, -3e-8)).x, f_r(x, b.xyz, c.xyz).x, f_r(x, b.xyz, vec3(1.0, 0.0, 3e-8)).x, 0.0);)",
+                                 rows);
+    for (const vec4 value : values) {
+        EXPECT_GT(value.x, 0.0f);
+        EXPECT_NEAR(value.x, value.y, 1e-4f * value.y);
+        EXPECT_NEAR(value.z, value.y, 1e-4f * value.y);
+    }
+});
+
 } // namespace

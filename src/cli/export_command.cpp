@@ -1,0 +1,86 @@
+#include "cli/arguments.hpp"
+#include "cli/commands.hpp"
+#include "gltf/load.hpp"
+#include "mitsuba/write.hpp"
+#include "scene/emitters.hpp"
+#include "scene/stage.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <memory>
+
+namespace sr::cli {
+namespace {
+
+struct ExportCommand {
+    std::string scene;
+    std::string to;
+    std::string folder;
+    std::string camera;
+    std::string size;
+    std::optional<int> scene_index;
+    std::string rig = "studio";
+};
+
+/// What `render` would render, without the surfaces that it gives to lights.
+scene::Stage staged(const ExportCommand& command, std::optional<Size> size, scene::Scene&& scene) {
+    scene::StageOptions options{command.camera,
+                                command.rig == "none" ? scene::Rig::none : scene::Rig::studio};
+    if (size) options.aspect_ratio = static_cast<float>(size->width) / static_cast<float>(size->height);
+    const std::size_t instances = scene.instances.size();
+    const bool has_lights = !scene.lights.empty();
+    scene::Stage stage = scene::set_stage(std::move(scene), command.scene, options);
+    stage.scene.instances.resize(instances);
+    const bool has_emissive_surfaces = scene::emitters_of(stage.scene).size() > stage.scene.lights.size();
+    if (!has_lights && !has_emissive_surfaces) stage.scene.lights = stage.lights; // the rig
+    return stage;
+}
+
+void export_scene(const ExportCommand& command) {
+    const std::optional<Size> asked = command.size.empty() ? std::nullopt : parsed_size(command.size);
+    gltf::Loaded loaded = gltf::load(command.scene, {command.scene_index});
+    for (const std::string& warning : loaded.warnings) fmt::print(stderr, "{}\n", warning);
+    const scene::Stage stage = staged(command, asked, std::move(loaded.scene));
+    for (const std::string& remark : stage.remarks) fmt::print(stderr, "{}\n", remark);
+    const Size size = asked.value_or(picture_size(stage.camera.aspect_ratio()));
+    const auto warnings =
+        mitsuba::write({stage.scene, stage.camera, size.width, size.height}, command.folder);
+    for (const std::string& warning : warnings) fmt::print(stderr, "{}: {}\n", command.scene, warning);
+}
+
+} // namespace
+
+void add_export_command(CLI::App& app) {
+    const auto options = std::make_shared<ExportCommand>();
+    CLI::App* command = app.add_subcommand("export", "write a scene for another renderer, to compare with");
+    command->add_option("SCENE", options->scene, "a .gltf or .glb file")->required();
+    command->add_option("--to", options->to, "for which renderer")
+        ->required()
+        ->check(CLI::IsMember({"mitsuba"}));
+    command
+        ->add_option("DIR", options->folder,
+                     "a folder that is new, empty, or an earlier export, which is replaced")
+        ->required();
+    command->add_option("--size", options->size, "size of the picture (default: as render's)")
+        ->type_name("WIDTHxHEIGHT")
+        ->check([](const std::string& text) {
+            return parsed_size(text) ? std::string() : "'" + text + "' is not WIDTHxHEIGHT";
+        });
+    command->add_option("--camera", options->camera,
+                        "camera by name or index, or auto (default: the first, or auto)");
+    command
+        ->add_option("--scene", options->scene_index,
+                     "which of the file's scenes (default: the file's choice)")
+        ->check(CLI::NonNegativeNumber);
+    command->add_option("--rig", options->rig, "what lights a file without any light")
+        ->check(CLI::IsMember({"studio", "none"}))
+        ->capture_default_str();
+    command->footer("Examples:\n"
+                    "  steradian export scene.glb --to mitsuba scene_for_mitsuba --size 640x360\n"
+                    "  python scene_for_mitsuba/render.py -o truth.exr --spp 1024    (pip install mitsuba)\n"
+                    "  steradian render scene.glb -o ours.exr --size 640x360 --samples 1024\n"
+                    "  steradian compare ours.exr truth.exr");
+    command->callback([options] { export_scene(*options); });
+}
+
+} // namespace sr::cli

@@ -1,0 +1,100 @@
+#include "mitsuba/shapes.hpp"
+
+#include "mitsuba/new_folder.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace sr::mitsuba {
+namespace {
+
+void write_shape(Output& output, const Triangles& triangles, std::string_view bsdf,
+                 const std::optional<Emission>& emission) {
+    const std::string file = fmt::format("meshes/{}.ply", output.mesh_count++);
+    make_folder(output.folder / "meshes");
+    write_ply(triangles, output.folder / file);
+    output.xml.open("shape", "ply");
+    output.xml.text("filename", file);
+    output.xml.reference(bsdf);
+    if (emission) write_area_emitter(output, *emission);
+    output.xml.close();
+}
+
+float size_of(const Triangles& triangles) {
+    scene::Bounds bounds;
+    for (const vec3 position : triangles.positions) bounds.extend(position);
+    return bounds.radius();
+}
+
+/// What shading by a normal map reads besides: vectors at the length they are interpolated at (MikkTSpace).
+void add_tangent_space(Triangles& triangles, const scene::Mesh& mesh, const mat4& world_from_object) {
+    const float sign = glm::determinant(mat3(world_from_object)) < 0.0f ? -1.0f : 1.0f;
+    VertexAttribute normal{"normal", triangles.normals}, tangent{"tangent", {}}, handedness{"handedness", {}};
+    for (const vec4 t : mesh.tangents) {
+        tangent.values.push_back(mat3(world_from_object) * vec3(t));
+        handedness.values.emplace_back(sign * t.w);
+    }
+    triangles.attributes.insert(triangles.attributes.end(), {normal, tangent, handedness});
+}
+
+void write_instance(Output& output, const scene::Instance& instance) {
+    const scene::Mesh& mesh = output.scene.meshes[static_cast<std::size_t>(instance.mesh)];
+    const scene::Material& material = output.scene.materials[static_cast<std::size_t>(mesh.material)];
+    if (mesh.indices.empty()) return;
+    const std::string bsdf = output.materials.id_of(output.xml, mesh);
+    std::optional<Emission> emission;
+    if (material.is_emissive() && !material.is_unlit) {
+        const scene::TextureSlot& slot = material.emission_texture;
+        emission = Emission{material.emission, slot.texture, slot.uv_transform, material.is_double_sided};
+    }
+    write_mesh(output, triangles_of(output.scene, instance), bsdf, emission);
+}
+
+} // namespace
+
+void write_area_emitter(Output& output, const Emission& emission) {
+    output.xml.open("emitter", "area");
+    if (emission.texture < 0)
+        output.xml.color("radiance", emission.L);
+    else
+        output.textures.write(output.xml, "radiance", emission.texture, emission.uv_transform, Part::color,
+                              emission.L);
+    output.xml.close();
+}
+
+void write_mesh(Output& output, const Triangles& triangles, std::string_view bsdf,
+                const std::optional<Emission>& emission) {
+    if (!emission || !emission->is_two_sided) return write_shape(output, triangles, bsdf, emission);
+    const float distance = 1e-5f * size_of(triangles);
+    write_shape(output, moved(triangles, distance, false), bsdf, emission);
+    write_shape(output, moved(triangles, -distance, true), bsdf, emission);
+}
+
+Triangles triangles_of(const scene::Scene& scene, const scene::Instance& instance) {
+    const scene::Mesh& mesh = scene.meshes[static_cast<std::size_t>(instance.mesh)];
+    const scene::Material& material = scene.materials[static_cast<std::size_t>(mesh.material)];
+    const mat4& world_from_object = instance.world_from_object;
+    const mat3 world_from_normal = glm::transpose(glm::inverse(mat3(world_from_object)));
+    Triangles triangles;
+    for (const vec3 position : mesh.positions)
+        triangles.positions.emplace_back(world_from_object * vec4(position, 1.0f));
+    for (const vec3 normal : mesh.normals) triangles.normals.push_back(world_from_normal * normal);
+    triangles.uv = mesh.texcoords[texcoord_of(material)];
+    if (!mesh.colors.empty()) {
+        VertexAttribute color{"color", {}};
+        for (const vec4 value : mesh.colors) color.values.emplace_back(value);
+        triangles.attributes.push_back(color);
+    }
+    if (reads_normal_map(material, mesh)) add_tangent_space(triangles, mesh, world_from_object);
+    triangles.indices = mesh.indices;
+    if (glm::determinant(mat3(world_from_object)) < 0.0f) // keeps the front in front
+        for (std::size_t i = 0; i + 2 < triangles.indices.size(); i += 3)
+            std::swap(triangles.indices[i], triangles.indices[i + 2]);
+    return triangles;
+}
+
+void write_instances(Output& output) {
+    for (const scene::Instance& instance : output.scene.instances) write_instance(output, instance);
+}
+
+} // namespace sr::mitsuba

@@ -1,0 +1,109 @@
+#!/usr/bin/env python3
+"""Renders the references of the truth tests with Mitsuba 3 and stores them.
+
+    tools/truth/setup                                     # Mitsuba, into tools/truth/.venv
+    cmake --build build --target truth_export
+    tools/truth/.venv/bin/python tools/truth/references.py               # all, some ten minutes on two cores
+    tools/truth/.venv/bin/python tools/truth/references.py --only tube   # those whose name begins so
+
+The scenes come from build/truth_export. A picture SHAPE.VIEW.exr holds one square a material, side by side: R G B, the mean
+of independent batches, and noise.R noise.G noise.B, the standard error of that mean. index.json says how each was made.
+"""
+import argparse
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import time
+from importlib.metadata import version
+from pathlib import Path
+
+import numpy as np
+
+ROOT = Path(__file__).resolve().parents[2]
+MATERIALS = ["lambert", "ggx_01", "ggx_03", "ggx_05", "ggx_07", "ggx_10", "dielectric", "textured"]  # as in tests/truth/scenes.hpp
+LLVM = "/usr/lib/x86_64-linux-gnu/libLLVM.so.19.1"  # Debian's libllvm19
+
+
+def pooled(variances):
+    """The mean over the 3×3 pixels around, as tests/truth/comparison.cpp has it."""
+    height, width = variances.shape[:2]
+    padded = np.pad(variances, ((1, 1), (1, 1), (0, 0)), constant_values=np.nan)
+    return np.nanmean([padded[y:y + height, x:x + width] for y in range(3) for x in range(3)], axis=0)
+
+
+def measured(mi, scene, spp, batches, seed):
+    """Mean and standard error of the mean."""
+    pictures = np.array([np.array(mi.render(scene, spp=spp, seed=seed + i), np.float64) for i in range(batches)])
+    if not np.isfinite(pictures).all():
+        raise ValueError("a pixel is not finite")
+    return pictures.mean(0), np.sqrt(pooled(pictures.var(0, ddof=1) / batches))
+
+
+def short(values):
+    """Floats with eight bits of mantissa: noise needs no more, and zeros compress."""
+    return (values.astype(np.float32).view(np.uint32) & np.uint32(0xFFFF8000)).view(np.float32)
+
+
+def store(mi, file, means, noises, entry):
+    picture = np.concatenate([np.concatenate(means, 1).astype(np.float32), short(np.concatenate(noises, 1))], 2)
+    bitmap = mi.Bitmap(np.ascontiguousarray(picture), pixel_format=mi.Bitmap.PixelFormat.MultiChannel,
+                       channel_names=["R", "G", "B", "noise.R", "noise.G", "noise.B"])
+    for key in ("made_by", "integrator", "variant", "spp", "seed"):
+        bitmap.metadata()["truth:" + key] = str(entry[key])
+    bitmap.write(str(file))
+
+
+def make(mi, folder, file, arguments):
+    begin = time.time()
+    means, noises, cells = [], [], {}
+    for i, material in enumerate(MATERIALS):
+        seed = arguments.seed + 1000 * i
+        mean, noise = measured(mi, mi.load_file(str(folder / material / "scene.xml")), arguments.spp, arguments.batches, seed)
+        means.append(mean)
+        noises.append(noise)
+        lit = mean > 0
+        cells[material] = {"relative_noise_of_a_pixel_median": round(float(np.median(noise[lit] / mean[lit])), 6),
+                           "relative_noise_of_the_sum": round(float((np.sqrt((noise**2).sum((0, 1))) / mean.sum((0, 1))).max()), 7)}
+    entry = {"made_by": f"Mitsuba {version('mitsuba')}", "integrator": "direct", "variant": mi.variant(),
+             "spp": arguments.spp * arguments.batches, "batches": arguments.batches, "seed": arguments.seed, "cells": cells}
+    store(mi, file, means, noises, entry)
+    print(f"{file.name}: {time.time() - begin:.0f} s, a pixel's noise {100 * max(c['relative_noise_of_a_pixel_median'] for c in cells.values()):.2f} % "
+          f"at most (median of a cell), of the sum {100 * max(c['relative_noise_of_the_sum'] for c in cells.values()):.3f} %", file=sys.stderr)
+    return entry
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--export", type=Path, default=ROOT / "build/truth_export", help="the program that writes the scenes")
+    parser.add_argument("--to", type=Path, default=ROOT / "tests/truth/references")
+    parser.add_argument("--only", default="", help="pictures whose name begins so, e.g. tube or mesh.grazing")
+    parser.add_argument("--spp", type=int, default=4096, help="samples a pixel in a batch")
+    parser.add_argument("--batches", type=int, default=16)
+    parser.add_argument("--seed", type=int, default=0)
+    parser.add_argument("--variant", default="llvm_ad_rgb", help="or scalar_rgb, without LLVM but slow")
+    arguments = parser.parse_args()
+    if Path(LLVM).exists():
+        os.environ.setdefault("DRJIT_LIBLLVM_PATH", LLVM)
+    import mitsuba as mi
+
+    mi.set_variant(arguments.variant)
+    arguments.to.mkdir(parents=True, exist_ok=True)
+    index = arguments.to / "index.json"
+    entries = json.loads(index.read_text()) if index.exists() else {}
+    with tempfile.TemporaryDirectory() as scratch:
+        subprocess.run([arguments.export, scratch], check=True)
+        folders = [f for f in sorted(Path(scratch).iterdir()) if f.name.startswith(arguments.only)]
+        if not folders:
+            sys.exit(f"references.py: no picture begins with '{arguments.only}': the names are SHAPE.VIEW of tests/truth/scenes.hpp")
+        sys.path.insert(0, str(folders[0] / MATERIALS[0]))
+        import steradian_mitsuba  # noqa: F401: importing registers the plugins
+
+        for folder in folders:
+            entries[folder.name] = make(mi, folder, arguments.to / f"{folder.name}.exr", arguments)
+            index.write_text(json.dumps(dict(sorted(entries.items())), indent=1) + "\n")
+
+
+if __name__ == "__main__":
+    main()
