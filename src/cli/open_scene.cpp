@@ -27,9 +27,21 @@ scene::Stage staged(const RenderCommand& command, gltf::Loaded&& loaded) {
     if (command.size)
         options.aspect_ratio =
             static_cast<float>(command.size->width) / static_cast<float>(command.size->height);
+    options.hide_emitters = command.hide_emitters;
     scene::Stage stage = scene::set_stage(std::move(loaded.scene), command.scene, options);
     for (const std::string& remark : stage.remarks) fmt::print(stderr, "{}\n", remark);
     return stage;
+}
+
+/// Says which lights the analytic estimator cannot do without noise.
+void remark_on_estimator(const RenderCommand& command, const scene::Stage& stage) {
+    if (command.estimator != render::Estimator::analytic) return;
+    for (const scene::Light& light : stage.lights) {
+        const auto* mesh = std::get_if<scene::MeshLight>(&light);
+        if (mesh && mesh->triangles.size() > render::most_outlined_triangles)
+            fmt::print(stderr, "{}: '{}' has {} emissive triangles, more than {}: it is sampled\n", command.scene,
+                       mesh->name, mesh->triangles.size(), render::most_outlined_triangles);
+    }
 }
 
 } // namespace
@@ -45,6 +57,7 @@ OpenScene open_scene(const RenderCommand& command, PhaseTimes& times) {
     times.end("wait for load");
     times.add("load (beside start)", load.seconds);
     scene::Stage stage = staged(command, std::move(load.loaded));
+    remark_on_estimator(command, stage);
     const Size size = command.size.value_or(picture_size(stage.camera.aspect_ratio()));
     times.end("stage");
     return {std::move(context), std::move(stage), size};
@@ -58,6 +71,8 @@ render::RenderOptions render_options(const RenderCommand& command, Size size) {
     options.seed = command.seed;
     options.background = command.background;
     options.shader_path = shader_path(command.shaders);
+    options.estimator = command.estimator;
+    options.analytic_points = command.analytic_points;
     return options;
 }
 

@@ -63,7 +63,15 @@ std::string name_of(const scene::Light& light) {
 
 ordered_json triple(vec3 v) { return {v.x, v.y, v.z}; }
 
+/// "L [cd/m^2]", in the scene's units.
+std::string with_unit(const char* symbol, scene::Quantity quantity, const OpenScene& open) {
+    return fmt::format("{} [{}]", symbol, scene::name_of({quantity, open.stage.scene.units}));
+}
+
 ordered_json as_json(const ProbeCommand& command, const OpenScene& open, const render::PixelTerms& terms) {
+    const auto radiance = [&](const char* symbol) {
+        return with_unit(symbol, scene::Quantity::radiance, open);
+    };
     ordered_json lights = ordered_json::array();
     for (std::size_t k = 0; k < terms.lights.size(); ++k) {
         const render::LightTerms& t = terms.lights[k];
@@ -75,8 +83,8 @@ ordered_json as_json(const ProbeCommand& command, const OpenScene& open, const r
                           {"cos_i", t.cos_i},
                           {"f_r [1/sr]", triple(t.f_r)},
                           {"V", t.V},
-                          {"E [lx]", triple(t.E)},
-                          {"L_r [cd/m^2]", triple(t.L_r)}});
+                          {with_unit("E", scene::Quantity::irradiance, open), triple(t.E)},
+                          {radiance("L_r"), triple(t.L_r)}});
     }
     return {{"scene", command.rendering.scene},
             {"pixel", {command.pixel.column, command.pixel.row}},
@@ -89,9 +97,9 @@ ordered_json as_json(const ProbeCommand& command, const OpenScene& open, const r
             {"n", triple(terms.n)},
             {"wo", triple(terms.wo)},
             {"coverage", terms.coverage},
-            {"L_e [cd/m^2]", triple(terms.L_e)},
+            {radiance("L_e"), triple(terms.L_e)},
             {"lights", lights},
-            {"L_o [cd/m^2]", triple(terms.L_o)}};
+            {radiance("L_o"), triple(terms.L_o)}};
 }
 
 float luminance(vec3 color) { return glm::dot(color, vec3(0.2126f, 0.7152f, 0.0722f)); } // Rec. 709
@@ -122,7 +130,8 @@ void print(const ProbeCommand& command, const OpenScene& open, const render::Pix
     fmt::print("  L_o = L_e + Σ E f_r; directions, cosθ, V and f_r are means over the light; f_r and E as "
                "luminance\n\n");
     fmt::print("    {:<18}{:<12}{:>9} {:>21}{:>8}{:>8}{:>11}{:>10}{:>33}\n", "light", "shape", "Ω [sr]", "wi",
-               "cosθ", "V", "f_r [1/sr]", "E [lx]", "L R, G, B [cd/m²]");
+               "cosθ", "V", "f_r [1/sr]", with_unit("E", scene::Quantity::irradiance, open),
+               with_unit("L R, G, B", scene::Quantity::radiance, open));
     vec3 sum = terms.L_e;
     for (std::size_t k = 0; k < terms.lights.size(); ++k) {
         fmt::print("{}\n", row_of(static_cast<int>(k), open.stage.lights[k], terms.lights[k]));

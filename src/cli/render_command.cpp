@@ -29,12 +29,16 @@ bool add_samples(render::Renderer& renderer, int count) {
     return renderer.sample_count() == count;
 }
 
+const char* name_of(render::Estimator estimator) {
+    return estimator == render::Estimator::analytic ? "analytic" : "sampled";
+}
+
 void describe(image::Image& film, const RenderCommand& command, const scene::Stage& stage,
               const gl::ContextInfo& gl) {
     film.channel_names = {"R", "G", "B", "A"};
     film.attributes = {{"steradian:version", STERADIAN_VERSION},
-                       {"steradian:unit", "cd/m^2"},
-                       {"steradian:estimator", "sampled"},
+                       {"steradian:unit", std::string(scene::radiance_unit(stage.scene.units))},
+                       {"steradian:estimator", name_of(command.estimator)},
                        {"steradian:visibility", std::string(render::name_of(command.visibility))},
                        {"steradian:samples", std::to_string(command.samples)},
                        {"steradian:seed", std::to_string(command.seed)},
@@ -88,9 +92,10 @@ ordered_json summary(const RenderCommand& command, const scene::Stage& stage, co
             {"outputs", command.outputs},
             {"width", size.width},
             {"height", size.height},
+            {"estimator", name_of(command.estimator)},
             {"samples", command.samples},
             {"seed", command.seed},
-            {"unit", "cd/m^2"},
+            {"unit", scene::radiance_unit(stage.scene.units)},
             {"camera", stage.camera.name},
             {"lights", stage.lights.size()},
             {"triangles", scene::triangle_count(stage.scene)},

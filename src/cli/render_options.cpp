@@ -28,6 +28,12 @@ std::optional<scene::Rig> rig_named(const std::string& name) {
     return std::nullopt;
 }
 
+std::optional<render::Estimator> estimator_named(const std::string& name) {
+    if (name == "sampled") return render::Estimator::sampled;
+    if (name == "analytic") return render::Estimator::analytic;
+    return std::nullopt;
+}
+
 std::optional<image::SampleType> exr_type_named(const std::string& name) {
     if (name == "half") return image::SampleType::half;
     if (name == "float") return image::SampleType::floating;
@@ -66,6 +72,22 @@ void declare_picture(CLI::App& command, RenderCommand& o) {
            parsed_color, [&o](vec3 color) { o.background = color; });
     parsed(command, "--rig", "what lights a file without a lamp; glowing details are none (default: studio)",
            "studio|none", rig_named, [&o](scene::Rig rig) { o.rig = rig; });
+    command.add_flag(
+        "--hide-emitters", o.hide_emitters,
+        "emitters light the scene and are not seen: lights vanish, emissive surfaces only reflect");
+}
+
+void declare_estimator(CLI::App& command, RenderCommand& o) {
+    parsed(
+        command, "--estimator",
+        "how light from emitters of finite size is added up (default: sampled, which converges to the truth; "
+        "analytic is noiseless: exact for Lambert, near it for gloss)",
+        "sampled|analytic", estimator_named, [&o](render::Estimator estimator) { o.estimator = estimator; });
+    command
+        .add_option("--analytic-points", o.analytic_points,
+                    "points the analytic estimator takes a lobe and emitter; 0: none, the fitted lobe alone")
+        ->check(CLI::Range(0, 4096))
+        ->capture_default_str();
 }
 
 void declare_output(CLI::App& command, RenderCommand& o) {
@@ -94,6 +116,7 @@ void declare_machine(CLI::App& command, RenderCommand& o) {
 void declare_rendering(CLI::App& command, RenderCommand& options) {
     command.add_option("SCENE", options.scene, "a .gltf or .glb file")->required();
     declare_picture(command, options);
+    declare_estimator(command, options);
     declare_machine(command, options);
 }
 

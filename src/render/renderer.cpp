@@ -3,17 +3,50 @@
 #include "core/error.hpp"
 #include "render/sampling.hpp"
 
+#include <algorithm>
+#include <fmt/format.h>
+
 namespace sr::render {
+namespace {
+
+/// The analytic estimator evaluates f_r lobe by lobe.
+/// @throws Error if a user's folder changes f_r and not its lobes.
+void require_lobes(std::span<const glsl::Root> users) {
+    const auto has = [](std::string_view name) {
+        return [name](const glsl::Root& root) { return root.text_of(name).has_value(); };
+    };
+    const auto changed = std::find_if(users.begin(), users.end(), has("brdf/f_r.glsl"));
+    if (changed == users.end() || std::any_of(users.begin(), users.end(), has("brdf/lobes.glsl"))) return;
+    throw Error({changed->place_of("brdf/f_r.glsl")}, "the analytic estimator reads brdf/lobes.glsl instead",
+                "overlay that file too, or use --estimator sampled");
+}
+
+/// The estimator stands behind the user's own roots and in front of the embedded ones.
+std::vector<glsl::Root> shader_path(const RenderOptions& options) {
+    std::vector<glsl::Root> path = options.shader_path;
+    require(!path.empty(), "the shader path has a root");
+    if (options.estimator == Estimator::sampled) return path;
+    require_lobes(std::span(path).first(path.size() - 1));
+    const std::string limits = fmt::format("const int analytic_points = {};\n"
+                                           "const int most_outlined_triangles = {};\n",
+                                           options.analytic_points, most_outlined_triangles);
+    path.insert(path.end() - 1,
+                glsl::Root::memory("estimator", {{"integrator/reflected.glsl",
+                                                  "#include \"integrator/reflected_analytic.glsl\"\n"},
+                                                 {"interface/estimator.glsl", limits}}));
+    return path;
+}
+
+} // namespace
 
 Renderer::Renderer(const GpuScene& scene, const scene::Camera& camera, const RenderOptions& options)
     : scene_(scene),
       camera_(camera),
       options_(options),
       end_light_(scene.light_count()),
-      shaders_(options.shader_path),
+      shaders_(shader_path(options)),
       frame_("frame", options.width, options.height, true),
       film_("film", options.width, options.height, false) {
-    require(!options.shader_path.empty(), "the shader path has a root");
     if (scene.occluders() && scene.occluders()->occlusion())
         ray_answers_.emplace(scene, frame_, options.width, options.height);
     clear();

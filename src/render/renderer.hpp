@@ -9,6 +9,15 @@
 
 namespace sr::render {
 
+/// How the integral over an emitter is evaluated: by samples, which converge to it, or in closed form with
+/// few points (shaders/integrator/reflected_analytic.glsl).
+enum class Estimator { sampled, analytic };
+
+/// Points of the analytic estimator a lobe and emitter: tools/ltc/README.md has what they buy.
+inline constexpr int default_analytic_points = 16;
+
+/// A mesh of more emissive triangles is sampled by the analytic estimator too.
+inline constexpr int most_outlined_triangles = 32;
 /// A part of a picture, counted from its upper left corner.
 struct Window {
     int column = 0;
@@ -29,6 +38,8 @@ struct RenderOptions {
     std::optional<Window> window;
     /// The roots that shaders come from, most particular first.
     std::vector<glsl::Root> shader_path{glsl::embedded()};
+    Estimator estimator = Estimator::sampled;
+    int analytic_points = default_analytic_points; // 0: linearly transformed cosines alone
 };
 
 class Renderer {

@@ -123,8 +123,12 @@ void append_flat(Scene& scene, const Flat& light, int texture) {
 struct Append {
     Scene& scene;
 
-    void operator()(const PointLight&) const {}
-    void operator()(const SpotLight&) const {}
+    void operator()(const PointLight& light) const {
+        if (!light.is_visible || !(light.radius > 0.0f) || light.profile >= 0) return;
+        append(scene, light.name,
+               {sphere(light.position, light.radius), light.I / (pi * light.radius * light.radius)});
+    }
+    void operator()(const SpotLight&) const {} // its radiance, as a profile's, depends on the direction
     void operator()(const DirectionalLight&) const {}
     void operator()(const MeshLight&) const {} // its surface is the mesh that it came from
     void operator()(const RectangleLight& light) const { append_flat(scene, light, light.map.texture); }

@@ -55,7 +55,10 @@ Stage set_stage(Scene scene, const std::string& name, const StageOptions& option
                                             "(--rig none leaves it dark)",
                                             name));
     }
-    add_light_surfaces(scene);
+    if (options.hide_emitters)
+        for (Material& material : scene.materials) material.emission = vec3(0.0f);
+    else
+        add_light_surfaces(scene);
     stage.scene = std::move(scene);
     return stage;
 }

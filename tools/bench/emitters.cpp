@@ -17,6 +17,13 @@ using namespace sr;
 
 constexpr int size = 1024;
 
+struct Arguments {
+    int frames = 15;
+    std::string backend = "auto";
+    std::string estimator = "sampled";
+    int points = render::default_analytic_points;
+};
+
 /// A glossy plane, so that lights and BRDF are both sampled.
 scene::Scene plane() {
     scene::Scene scene;
@@ -86,11 +93,14 @@ std::vector<Case> cases() {
 }
 
 /// The median frame of a picture of one megapixel [ms].
-double frame_time(const std::vector<scene::Light>& lights, int frames) {
+double frame_time(const std::vector<scene::Light>& lights, const Arguments& arguments) {
+    const int frames = arguments.frames;
     const render::GpuScene scene(plane(), lights);
     render::RenderOptions options;
     options.width = options.height = size;
     options.samples = frames + 1;
+    options.estimator = arguments.estimator == "analytic" ? render::Estimator::analytic : render::Estimator::sampled;
+    options.analytic_points = arguments.points;
     render::Renderer renderer(scene, camera_above(), options);
     std::vector<double> times;
     for (int i = 0; i <= frames; ++i) {
@@ -105,16 +115,16 @@ double frame_time(const std::vector<scene::Light>& lights, int frames) {
     return times[static_cast<std::size_t>(frames / 2)];
 }
 
-void run(int frames, const std::string& backend) {
-    const auto context = gl::open_context({gl::backend_named(backend).value_or(gl::Backend::automatic)});
+void run(const Arguments& arguments) {
+    const auto context = gl::open_context({gl::backend_named(arguments.backend).value_or(gl::Backend::automatic)});
     double load[1] = {0.0};
     if (getloadavg(load, 1) < 1) load[0] = -1.0;
-    fmt::print("{}, {}x{}, median of {} frames, load {:.2f}\n\n", context->info().renderer, size, size,
-               frames, load[0]);
+    fmt::print("{}, {}, {}x{}, median of {} frames, load {:.2f}\n\n", arguments.estimator,
+               context->info().renderer, size, size, arguments.frames, load[0]);
     fmt::print("{:<26}{:>12}{:>24}\n", "emitter", "ms a frame", "ms a light and megapixel");
     double empty = 0.0;
     for (const Case& one : cases()) {
-        const double time = frame_time(one.lights, frames);
+        const double time = frame_time(one.lights, arguments);
         if (one.lights.empty()) empty = time;
         const auto count = static_cast<double>(std::max<std::size_t>(1, one.lights.size()));
         fmt::print("{:<26}{:>12.1f}{:>24.1f}\n", one.name, time,
@@ -125,15 +135,18 @@ void run(int frames, const std::string& backend) {
 } // namespace
 
 int main(int argc, char** argv) {
-    int frames = 15;
-    std::string backend = "auto";
+    Arguments arguments;
     CLI::App app{"Milliseconds per light and megapixel, for every shape of emitter."};
-    app.add_option("--frames", frames)->check(CLI::PositiveNumber)->capture_default_str();
-    app.add_option("--backend", backend)->capture_default_str();
+    app.add_option("--frames", arguments.frames)->check(CLI::PositiveNumber)->capture_default_str();
+    app.add_option("--backend", arguments.backend)->capture_default_str();
+    app.add_option("--estimator", arguments.estimator)
+        ->check(CLI::IsMember({"sampled", "analytic"}))
+        ->capture_default_str();
+    app.add_option("--points", arguments.points, "of the analytic estimator")->capture_default_str();
     app.footer("Example:\n  build/bench_emitters --frames 30");
     CLI11_PARSE(app, argc, argv);
     try {
-        run(frames, backend);
+        run(arguments);
         return 0;
     } catch (const sr::Error& error) {
         fmt::print(stderr, "{}\n", error.what());
