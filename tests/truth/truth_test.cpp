@@ -12,27 +12,38 @@ using namespace sr::testing;
 namespace {
 
 /// Cells whose sum has more noise than the bar asks for, and is held to that noise: no direction of the
-/// BRDF's choice finds a mesh (shaders/light/mesh.glsl), and the picture of a spot without extent in a smooth
-/// metal is smaller than a pixel.
+/// BRDF's choice finds a mesh (shaders/light/mesh.glsl), and the picture of a light without extent in a
+/// smooth metal is smaller than a pixel.
 bool is_noisy(std::string_view shape, std::string_view material) {
     return (shape == "mesh" && material != "lambert")
            || ((shape == "spot" || shape == "profile") && material == "ggx_01");
+}
+
+/// Of these, the one whose few bright samples tell so little of its noise that pixels are not judged by it.
+bool has_unknown_noise(std::string_view shape, std::string_view material) {
+    return shape == "mesh" && material == "ggx_01";
+}
+
+/// One line of tests/truth/README.md's table.
+void print(std::string_view shape, std::string_view view, std::string_view material,
+           const truth::Distance& d) {
+    fmt::print("| {} | {} | {} | {:.3f} ± {:.3f} | {:.2f} | {:.1f} | {:.1f} | {:.2f} |\n", shape, view,
+               material, 100.0 * d.energy, 100.0 * d.energy_noise, d.rms, 100.0 * d.beyond_three, d.largest,
+               100.0 * d.median);
 }
 
 void expect_cell(std::string_view shape, std::string_view material, std::string_view view) {
     SCOPED_TRACE(std::string(material));
     const truth::Distance d =
         truth::distance(truth::rendered(shape, material, view), truth::stored(shape, material, view));
-    // One line of tests/truth/README.md's table.
-    fmt::print("| {} | {} | {} | {:.3f} ± {:.3f} | {:.2f} | {:.1f} | {:.1f} | {:.2f} |\n", shape, view,
-               material, 100.0 * d.energy, 100.0 * d.energy_noise, d.rms, 100.0 * d.beyond_three, d.largest,
-               100.0 * d.median);
+    print(shape, view, material, d);
     if (is_noisy(shape, material)) {
         EXPECT_LT(d.energy, std::max(0.003, 3.0 * d.energy_noise));
     } else {
         EXPECT_LT(d.energy, 0.003);
         EXPECT_LT(d.energy_noise, 0.0015) << "too much noise for the claim";
     }
+    if (has_unknown_noise(shape, material)) return;
     // Noise alone puts 0.3 % of all values beyond three standard deviations (1 % of pixels if the channels
     // had nothing to do with one another, 4 % in one cell of ten thousand), and one value in 5·10^8 beyond
     // six.

@@ -91,7 +91,6 @@ def main():
     mi.set_variant(arguments.variant)
     arguments.to.mkdir(parents=True, exist_ok=True)
     index = arguments.to / "index.json"
-    entries = json.loads(index.read_text()) if index.exists() else {}
     with tempfile.TemporaryDirectory() as scratch:
         subprocess.run([arguments.export, scratch], check=True)
         folders = [f for f in sorted(Path(scratch).iterdir()) if f.name.startswith(arguments.only)]
@@ -101,7 +100,9 @@ def main():
         import steradian_mitsuba  # noqa: F401: importing registers the plugins
 
         for folder in folders:
-            entries[folder.name] = make(mi, folder, arguments.to / f"{folder.name}.exr", arguments)
+            entry = make(mi, folder, arguments.to / f"{folder.name}.exr", arguments)
+            entries = json.loads(index.read_text()) if index.exists() else {}  # others may have written meanwhile
+            entries[folder.name] = entry
             index.write_text(json.dumps(dict(sorted(entries.items())), indent=1) + "\n")
 
 
