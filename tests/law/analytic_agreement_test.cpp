@@ -19,7 +19,8 @@ scene::Scene glossy_plane() {
     scene.materials[0].roughness = 0.5f;
     scene::TextureImage image;
     image.width = image.height = 2;
-    image.texels = std::vector<std::uint8_t>{255, 128, 0, 255, 0, 0, 0, 255, 64, 64, 255, 255, 255, 255, 255, 255};
+    image.texels =
+        std::vector<std::uint8_t>{255, 128, 0, 255, 0, 0, 0, 255, 64, 64, 255, 255, 255, 255, 255, 255};
     scene.images.push_back(image);
     scene.textures.push_back({0, {}, scene::ColorSpace::linear});
     return scene;
@@ -74,7 +75,8 @@ const Test round_spot("law.integrator.analytic.spot_with_a_radius", [] {
 const Test many_triangles("law.integrator.analytic.mesh_of_many_triangles_is_sampled", [] {
     scene::MeshLight light;
     for (int k = 0; k < render::most_outlined_triangles + 8; ++k) {
-        const float x = 0.25f * static_cast<float>(k % 8) - 1.0f, z = 0.25f * static_cast<float>(k / 8) - 0.6f;
+        const float x = 0.25f * static_cast<float>(k % 8) - 1.0f,
+                    z = 0.25f * static_cast<float>(k / 8) - 0.6f;
         light.triangles.push_back({{vec3(x, 1, z), vec3(x + 0.2f, 1, z), vec3(x, 1, z + 0.2f)}, {}});
     }
     expect_agreement(glossy_plane(), light, 0.01, 0.03);
