@@ -17,7 +17,7 @@ enum class Estimator { sampled, analytic };
 inline constexpr int default_analytic_points = 16;
 
 /// A mesh of more emissive triangles is sampled by the analytic estimator too.
-inline constexpr int most_outlined_triangles = 32;
+inline constexpr int most_outlined_triangles = 12;
 /// A part of a picture, counted from its upper left corner.
 struct Window {
     int column = 0;

@@ -14,8 +14,8 @@ namespace {
 constexpr double pi = std::numbers::pi;
 const dvec3 up(0.0, 1.0, 0.0);
 
-/// E of a polygon of radiance 1 above x, cut at the plane y = x.y (Sutherland & Hodgman 1974), by Lambert's formula
-/// (Baum et al. 1989, Eq. 5).
+/// E of a polygon of radiance 1 above x, cut at the plane y = x.y (Sutherland & Hodgman 1974), by Lambert's
+/// formula (Baum et al. 1989, Eq. 5).
 double polygon_irradiance(const std::vector<dvec3>& corners, dvec3 x) {
     std::vector<dvec3> above;
     for (std::size_t k = 0; k < corners.size(); ++k) {
@@ -54,24 +54,30 @@ scene::RectangleLight rectangle(vec3 center, vec3 half_u, vec3 half_v, bool is_t
 
 const Test whole("analytic.outline.rectangle", [] {
     const auto light = rectangle({0.4f, 1.5f, -0.6f}, {0.6f, 0, 0}, {0, 0.2f, 0.4f});
-    expect_irradiance(light, [&](dvec3 x) { return one_sided(corners_of(light), x); }, 2.0);
+    expect_irradiance(
+        light, [&](dvec3 x) { return one_sided(corners_of(light), x); }, 2.0);
 });
 
 const Test far_away("analytic.outline.rectangle.of_a_degree", [] {
     const auto light = rectangle({1.0f, 9.0f, -0.6f}, {0.08f, 0, 0}, {0, 0.02f, 0.08f});
-    expect_irradiance(light, [&](dvec3 x) { return one_sided(corners_of(light), x); }, 2.0);
+    expect_irradiance(
+        light, [&](dvec3 x) { return one_sided(corners_of(light), x); }, 2.0);
 });
 
 const Test through("analytic.outline.rectangle.through_the_horizon", [] {
-    const auto light = rectangle({0.1f, 0.2f, -1.0f}, {1.1f, 0.3f, 0}, glm::normalize(vec3(-0.3f, 1.1f, 0.4f)));
-    expect_irradiance(light, [&](dvec3 x) { return one_sided(corners_of(light), x); }, 2.0);
+    const auto light =
+        rectangle({0.1f, 0.2f, -1.0f}, {1.1f, 0.3f, 0}, glm::normalize(vec3(-0.3f, 1.1f, 0.4f)));
+    expect_irradiance(
+        light, [&](dvec3 x) { return one_sided(corners_of(light), x); }, 2.0);
 });
 
 const Test two_sided("analytic.outline.rectangle.two_sided", [] {
     const auto light = rectangle({0.1f, 0.3f, 0.01f}, {0.7f, 0.3f, 0}, {-0.15f, 0.35f, 0}, true);
     const auto wall = rectangle({0.1f, 0.3f, 0.0f}, {0.7f, 0.1f, 0}, {0, 0.5f, 0.1f}, true);
-    expect_irradiance(wall, [&](dvec3 x) { return polygon_irradiance(corners_of(wall), x); }, 2.0);
-    expect_irradiance(light, [&](dvec3 x) { return polygon_irradiance(corners_of(light), x); }, 2.0);
+    expect_irradiance(
+        wall, [&](dvec3 x) { return polygon_irradiance(corners_of(wall), x); }, 2.0);
+    expect_irradiance(
+        light, [&](dvec3 x) { return polygon_irradiance(corners_of(light), x); }, 2.0);
 });
 
 const Test polygon("analytic.outline.polygon", [] {
@@ -82,7 +88,8 @@ const Test polygon("analytic.outline.polygon", [] {
     }
     const auto expect = [&] {
         std::vector<dvec3> corners(light.corners.begin(), light.corners.end());
-        expect_irradiance(light, [&](dvec3 x) { return one_sided(corners, x); }, 2.0);
+        expect_irradiance(
+            light, [&](dvec3 x) { return one_sided(corners, x); }, 2.0);
     };
     expect();
     std::reverse(light.corners.begin(), light.corners.end());
@@ -94,7 +101,8 @@ const Test polygon("analytic.outline.polygon", [] {
 const Test mesh("analytic.outline.mesh", [] {
     scene::MeshLight light; // an octahedron, of which every receiver sees some triangles
     const vec3 center(0.3f, 0.4f, 0.2f);
-    const vec3 tips[6] = {{0.6f, 0, 0}, {-0.6f, 0, 0}, {0, 0.6f, 0}, {0, -0.6f, 0}, {0, 0, 0.6f}, {0, 0, -0.6f}};
+    const vec3 tips[6] = {{0.6f, 0, 0},  {-0.6f, 0, 0}, {0, 0.6f, 0},
+                          {0, -0.6f, 0}, {0, 0, 0.6f},  {0, 0, -0.6f}};
     for (int i = 0; i < 8; ++i) {
         vec3 a = tips[i & 1], b = tips[2 + (i >> 1 & 1)], c = tips[4 + (i >> 2)];
         if (glm::dot(glm::cross(b - a, c - a), a + b + c) < 0.0f) std::swap(b, c);
@@ -125,7 +133,8 @@ double ellipse_irradiance(const scene::DiskLight& light, dvec3 x) {
 }
 
 const Test disk_closed("analytic.outline.disk.closed_form", [] {
-    // A receiver parallel to the disk, h below it and a off its axis (Foote 1915; with a = 0, π sin² of the half angle):
+    // A receiver parallel to the disk, h below it and a off its axis (Foote 1915; with a = 0, π sin² of the
+    // half angle):
     //   E / L = π/2 (1 - (h² + a² - r²) / √((h² + a² + r²)² - 4 r² a²))
     const double r = 0.8, h = 0.6;
     const scene::DiskLight light{"", {0.0f, 0.6f, 0.0f}, {0.8f, 0, 0}, {0, 0, 0.8f}};
@@ -140,12 +149,14 @@ const Test disk_closed("analytic.outline.disk.closed_form", [] {
 
 const Test ellipse("analytic.outline.disk.slanted_ellipse", [] {
     const scene::DiskLight light{"", {0.4f, 1.0f, -0.3f}, {0.9f, 0.2f, 0}, {-0.05f, 0.225f, 0.3f}};
-    expect_irradiance(light, [&](dvec3 x) { return ellipse_irradiance(light, x); }, 2.0);
+    expect_irradiance(
+        light, [&](dvec3 x) { return ellipse_irradiance(light, x); }, 2.0);
 });
 
 const Test cut_disk("analytic.outline.disk.through_the_horizon", [] {
     const scene::DiskLight light{"", {0.1f, 0.15f, -0.8f}, {0.9f, 0.2f, 0}, {-0.1f, 0.45f, 0.2f}};
-    expect_irradiance(light, [&](dvec3 x) { return ellipse_irradiance(light, x); }, 2.0);
+    expect_irradiance(
+        light, [&](dvec3 x) { return ellipse_irradiance(light, x); }, 2.0);
 });
 
 } // namespace

@@ -53,7 +53,8 @@ const Test half_sunk("analytic.outline.sphere.half_below_the_horizon", [] {
 const Test cut("analytic.outline.sphere.through_the_horizon", [] {
     for (const float height : {0.35f, -0.25f}) {
         const scene::SphereLight light{"", {0.2f, height, -2.8f}, 0.7f};
-        expect_irradiance(light, [&](dvec3 x) { return sphere_irradiance(light, x); }, 2.0);
+        expect_irradiance(
+            light, [&](dvec3 x) { return sphere_irradiance(light, x); }, 2.0);
     }
 });
 
@@ -63,12 +64,14 @@ const Test sun("analytic.outline.sun", [] {
     for (const float sigma : {0.00465f, 0.4f}) {
         light.angular_radius = sigma;
         const double cos_i = -light.direction.y;
-        expect_irradiance(light, [&](dvec3) { return cos_i; }, 2.0);
+        expect_irradiance(
+            light, [&](dvec3) { return cos_i; }, 2.0);
     }
     light.direction = glm::normalize(vec3(0.3f, -0.1f, 0.5f)); // 10° above the horizon, 23° wide: partly set
     const double L = 1.0 / (pi * std::pow(std::sin(double(light.angular_radius)), 2.0));
     const double E = L * cone_irradiance(-dvec3(light.direction), light.angular_radius);
-    expect_irradiance(light, [&](dvec3) { return E; }, 2.0);
+    expect_irradiance(
+        light, [&](dvec3) { return E; }, 2.0);
 });
 
 /// A capsule by rays: the least distance between the ray and the axis.
@@ -91,7 +94,8 @@ double tube_irradiance(const scene::TubeLight& light, dvec3 x) {
 
 void expect_tube(vec3 center, vec3 half_axis, float radius) {
     const scene::TubeLight light{"", center, half_axis, radius};
-    expect_irradiance(light, [&](dvec3 x) { return tube_irradiance(light, x); }, 2.0);
+    expect_irradiance(
+        light, [&](dvec3 x) { return tube_irradiance(light, x); }, 2.0);
 }
 
 const Test tube("analytic.outline.tube", [] { expect_tube({0.3f, 0.8f, -0.2f}, {0.5f, 0.2f, 0.3f}, 0.15f); });

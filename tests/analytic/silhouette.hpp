@@ -1,5 +1,6 @@
 #pragma once
-// Irradiance of anything convex in doubles, by finding its outline with rays: no formula of an outline is used.
+// Irradiance of anything convex in doubles, by finding its outline with rays: no formula of an outline is
+// used.
 #include <cmath>
 #include <functional>
 #include <glm/glm.hpp>
@@ -10,12 +11,14 @@ namespace sr::testing {
 /// Whether a ray from x in direction w meets the emitter.
 using Meets = std::function<bool(glm::dvec3 w)>;
 
-/// ∫ max(n·w, 0) dω over the directions that meet a convex emitter [sr], for one direction `inside` of them. Around
-/// it, in equal steps of azimuth, the angle ψ to the outline by bisection; over ψ the integral is elementary.
+/// ∫ max(n·w, 0) dω over the directions that meet a convex emitter [sr], for one direction `inside` of them.
+/// Around it, in equal steps of azimuth, the angle ψ to the outline by bisection; over ψ the integral is
+/// elementary.
 inline double irradiance_of_convex(const Meets& meets, glm::dvec3 inside, glm::dvec3 n, int azimuths = 4000) {
     constexpr double pi = std::numbers::pi;
     const glm::dvec3 c = glm::normalize(inside);
-    const glm::dvec3 u = glm::normalize(glm::cross(c, std::abs(c.x) < 0.7 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0)));
+    const glm::dvec3 u =
+        glm::normalize(glm::cross(c, std::abs(c.x) < 0.7 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0)));
     const glm::dvec3 v = glm::cross(c, u);
     double E = 0.0;
     for (int i = 0; i < azimuths; ++i) {

@@ -15,7 +15,8 @@ namespace {
 constexpr double degree = std::numbers::pi / 180.0;
 
 float entry(int row, int column, int number) {
-    return render::ltc_table()[static_cast<std::size_t>((row * render::ltc_grid + column) * render::ltc_numbers + number)];
+    return render::ltc_table()[static_cast<std::size_t>(
+        (row * render::ltc_grid + column) * render::ltc_numbers + number)];
 }
 
 const Test smooth("law.brdf.ltc.table_is_finite_and_smooth", [] {
@@ -29,19 +30,21 @@ const Test smooth("law.brdf.ltc.table_is_finite_and_smooth", [] {
                 EXPECT_NEAR(entry(row, column + 1, width) / here, 1.0f, 0.5f) << row << "," << column;
             }
             EXPECT_TRUE(std::abs(entry(row, column, 1)) <= 1.01f) << row << "," << column;
-            EXPECT_TRUE(entry(row, column, 3) > 0.29f && entry(row, column, 3) <= 1.0f) << row << "," << column;
+            EXPECT_TRUE(entry(row, column, 3) > 0.29f && entry(row, column, 3) <= 1.0f)
+                << row << "," << column;
             EXPECT_TRUE(entry(row, column, 4) >= 0.0f && entry(row, column, 4) <= entry(row, column, 3));
         }
 });
 
-// The albedo of the table against another way of integrating (midpoints in (z, φ) instead of visible normals), and the
-// fitted density, which is one by construction, with it.
+// The albedo of the table against another way of integrating (midpoints in (z, φ) instead of visible
+// normals), and the fitted density, which is one by construction, with it.
 const Test albedo("law.brdf.ltc.albedo_and_density", [] {
     for (const int row : {15, 22, 31})
         for (const int column : {10, 20, 31}) {
             const double u = static_cast<double>(column) / (render::ltc_grid - 1);
             const double roughness = static_cast<double>(row) / (render::ltc_grid - 1);
-            const double cos_o = u * u, alpha = roughness * roughness, softened = cos_o * cos_o + alpha * alpha;
+            const double cos_o = u * u, alpha = roughness * roughness,
+                         softened = cos_o * cos_o + alpha * alpha;
             const ltc::Lobe lobe{entry(row, column, 0) * 2.0 * alpha / softened,
                                  entry(row, column, 1) * std::sqrt((1.0 - cos_o * cos_o) / softened),
                                  entry(row, column, 2) * 2.0 * alpha};
@@ -73,7 +76,8 @@ void expect_bar(ltc::Shape shape, ltc::Material material) {
     }
     const auto reflected = ltc::evaluated(all, material, render::default_analytic_points);
     for (std::size_t begin = 0; begin < all.size(); begin += count) {
-        const auto errors = ltc::errors(std::span(all).subspan(begin, count), std::span(reflected).subspan(begin, count));
+        const auto errors =
+            ltc::errors(std::span(all).subspan(begin, count), std::span(reflected).subspan(begin, count));
         EXPECT_LE(errors[count / 2], 0.02) << "median, cell " << begin / count;
         EXPECT_LE(errors[count * 95 / 100], 0.10) << "95th percentile, cell " << begin / count;
     }
@@ -83,9 +87,12 @@ const Test polygons("law.integrator.analytic.error_bar.polygon", [] {
     expect_bar(ltc::Shape::polygon, ltc::Material::metal);
     expect_bar(ltc::Shape::polygon, ltc::Material::plastic);
 });
-const Test disks("law.integrator.analytic.error_bar.disk", [] { expect_bar(ltc::Shape::disk, ltc::Material::metal); });
-const Test spheres("law.integrator.analytic.error_bar.sphere", [] { expect_bar(ltc::Shape::sphere, ltc::Material::metal); });
-const Test tubes("law.integrator.analytic.error_bar.tube", [] { expect_bar(ltc::Shape::tube, ltc::Material::metal); });
+const Test disks("law.integrator.analytic.error_bar.disk",
+                 [] { expect_bar(ltc::Shape::disk, ltc::Material::metal); });
+const Test spheres("law.integrator.analytic.error_bar.sphere",
+                   [] { expect_bar(ltc::Shape::sphere, ltc::Material::metal); });
+const Test tubes("law.integrator.analytic.error_bar.tube",
+                 [] { expect_bar(ltc::Shape::tube, ltc::Material::metal); });
 
 // The surface is at the origin and faces +z.
 const std::vector<scene::Light> degenerate{

@@ -10,9 +10,9 @@
 namespace sr::ltc {
 namespace {
 
-constexpr int side = 20;      // cells a side
+constexpr int side = 20; // cells a side
 constexpr int cell_pixels = 12;
-constexpr int each = 25;      // emitters a cell
+constexpr int each = 25; // emitters a cell
 constexpr std::array points{0, 16};
 
 /// Up to which median error, and its colour (sRGB); the last is for all above.
@@ -26,7 +26,8 @@ constexpr std::array steps{Step{0.002, {0.10f, 0.20f, 0.42f}}, Step{0.005, {0.20
                            Step{1e9, {0.70f, 0.15f, 0.15f}}};
 
 vec3 color_of(double error) {
-    return std::find_if(steps.begin(), steps.end() - 1, [&](const Step& s) { return error <= s.error; })->color;
+    return std::find_if(steps.begin(), steps.end() - 1, [&](const Step& s) { return error <= s.error; })
+        ->color;
 }
 
 void fill(image::Image& picture, int x, int y, int width, int height, vec3 color) {
@@ -44,8 +45,8 @@ std::vector<Trial> all_trials() {
             constexpr double degree = 3.14159265358979 / 180.0;
             const double angle = 88.0 * degree * column / (side - 1);
             const Cell cell{0.05 * (row + 1), angle, angle};
-            const auto found =
-                trials(Shape::polygon, Material::metal, cell, each, static_cast<std::uint64_t>(row * side + column), 1 << 13);
+            const auto found = trials(Shape::polygon, Material::metal, cell, each,
+                                      static_cast<std::uint64_t>(row * side + column), 1 << 13);
             all.insert(all.end(), found.begin(), found.end());
         }
     return all;
@@ -62,13 +63,15 @@ void write_error_map(const std::filesystem::path& file) {
         const std::vector<double> reflected = evaluated(all, Material::metal, points[p]);
         for (int i = 0; i < side * side; ++i) {
             const auto first = static_cast<std::size_t>(i * each);
-            const auto cell = errors(std::span(all).subspan(first, each), std::span(reflected).subspan(first, each));
-            fill(picture, static_cast<int>(p) * (panel + cell_pixels) + i % side * cell_pixels, i / side * cell_pixels,
-                 cell_pixels, cell_pixels, color_of(cell[each / 2]));
+            const auto cell =
+                errors(std::span(all).subspan(first, each), std::span(reflected).subspan(first, each));
+            fill(picture, static_cast<int>(p) * (panel + cell_pixels) + i % side * cell_pixels,
+                 i / side * cell_pixels, cell_pixels, cell_pixels, color_of(cell[each / 2]));
         }
     }
     for (std::size_t s = 0; s < steps.size(); ++s)
-        fill(picture, static_cast<int>(s) * 3 * cell_pixels, panel + cell_pixels, 3 * cell_pixels, cell_pixels, steps[s].color);
+        fill(picture, static_cast<int>(s) * 3 * cell_pixels, panel + cell_pixels, 3 * cell_pixels,
+             cell_pixels, steps[s].color);
     image::write(picture, file, image::SampleType::integer8);
 }
 

@@ -1,5 +1,5 @@
-// Fits a linearly transformed cosine to GGX for every view and roughness of a grid, and writes the table that the
-// renderer reads: fit_ltc > assets/lut/ggx_ltc.inc. The same bytes every time; seconds.
+// Fits a linearly transformed cosine to GGX for every view and roughness of a grid, and writes the table that
+// the renderer reads: fit_ltc > assets/lut/ggx_ltc.inc. The same bytes every time; seconds.
 #include "ggx.hpp"
 #include "simplex.hpp"
 
@@ -36,8 +36,8 @@ std::vector<Sample> samples_of(dvec3 wo, double alpha, int rings, int sectors) {
     return samples;
 }
 
-/// Minimises the Kullback-Leibler divergence ∫ f log(f / density): light from where the lobe is counts, and the ratio
-/// f / density, which the points of an emitter average, stays even.
+/// Minimises the Kullback-Leibler divergence ∫ f log(f / density): light from where the lobe is counts, and
+/// the ratio f / density, which the points of an emitter average, stays even.
 Fit fitted(double cos_o, double alpha, const Lobe& start) {
     const dvec3 wo = direction_at(cos_o);
     const std::vector<Sample> samples = samples_of(wo, alpha, 48, 48);
@@ -59,8 +59,9 @@ Fit fitted(double cos_o, double alpha, const Lobe& start) {
     return fit;
 }
 
-/// What an entry of the table means at its place in the grid (shaders/brdf/ltc.glsl undoes it). For α → 0 the lobe is
-/// a = 2α / cos²θ_o, b = tanθ_o, c = 2α: divided by that, or by what it would be at grazing, the numbers are smooth.
+/// What an entry of the table means at its place in the grid (shaders/brdf/ltc.glsl undoes it). For α → 0 the
+/// lobe is a = 2α / cos²θ_o, b = tanθ_o, c = 2α: divided by that, or by what it would be at grazing, the
+/// numbers are smooth.
 void print_entry(const Fit& fit, double cos_o, double scaled_b, double alpha) {
     const double softened = cos_o * cos_o + alpha * alpha;
     std::printf("%.5ff, %.5ff, %.5ff, %.5ff, %.5ff,\n", fit.lobe.a * softened / (2.0 * alpha), scaled_b,
@@ -75,9 +76,11 @@ double scaled_b(const Fit& fit, double cos_o, double alpha) {
 } // namespace
 
 int main() {
-    std::printf("// Made by fit_ltc (tools/ltc/). GGX as a linearly transformed cosine: %d rows of roughness from 0\n"
-                "// to 1, in each %d views, √cosθ_o from 0 to 1. Entries: a, b, c (scaled), albedo, Schlick's part.\n",
-                grid, grid);
+    std::printf(
+        "// Made by fit_ltc (tools/ltc/). GGX as a linearly transformed cosine: %d rows of roughness from 0\n"
+        "// to 1, in each %d views, √cosθ_o from 0 to 1. Entries: a, b, c (scaled), albedo, Schlick's "
+        "part.\n",
+        grid, grid);
     for (int row = 0; row < grid; ++row) {
         const double roughness = static_cast<double>(row) / (grid - 1);
         const double alpha = std::max(roughness * roughness, 1e-4); // smallest_alpha of the shaders

@@ -1,6 +1,6 @@
 #pragma once
-// GGX and its linearly transformed cosine in doubles, in the frame where n = z and wo lies in the plane y = 0. Shares
-// no code with the shaders, so that it can judge them.
+// GGX and its linearly transformed cosine in doubles, in the frame where n = z and wo lies in the plane y =
+// 0. Shares no code with the shaders, so that it can judge them.
 #include <cmath>
 #include <glm/glm.hpp>
 #include <numbers>
@@ -55,8 +55,8 @@ struct Lobe {
     double b = 0.0;
     double c = 1.0;
 
-    dvec3 warped(dvec3 w) const { return {(w.x - b * w.z) / a, w.y / c, w.z}; }        // M⁻¹ w
-    dvec3 unwarped(dvec3 q) const { return {a * q.x + b * q.z, c * q.y, q.z}; }        // M q
+    dvec3 warped(dvec3 w) const { return {(w.x - b * w.z) / a, w.y / c, w.z}; } // M⁻¹ w
+    dvec3 unwarped(dvec3 q) const { return {a * q.x + b * q.z, c * q.y, q.z}; } // M q
     /// [1/sr]; integrates to 1 over the hemisphere. Heitz et al. 2016, Eq. 1.
     double density(dvec3 w) const {
         const dvec3 q = warped(w);

@@ -21,12 +21,14 @@ struct Arguments {
 constexpr double degree = std::numbers::pi / 180.0;
 
 std::string median_and_95(const std::vector<double>& errors) {
-    return fmt::format("{:.2f} / {:.2f}", 100.0 * errors[errors.size() / 2], 100.0 * errors[errors.size() * 95 / 100]);
+    return fmt::format("{:.2f} / {:.2f}", 100.0 * errors[errors.size() / 2],
+                       100.0 * errors[errors.size() * 95 / 100]);
 }
 
 void print_table(const Arguments& arguments, const char* name, Shape shape, Material material) {
-    fmt::print("\n**{}.** Relative error [%], median / 95th percentile of {} emitters.\n\n| roughness | view |", name,
-               arguments.trials);
+    fmt::print(
+        "\n**{}.** Relative error [%], median / 95th percentile of {} emitters.\n\n| roughness | view |",
+        name, arguments.trials);
     for (const int points : arguments.points) fmt::print(" {} points |", points);
     fmt::print("\n|---|---|{}\n", [&] {
         std::string rule;
@@ -38,7 +40,8 @@ void print_table(const Arguments& arguments, const char* name, Shape shape, Mate
             const auto cell = trials(shape, material, {roughness, least * degree, greatest * degree},
                                      arguments.trials, 1, arguments.rays);
             fmt::print("| {} | {} |", roughness,
-                       least == greatest ? fmt::format("{}°", least) : fmt::format("{}–{}°", least, greatest));
+                       least == greatest ? fmt::format("{}°", least)
+                                         : fmt::format("{}–{}°", least, greatest));
             for (const int points : arguments.points)
                 fmt::print(" {} |", median_and_95(errors(cell, evaluated(cell, material, points))));
             fmt::print("\n");
@@ -55,7 +58,8 @@ int main(int argc, char** argv) {
     app.add_option("--rays", arguments.rays, "directions of the brute force")->capture_default_str();
     app.add_option("--shape", arguments.shape, "polygon|disk|sphere|tube|plastic|all")->capture_default_str();
     app.add_option("--points", arguments.points, "points a lobe")->delimiter(',')->capture_default_str();
-    app.add_option("--map", arguments.map, "a .png instead of the tables: the median error, without points and with 16");
+    app.add_option("--map", arguments.map,
+                   "a .png instead of the tables: the median error, without points and with 16");
     CLI11_PARSE(app, argc, argv);
     if (!arguments.map.empty()) {
         sr::ltc::write_error_map(arguments.map);

@@ -54,7 +54,8 @@ RandomEmitter polygon(Random& random) {
     const auto meets = [corners, n = p.n](dvec3 w) { // on one side of all edges, and not behind
         bool left = false, right = false;
         for (std::size_t k = 0; k < corners.size(); ++k)
-            (glm::dot(glm::cross(corners[k], corners[(k + 1) % corners.size()]), w) > 0.0 ? left : right) = true;
+            (glm::dot(glm::cross(corners[k], corners[(k + 1) % corners.size()]), w) > 0.0 ? left : right) =
+                true;
         return left != right && glm::dot(n, w) < 0.0;
     };
     return {light, meets};

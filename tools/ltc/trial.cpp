@@ -14,7 +14,8 @@ struct Ray {
     double reflected;
 };
 
-constexpr double golden = 0.6180339887498949; // (√5 - 1)/2: the lattice of the golden ratio is even at any count
+constexpr double golden =
+    0.6180339887498949; // (√5 - 1)/2: the lattice of the golden ratio is even at any count
 
 double schlick(double F0, double weight) { return F0 + (1.0 - F0) * weight; }
 

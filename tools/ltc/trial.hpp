@@ -1,5 +1,6 @@
 #pragma once
-// Random emitters over a GGX surface, with what they reflect by brute force: what the analytic estimator is judged by.
+// Random emitters over a GGX surface, with what they reflect by brute force: what the analytic estimator is
+// judged by.
 #include "scene/light.hpp"
 
 #include <cstdint>
@@ -14,8 +15,8 @@ enum class Shape { polygon, disk, sphere, tube };
 /// White metal: F = 1, the GGX lobe alone. Plastic: glTF's dielectric, white with F0 = 0.04, both lobes.
 enum class Material { metal, plastic };
 
-/// The surface is at the origin, n = +z, wo in the plane y = 0. The emitter has radiance 1 and shines on it from both
-/// sides if it is flat.
+/// The surface is at the origin, n = +z, wo in the plane y = 0. The emitter has radiance 1 and shines on it
+/// from both sides if it is flat.
 struct Trial {
     scene::Light light;
     double alpha = 1.0;
@@ -30,8 +31,8 @@ struct Cell {
     double greatest_angle = 0.0;
 };
 
-/// `count` trials of emitters of random place and size, each with a view of its own, that reflect more than a tenth of
-/// the albedo; by `points` directions of a lattice each. The same for the same seed.
+/// `count` trials of emitters of random place and size, each with a view of its own, that reflect more than a
+/// tenth of the albedo; by `points` directions of a lattice each. The same for the same seed.
 std::vector<Trial> trials(Shape shape, Material material, const Cell& cell, int count, std::uint64_t seed,
                           int points);
 

@@ -47,7 +47,9 @@ class CommandLine(unittest.TestCase):
     def test_usage_errors_exit_with_2(self):
         for arguments in ([], ["frobnicate"], ["render"], ["render", SCENE], ["render", SCENE, "-o", "a.png", "--size", "12"],
                           ["render", SCENE, "-o", "a.png", "--samples", "0"],
-                          ["render", SCENE, "-o", "a.png", "--tone-curve", "filmic"]):
+                          ["render", SCENE, "-o", "a.png", "--tone-curve", "filmic"],
+                          ["render", SCENE, "-o", "a.png", "--estimator", "guessed"],
+                          ["render", SCENE, "-o", "a.png", "--analytic-points", "-1"]):
             result = run(*arguments)
             self.assertEqual(result.returncode, 2, arguments)
             self.assertEqual(result.stdout, "")
@@ -76,6 +78,18 @@ class CommandLine(unittest.TestCase):
         (self.folder / "visibility" / "visibility.glsl").write_text(
             "float visibility(vec3 x, vec3 wi, float distance) {\n    return darkness;\n}\n")
         self.assert_refused(self.render("a.png", "--shaders", self.folder), "visibility.glsl:2", "darkness")
+
+    def test_the_analytic_estimator_is_named(self):
+        result = self.render("a.exr", "--estimator", "analytic", "--analytic-points", "4", "--json")
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        self.assertEqual(json.loads(result.stdout)["estimator"], "analytic")
+
+    def test_the_analytic_estimator_asks_for_the_lobes_of_another_brdf(self):
+        (self.folder / "brdf").mkdir()
+        (self.folder / "brdf" / "f_r.glsl").write_text(
+            '#include "surface/surface.glsl"\nvec3 f_r(Surface x, vec3 wi, vec3 wo) { return vec3(0.1); }\n')
+        result = self.render("a.png", "--estimator", "analytic", "--shaders", self.folder)
+        self.assert_refused(result, "f_r.glsl", "lobes.glsl", "sampled")
 
     def test_a_missing_include_names_who_asks(self):
         (self.folder / "visibility").mkdir()
