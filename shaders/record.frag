@@ -6,10 +6,11 @@
 #include "visibility/recorded.glsl"
 
 layout(location = 0) out vec4 receiver;          // x [m], and the triangle that it lies on
-layout(location = 1) out vec4 rays[rays_a_pass]; // wi, distance [m]
+layout(location = 1) out vec4 rays[rays_a_pass]; // see visibility/recorded.glsl
 
 void main() {
     for (int i = 0; i < rays_a_pass; ++i) recorded[i] = vec4(0.0);
+    recorded_count = 0;
     Surface x = surface_at_fragment();
     if (!is_unlit) reflected(x, direction_to_viewer());
     receiver = vec4(x.position, float(x.triangle));

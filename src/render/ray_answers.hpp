@@ -23,17 +23,26 @@ public:
     /// @throws Error if not even one row does.
     std::vector<Band> bands(int light_count) const;
 
-    /// Finds V for every ray of the band to the lights [first, end), and leaves it where visibility/answered.glsl
-    /// reads it. Leaves frame_data at these lights.
+    /// Finds V for every ray of the band to the lights [first, end), and leaves it where
+    /// visibility/answered.glsl reads it. Leaves frame_data at these lights.
     void find(Band band, int first_light, int end_light, FrameData& frame_data, ShaderLibrary& shaders);
 
     std::size_t ray_count() const { return ray_count_; } // answered so far
     double seconds() const { return seconds_; }          // that the CPU took for them
 
 private:
-    void read_receivers(Band band);
-    void read_rays(Band band, int attachment);
-    void answer_plane(Band band, int light, std::span<float> plane);
+    /// The answers' planes: which ray the first is of, and how many pixels each has.
+    struct Planes {
+        int first_ray = 0;
+        std::size_t size = 0;
+    };
+
+    /// Notes down and answers the rays that come after the first `taken` of each pixel.
+    /// @return whether there may be more
+    bool record_and_answer(Band band, int taken, ShaderLibrary& shaders);
+    void read(Band band, int attachment, std::vector<vec4>& texels);
+    std::size_t answer(Band band); // @return how many rays there were
+    std::size_t answer_row(std::size_t first, std::size_t end);
     void upload_block(const RaysBlock& block);
 
     const GpuScene& scene_;
@@ -47,6 +56,7 @@ private:
     std::vector<vec4> receivers_; // of the band
     std::vector<vec4> rays_;
     std::vector<float> values_;
+    Planes planes_;
     std::size_t ray_count_ = 0;
     double seconds_ = 0.0;
 };

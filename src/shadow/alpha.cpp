@@ -9,7 +9,8 @@ namespace {
 int wrapped(int i, int size, scene::Wrap wrap) {
     if (wrap == scene::Wrap::clamp_to_edge) return std::clamp(i, 0, size - 1);
     const int period = wrap == scene::Wrap::repeat ? size : 2 * size;
-    const int m = i - period * static_cast<int>(std::floor(static_cast<float>(i) / static_cast<float>(period)));
+    const int m =
+        i - period * static_cast<int>(std::floor(static_cast<float>(i) / static_cast<float>(period)));
     return m < size ? m : 2 * size - 1 - m;
 }
 

@@ -26,14 +26,16 @@ void* create_node(RTCThreadLocalAllocator allocator, unsigned, void*) {
 }
 
 void set_children(void* node, void** children, unsigned count, void*) {
-    for (unsigned i = 0; i < count; ++i) static_cast<Built*>(node)->child[i] = static_cast<Built*>(children[i]);
+    for (unsigned i = 0; i < count; ++i)
+        static_cast<Built*>(node)->child[i] = static_cast<Built*>(children[i]);
 }
 
 void set_bounds(void* node, const RTCBounds** bounds, unsigned count, void*) {
     for (unsigned i = 0; i < count; ++i) static_cast<Built*>(node)->bounds[i] = *bounds[i];
 }
 
-void* create_leaf(RTCThreadLocalAllocator allocator, const RTCBuildPrimitive* primitives, std::size_t count, void*) {
+void* create_leaf(RTCThreadLocalAllocator allocator, const RTCBuildPrimitive* primitives, std::size_t count,
+                  void*) {
     auto* leaf = new (rtcThreadLocalAlloc(allocator, sizeof(Built), 16)) Built;
     leaf->count = static_cast<unsigned>(count);
     for (std::size_t i = 0; i < count; ++i) leaf->triangles[i] = primitives[i].primID;
@@ -47,7 +49,8 @@ RTCBounds bounds_of(std::span<const vec3, 3> triangle) {
 }
 
 bool is_finite(const RTCBounds& b) {
-    return std::isfinite(b.lower_x + b.lower_y + b.lower_z) && std::isfinite(b.upper_x + b.upper_y + b.upper_z);
+    return std::isfinite(b.lower_x + b.lower_y + b.lower_z)
+           && std::isfinite(b.upper_x + b.upper_y + b.upper_z);
 }
 
 /// Has every corner of which glm::min and max may have lost a NaN.

@@ -4,8 +4,8 @@
 
 namespace sr::shadow {
 
-/// A box of a binary tree in depth-first order. Who meets the box goes on with the next node, who misses it with
-/// node `skip`: no stack is needed. 32 bytes; mirror: shaders/visibility/bvh.glsl.
+/// A box of a binary tree in depth-first order. Who meets the box goes on with the next node, who misses it
+/// with node `skip`: no stack is needed. 32 bytes; mirror: shaders/visibility/bvh.glsl.
 struct BvhNode {
     vec3 low{0.0f}; // [m]
     std::int32_t skip = 0;
@@ -19,8 +19,9 @@ struct Bvh {
     std::vector<std::uint32_t> order; // the triangles' indices as leaves name them
 };
 
-/// Embree's builder with the surface area heuristic. Triangles without finite corners are left out, degenerate ones
-/// do no harm. Of two boxes the larger comes first, since any hit will do. @throws Error if Embree fails.
+/// Embree's builder with the surface area heuristic. Triangles without finite corners are left out,
+/// degenerate ones do no harm. Of two boxes the larger comes first, since any hit will do. @throws Error if
+/// Embree fails.
 Bvh bvh_of(const Casters& casters);
 
 } // namespace sr::shadow

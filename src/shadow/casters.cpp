@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <fmt/format.h>
+#include <map>
 
 namespace sr::shadow {
 namespace {
@@ -15,7 +15,8 @@ using scene::AlphaMode;
 /// Collects the casters of a scene instance by instance.
 class Collector {
 public:
-    Collector(const scene::Scene& scene, std::span<const scene::Light> lights) : scene_(scene), lights_(lights) {}
+    Collector(const scene::Scene& scene, std::span<const scene::Light> lights)
+        : scene_(scene), lights_(lights) {}
 
     void append(const scene::Instance& instance) {
         const scene::Mesh& mesh = scene_.meshes[static_cast<std::size_t>(instance.mesh)];
@@ -48,7 +49,8 @@ private:
     float own_share(scene::LightRange range) const {
         if (range.is_empty()) return 0.0f;
         const scene::Light& first = lights_[static_cast<std::size_t>(range.first)];
-        const bool is_alone = range.end - range.first == 1 && !std::holds_alternative<scene::MeshLight>(first);
+        const bool is_alone =
+            range.end - range.first == 1 && !std::holds_alternative<scene::MeshLight>(first);
         return is_alone ? whole_ray : last_thousandth;
     }
 
@@ -103,12 +105,14 @@ float transmittance(const Casters& casters, std::uint32_t triangle, float u, flo
     const Caster& caster = casters.casters[casters.caster_of[triangle]];
     if (caster.alpha_mode == AlphaMode::opaque) return 0.0f;
     const std::size_t local = triangle - static_cast<std::uint32_t>(caster.first_triangle);
-    const AlphaCorner* corner = &casters.alpha_corners[static_cast<std::size_t>(caster.first_corner) + 3 * local];
+    const AlphaCorner* corner =
+        &casters.alpha_corners[static_cast<std::size_t>(caster.first_corner) + 3 * local];
     const float w = 1.0f - u - v;
     float alpha = w * corner[0].alpha + u * corner[1].alpha + v * corner[2].alpha;
     if (caster.alpha_map >= 0) {
         const vec2 uv = w * corner[0].uv + u * corner[1].uv + v * corner[2].uv;
-        alpha *= map_alpha(casters.alpha_maps[static_cast<std::size_t>(caster.alpha_map)], casters.alpha_texels, uv);
+        alpha *= map_alpha(casters.alpha_maps[static_cast<std::size_t>(caster.alpha_map)],
+                           casters.alpha_texels, uv);
     }
     if (caster.alpha_mode == AlphaMode::mask) return alpha < caster.alpha_cutoff ? 1.0f : 0.0f;
     return 1.0f - std::clamp(alpha, 0.0f, 1.0f);

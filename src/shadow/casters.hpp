@@ -9,32 +9,33 @@ namespace sr::shadow {
 
 /// What the triangles of one instance have in common.
 struct Caster {
-    /// The lights that this surface is. A ray that was sent to one of them does not end at its own emitter: it
-    /// ignores hits within the last `own_share` of its length.
+    /// The lights that this surface is. A ray that was sent to one of them does not end at its own emitter:
+    /// it ignores hits within the last `own_share` of its length.
     scene::LightRange emits_as;
     float own_share = 0.0f;
     scene::AlphaMode alpha_mode = scene::AlphaMode::opaque;
     float alpha_cutoff = 0.5f;
-    int alpha_map = -1;    // index into Casters::alpha_maps; negative: none
+    int alpha_map = -1; // index into Casters::alpha_maps; negative: none
     int first_triangle = 0;
-    int first_corner = -1; // of its first triangle in Casters::alpha_corners; negative: it is opaque throughout
+    int first_corner =
+        -1; // of its first triangle in Casters::alpha_corners; negative: it is opaque throughout
 
     /// Blocks everything that meets it.
     bool is_plain() const { return emits_as.is_empty() && alpha_mode == scene::AlphaMode::opaque; }
 };
 
 /// An emitter whose own surface cannot come between itself and the outside (flat or convex, and alone on its
-/// instance) is ignored altogether. Of a mesh's or a group's own surface only the last thousandth of a ray is: more
-/// than the rounding of the ray's end, less than shows.
+/// instance) is ignored altogether. Of a mesh's or a group's own surface only the last thousandth of a ray
+/// is: more than the rounding of the ray's end, less than shows.
 inline constexpr float whole_ray = 1.0f;
 inline constexpr float last_thousandth = 1e-3f;
 
 /// Triangles keep their order: instance by instance as in the scene, none left out, so that triangle t of an
 /// instance is caster.first_triangle + t. Both sides block, as both sides of glTF's surfaces are there.
 struct Casters {
-    std::vector<vec3> corners; // three a triangle [m]
-    std::vector<std::uint32_t> caster_of; // of each triangle
-    std::vector<Caster> casters;          // one an instance
+    std::vector<vec3> corners;              // three a triangle [m]
+    std::vector<std::uint32_t> caster_of;   // of each triangle
+    std::vector<Caster> casters;            // one an instance
     std::vector<AlphaCorner> alpha_corners; // three a triangle of those that are not opaque
     std::vector<AlphaMap> alpha_maps;
     std::vector<std::uint16_t> alpha_texels; // 65535: opaque
@@ -50,8 +51,8 @@ struct Casters {
 /// @throws Error if there are more triangles than a float can count (2^24).
 Casters casters_of(const scene::Scene& scene, std::span<const scene::Light> lights);
 
-/// The share of the light that the triangle lets through where a ray meets it, at corner 0 + u (1 - 0) + v (2 - 0):
-/// 0 or 1, or anything between for alphaMode BLEND.
+/// The share of the light that the triangle lets through where a ray meets it, at corner 0 + u (1 - 0) + v (2
+/// - 0): 0 or 1, or anything between for alphaMode BLEND.
 float transmittance(const Casters& casters, std::uint32_t triangle, float u, float v);
 
 } // namespace sr::shadow

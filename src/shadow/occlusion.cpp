@@ -11,7 +11,8 @@ namespace {
 
 constexpr std::size_t packet = 8; // AVX
 
-/// A packet of rays with what the filter must know of each. Embree hands back the pointer to its first member.
+/// A packet of rays with what the filter must know of each. Embree hands back the pointer to its first
+/// member.
 struct Context {
     RTCIntersectContext embree;
     const Casters* casters;
@@ -38,8 +39,9 @@ void filter(const RTCFilterFunctionNArguments* arguments) {
         if (arguments->valid[i] == 0) continue;
         const unsigned ray = RTCRayN_id(arguments->ray, n, i);
         const std::uint32_t geometry = RTCHitN_geomID(arguments->hit, n, i);
-        const std::uint32_t triangle = static_cast<std::uint32_t>(context.casters->casters[geometry].first_triangle)
-                                       + RTCHitN_primID(arguments->hit, n, i);
+        const std::uint32_t triangle =
+            static_cast<std::uint32_t>(context.casters->casters[geometry].first_triangle)
+            + RTCHitN_primID(arguments->hit, n, i);
         if (!is_stopped(context, ray, RTCRayN_tfar(arguments->ray, n, i), triangle,
                         RTCHitN_u(arguments->hit, n, i), RTCHitN_v(arguments->hit, n, i)))
             arguments->valid[i] = 0;
@@ -55,8 +57,8 @@ void attach(RTCDevice device, RTCScene scene, const Casters& casters, std::size_
     const std::size_t count = end - first;
     if (count == 0) return;
     const RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    auto* corners = static_cast<vec3*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                                               sizeof(vec3), 3 * count));
+    auto* corners = static_cast<vec3*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0,
+                                                               RTC_FORMAT_FLOAT3, sizeof(vec3), 3 * count));
     auto* indices = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
         geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), count));
     if (corners && indices) {
