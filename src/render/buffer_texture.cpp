@@ -32,7 +32,8 @@ std::size_t BufferTexture::most_texels() {
 void BufferTexture::upload_bytes(std::span<const std::byte> bytes, std::string_view what_to_do) {
     const std::size_t texels = bytes.size() / bytes_per_texel(format_);
     if (texels > most_texels())
-        throw Error(fmt::format("{} take {} texels, this driver has {}", name_, texels, most_texels()), what_to_do);
+        throw Error(fmt::format("{} take {} texels, this driver has {}", name_, texels, most_texels()),
+                    what_to_do);
     constexpr std::byte nothing[16]{}; // a buffer texture cannot be empty
     if (bytes.empty()) bytes = nothing;
     glBindBuffer(GL_TEXTURE_BUFFER, buffer_.id());

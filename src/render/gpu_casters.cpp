@@ -21,7 +21,8 @@ std::vector<vec4> packed_data(const Casters& casters) {
         texels.emplace_back(caster.emits_as.first, caster.emits_as.end, caster.own_share, modes);
         texels.emplace_back(caster.alpha_cutoff, map.first, map.width, map.height);
     }
-    for (const shadow::AlphaCorner& corner : casters.alpha_corners) texels.emplace_back(corner.uv, corner.alpha, 0.0f);
+    for (const shadow::AlphaCorner& corner : casters.alpha_corners)
+        texels.emplace_back(corner.uv, corner.alpha, 0.0f);
     return texels;
 }
 
@@ -33,7 +34,8 @@ vec2 links_of(const Casters& casters, std::uint32_t triangle) {
     const auto caster_texel = static_cast<float>(index * texels_per_caster);
     if (caster.first_corner < 0) return {caster_texel, -1.0f};
     const std::size_t local = triangle - static_cast<std::uint32_t>(caster.first_triangle);
-    const std::size_t first = casters.casters.size() * texels_per_caster + static_cast<std::size_t>(caster.first_corner);
+    const std::size_t first =
+        casters.casters.size() * texels_per_caster + static_cast<std::size_t>(caster.first_corner);
     return {caster_texel, static_cast<float>(first + 3 * local)};
 }
 
@@ -70,7 +72,8 @@ GpuCasters::GpuCasters(const Casters& casters, const shadow::Bvh& bvh) {
 
 void GpuCasters::bind() const {
     GLuint unit = first_caster_unit;
-    for (const BufferTexture* texture : {&nodes_, &triangles_, &places_, &data_, &alphas_}) texture->bind(unit++);
+    for (const BufferTexture* texture : {&nodes_, &triangles_, &places_, &data_, &alphas_})
+        texture->bind(unit++);
 }
 
 } // namespace sr::render

@@ -6,8 +6,8 @@
 namespace sr::render {
 
 /// The samplers of shaders/interface/casters.glsl, in the order of their units from first_caster_unit on.
-inline constexpr std::array caster_sampler_names{"bvh_nodes", "caster_triangles", "triangle_places", "caster_data",
-                                                 "alpha_texels"};
+inline constexpr std::array caster_sampler_names{"bvh_nodes", "caster_triangles", "triangle_places",
+                                                 "caster_data", "alpha_texels"};
 
 class GpuCasters {
 public:

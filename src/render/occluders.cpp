@@ -9,10 +9,11 @@
 namespace sr::render {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, Visibility>, 4> names{{{"none", Visibility::none},
-                                                                        {"ray", Visibility::ray},
-                                                                        {"ray-cpu", Visibility::ray_on_cpu},
-                                                                        {"ray-glsl", Visibility::ray_in_glsl}}};
+constexpr std::array<std::pair<std::string_view, Visibility>, 4> names{
+    {{"none", Visibility::none},
+     {"ray", Visibility::ray},
+     {"ray-cpu", Visibility::ray_on_cpu},
+     {"ray-glsl", Visibility::ray_in_glsl}}};
 
 bool is_for_cpu(Visibility visibility) {
     if (visibility != Visibility::ray) return visibility == Visibility::ray_on_cpu;

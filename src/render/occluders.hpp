@@ -22,8 +22,8 @@ std::string_view name_of(Visibility visibility);
 /// A scene's shadow casters, ready to be asked.
 class Occluders {
 public:
-    /// `visibility` is not none. With `has_blended_receivers` the shader's tree is made in any case: several layers
-    /// of a pixel cannot be written out for the CPU. @throws Error
+    /// `visibility` is not none. With `has_blended_receivers` the shader's tree is made in any case: several
+    /// layers of a pixel cannot be written out for the CPU. @throws Error
     Occluders(const scene::Scene& scene, std::span<const scene::Light> lights, Visibility visibility,
               bool has_blended_receivers);
 

@@ -49,13 +49,15 @@ float V_at(const image::Image& image, float x) {
 }
 
 const Test mask("law.shadow.a_mask_lets_through_what_it_cuts_away", [] {
-    // Twice the texture over the sheet: cut | kept | cut | kept, each 0.25 wide; mirrored: cut | kept | kept | cut.
+    // Twice the texture over the sheet: cut | kept | cut | kept, each 0.25 wide; mirrored: cut | kept | kept
+    // | cut.
     struct Case {
         scene::Wrap wrap;
         std::array<float, 4> V;
     };
-    for (const Case& c : {Case{scene::Wrap::repeat, {1, 0, 1, 0}}, Case{scene::Wrap::mirrored_repeat, {1, 0, 0, 1}},
-                          Case{scene::Wrap::clamp_to_edge, {1, 0, 0, 0}}}) {
+    for (const Case& c :
+         {Case{scene::Wrap::repeat, {1, 0, 1, 0}}, Case{scene::Wrap::mirrored_repeat, {1, 0, 0, 1}},
+          Case{scene::Wrap::clamp_to_edge, {1, 0, 0, 0}}}) {
         auto scene = lambert_plane(4.0f);
         auto material = fence(scene, {0, 0, 0, 0, 255, 255, 255, 255}, c.wrap);
         material.base_color_texture.uv_transform[0][0] = 2.0f;
@@ -71,7 +73,8 @@ const Test mask("law.shadow.a_mask_lets_through_what_it_cuts_away", [] {
 
 const Test blend("law.shadow.transparent_sheets_multiply", [] {
     auto scene = lambert_plane(4.0f);
-    add_quad(scene, {-0.5f, 1.0f, 0.0f}, {0.5f, 0, 0}, {0, 0, 1.0f}, of_alpha(scene::AlphaMode::blend, 0.25f));
+    add_quad(scene, {-0.5f, 1.0f, 0.0f}, {0.5f, 0, 0}, {0, 0, 1.0f},
+             of_alpha(scene::AlphaMode::blend, 0.25f));
     add_quad(scene, {-0.8f, 1.1f, 0.0f}, {0.3f, 0, 0}, {0, 0, 1.0f}, of_alpha(scene::AlphaMode::blend, 0.5f));
     for (const Visibility visibility : providers) {
         const auto image = picture(scene, sun, camera_from_above(extent), size, 1, 0, visibility);
@@ -103,12 +106,14 @@ scene::Stage under_a_glowing_box(bool is_two_sided) {
     return scene::set_stage(std::move(scene), "", {});
 }
 
-// From below only the lowest face of the box is seen, though a two-sided one shines down from the topmost as well.
+// From below only the lowest face of the box is seen, though a two-sided one shines down from the topmost as
+// well.
 const Test group("law.shadow.an_emitters_faces_hide_each_other", [] {
     const std::vector<scene::Light> lowest{
         scene::RectangleLight{"", {0.0f, 0.6f, 0.0f}, {0.4f, 0, 0}, {0, 0, 0.4f}, vec3(5.0f)}};
     const auto camera = camera_from_above(0.3f);
-    const auto mean_E = [&](const scene::Scene& scene, std::span<const scene::Light> lights, Visibility visibility) {
+    const auto mean_E = [&](const scene::Scene& scene, std::span<const scene::Light> lights,
+                            Visibility visibility) {
         auto from_below_the_box = camera;
         std::get<scene::Orthographic>(from_below_the_box.projection).znear = 9.7f; // cuts the box away
         const auto image = picture(scene, lights, from_below_the_box, 32, 64, 0, visibility);
@@ -146,7 +151,9 @@ const Test emitter("law.shadow.an_emitter_shadows_others_only", [] {
         const auto lamp = picture(stage.scene, lights, camera, size, 1, 0, visibility);
         // The panel's shadow is twice as wide as the panel.
         for (const auto& [x, is_lit] : {std::pair(0.33f, false), std::pair(0.45f, true)})
-            EXPECT_EQ(lamp.at(static_cast<int>((x / extent + 1.0f) * 0.5f * size), size / 2)[0] > 0.0f, is_lit) << x;
+            EXPECT_EQ(lamp.at(static_cast<int>((x / extent + 1.0f) * 0.5f * size), size / 2)[0] > 0.0f,
+                      is_lit)
+                << x;
     }
 });
 
@@ -155,10 +162,14 @@ scene::Scene heap(int triangles) {
     auto scene = lambert_plane(4.0f);
     std::mt19937 random(7);
     std::uniform_real_distribution<float> within(-1.0f, 1.0f);
-    const auto point = [&](float reach) { return reach * vec3(within(random), within(random), within(random)); };
+    const auto point = [&](float reach) {
+        return reach * vec3(within(random), within(random), within(random));
+    };
     const auto cut = fence(scene, {0, 255, 90, 200}, scene::Wrap::repeat);
     for (int i = 0; i < triangles; ++i) {
-        const auto material = i % 4 == 0 ? cut : i % 4 == 1 ? of_alpha(scene::AlphaMode::blend, 0.3f) : lambert();
+        const auto material = i % 4 == 0   ? cut
+                              : i % 4 == 1 ? of_alpha(scene::AlphaMode::blend, 0.3f)
+                                           : lambert();
         add_quad(scene, point(1.5f) + vec3(0.0f, 1.7f, 0.0f), point(0.4f), point(0.4f), material);
         scene.materials.back().is_double_sided = true;
     }
@@ -175,7 +186,8 @@ const Test equal("law.shadow.both_providers_agree", [] {
     const auto glsl = picture(scene, lights, camera_from_above(extent), 128, 2, 0, Visibility::ray_in_glsl);
     int different = 0;
     for (std::size_t i = 0; i < cpu.pixels.size(); i += 4)
-        different += std::abs(cpu.pixels[i] - glsl.pixels[i]) > 1e-5f * std::max(cpu.pixels[i], glsl.pixels[i]);
+        different +=
+            std::abs(cpu.pixels[i] - glsl.pixels[i]) > 1e-5f * std::max(cpu.pixels[i], glsl.pixels[i]);
     EXPECT_LE(different, 16) << "of 16384 pixels with 6 rays each";
     ::testing::Test::RecordProperty("different_pixels", different);
 });
@@ -190,7 +202,8 @@ const Test degenerate("law.shadow.degenerate_triangles_do_no_harm", [] {
     mesh.normals.resize(7, vec3(0.0f, 1.0f, 0.0f));
     mesh.texcoords[0].resize(7);
     for (int i = 0; i < 40; ++i) // the same again, points, lines, and corners that are no numbers
-        mesh.indices.insert(mesh.indices.end(), {0, 1, 2, 1, 1, 1, 0, 1, 1, 0, 1, 4, 5, 2, 3, 6, 0, 1, 4, 5, 6});
+        mesh.indices.insert(mesh.indices.end(),
+                            {0, 1, 2, 1, 1, 1, 0, 1, 1, 0, 1, 4, 5, 2, 3, 6, 0, 1, 4, 5, 6});
     for (const Visibility visibility : providers) {
         const auto expected = picture(clean, sun, camera_from_above(extent), size, 1, 0, visibility);
         const auto image = picture(broken, sun, camera_from_above(extent), size, 1, 0, visibility);

@@ -33,8 +33,9 @@ const Test empty("law.shadow.nothing_in_the_way_is_no_shadow", [] {
         const auto camera = camera_from_above(2.0f);
         const auto bare = picture(plane, zoo, camera, 64, 2, 0, Visibility::none);
         for (const Visibility visibility : providers)
-            EXPECT_LT(largest_relative_difference(picture(plane, zoo, camera, 64, 2, 0, visibility), bare, 1e-3f),
-                      1e-6f);
+            EXPECT_LT(
+                largest_relative_difference(picture(plane, zoo, camera, 64, 2, 0, visibility), bare, 1e-3f),
+                1e-6f);
     }
 });
 
@@ -68,13 +69,15 @@ const Test closed("law.shadow.a_closed_box_leaks_nothing", [] {
         for (const Visibility visibility : providers) {
             const auto image = picture(scene, lights, camera_from_above(2.0f), 128, 2, 0, visibility);
             float largest = 0.0f;
-            for (std::size_t i = 0; i < image.pixels.size(); i += 4) largest = std::max(largest, image.pixels[i]);
+            for (std::size_t i = 0; i < image.pixels.size(); i += 4)
+                largest = std::max(largest, image.pixels[i]);
             EXPECT_EQ(largest, 0.0f);
         }
     }
 });
 
-/// A plane, and above it at height h a sheet that covers x > edge, which the camera does not see: its back is culled.
+/// A plane, and above it at height h a sheet that covers x > edge, which the camera does not see: its back is
+/// culled.
 scene::Scene under_an_edge(float edge, float h) {
     auto scene = lambert_plane(4.0f);
     add_quad(scene, {edge + 3.0f, h, 0.0f}, {3.0f, 0, 0}, {0, 0, 3.0f}, lambert());
@@ -87,7 +90,8 @@ const Test umbra("law.shadow.a_point_lights_umbra_ends_where_geometry_says", [] 
     const std::vector<scene::Light> lights{scene::PointLight{"", {-0.1f, 2.0f, 0.0f}, vec3(1.0f)}};
     constexpr float shadow = 0.1f + (0.1f + 0.1f) * 0.5f / (2.0f - 0.5f); // by similar triangles
     for (const Visibility visibility : providers) {
-        const auto image = picture(under_an_edge(0.1f, 0.5f), lights, camera_from_above(extent), size, 1, 0, visibility);
+        const auto image =
+            picture(under_an_edge(0.1f, 0.5f), lights, camera_from_above(extent), size, 1, 0, visibility);
         for (int y = 0; y < size; ++y) {
             for (int x = 0; x < size; ++x) {
                 const float at = place_of(x, y, size, extent).x;
