@@ -13,9 +13,9 @@ namespace sr::render {
 namespace {
 
 constexpr int most_rays = 7; // rays_a_pass of shaders/interface/rays.glsl
-// Each further pass over the same lights samples all of them anew to note down the next rays, and most pixels
-// have rays to a third of the lights: so many lights at once mostly take one pass.
-constexpr int lights_a_pass = 8;
+// Most pixels have rays to a third of the lights. The more lights at once, the fewer passes read the
+// surfaces; but pixels that do have more rays sample all of these lights anew in every pass.
+constexpr int lights_a_pass = 16;
 constexpr std::size_t target_memory = std::size_t{512} << 20; // [bytes] that may go into targets …
 constexpr std::size_t most_answers = std::size_t{64} << 20;   // … and numbers into answers
 
@@ -39,11 +39,17 @@ int rays_that_fit(int width, int height, int wanted) {
     return std::clamp(std::min(fitting - 1, wanted), 1, most_rays);
 }
 
-gl::Texture attached(int index, int width, int height) {
-    gl::Texture texture(GL_TEXTURE_2D, index == 0 ? "receivers" : "rays");
+gl::Texture float_texture(const char* name, int width, int height) {
+    gl::Texture texture(GL_TEXTURE_2D, name);
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, width, height, 0, GL_RGBA, GL_FLOAT, nullptr);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+    return texture;
+}
+
+gl::Texture attached(int index, int width, int height) {
+    gl::Texture texture = float_texture(index == 0 ? "receivers" : "rays", width, height);
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(index), GL_TEXTURE_2D,
                            texture.id(), 0);
     return texture;
@@ -52,7 +58,11 @@ gl::Texture attached(int index, int width, int height) {
 } // namespace
 
 RayAnswers::RayAnswers(const GpuScene& scene, const Target& frame, int width, int height)
-    : scene_(scene), width_(width), height_(height), rays_per_light_(scene.rays_per_light()) {
+    : scene_(scene),
+      width_(width),
+      height_(height),
+      rays_per_light_(scene.rays_per_light()),
+      last_rays_(float_texture("last rays", width, height)) {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
     const int rays = rays_that_fit(width, height, scene.light_count() * rays_per_light_);
     std::vector<GLenum> attachments;
@@ -116,9 +126,11 @@ bool RayAnswers::record_and_answer(Band band, int taken, ShaderLibrary& shaders)
     for (int i = 1; i < static_cast<int>(targets_.size()); ++i) {
         read(band, i, rays_);
         asked = answer(band);
-        if (asked == 0) break; // who has no ray in this place has none in the next
+        if (asked == 0) return false; // who has no ray in this place has none in the next
     }
-    return asked > 0;
+    last_rays_.bind(last_rays_unit); // the read buffer is still the last target
+    glCopyTexSubImage2D(GL_TEXTURE_2D, 0, 0, band.first, 0, band.first, width_, band.count);
+    return true;
 }
 
 void RayAnswers::read(Band band, int attachment, std::vector<vec4>& texels) {

@@ -50,6 +50,7 @@ private:
     int height_;
     int rays_per_light_;
     std::vector<gl::Texture> targets_; // the receivers, then a ray each
+    gl::Texture last_rays_;            // the last target as the pass before left it
     gl::Framebuffer framebuffer_{"rays"};
     gl::Buffer block_{"rays"};
     BufferTexture answers_{"the answered rays", GL_R32F};
