@@ -38,6 +38,7 @@ float farness(const Draw& draw, vec4 eye) {
 
 void depth_pass(const Target& frame, const GpuScene& scene, ShaderLibrary& shaders, vec3 background) {
     frame.bind();
+    glDisable(GL_SCISSOR_TEST); // clearing heeds it
     glDisable(GL_BLEND);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);

@@ -16,8 +16,7 @@ constexpr int most_rays = 7; // rays_a_pass of shaders/interface/rays.glsl
 // Most pixels have rays to a third of the lights. The more lights at once, the fewer passes read the
 // surfaces; but pixels that do have more rays sample all of these lights anew in every pass.
 constexpr int lights_a_pass = 16;
-constexpr std::size_t target_memory = std::size_t{512} << 20; // [bytes] that may go into targets …
-constexpr std::size_t most_answers = std::size_t{64} << 20;   // … and numbers into answers
+constexpr std::size_t target_memory = std::size_t{512} << 20; // [bytes] that may go into targets
 
 /// Calls work(row) for all rows, on all cores.
 template<class Work>
@@ -57,11 +56,13 @@ gl::Texture attached(int index, int width, int height) {
 
 } // namespace
 
-RayAnswers::RayAnswers(const GpuScene& scene, const Target& frame, int width, int height)
+RayAnswers::RayAnswers(const GpuScene& scene, const Target& frame, int width, int height,
+                       std::size_t most_answers)
     : scene_(scene),
       width_(width),
       height_(height),
       rays_per_light_(scene.rays_per_light()),
+      most_answers_(most_answers),
       last_rays_(float_texture("last rays", width, height)) {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
     const int rays = rays_that_fit(width, height, scene.light_count() * rays_per_light_);
@@ -83,7 +84,7 @@ std::vector<Band> RayAnswers::bands(int light_count) const {
     const std::size_t per_row = static_cast<std::size_t>(width_)
                                 * static_cast<std::size_t>(std::max(light_count, 1))
                                 * static_cast<std::size_t>(rays_per_light_);
-    const std::size_t most = std::min(BufferTexture::most_texels(), most_answers);
+    const std::size_t most = std::min(BufferTexture::most_texels(), most_answers_);
     const int rows =
         static_cast<int>(std::min<std::size_t>(static_cast<std::size_t>(height_), most / per_row));
     if (rows == 0)

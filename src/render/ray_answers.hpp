@@ -17,7 +17,7 @@ struct Band {
 class RayAnswers {
 public:
     /// For the opaque surfaces whose depth lies in `frame`. @throws Error if the driver refuses the targets.
-    RayAnswers(const GpuScene& scene, const Target& frame, int width, int height);
+    RayAnswers(const GpuScene& scene, const Target& frame, int width, int height, std::size_t most_answers);
 
     /// The picture in bands for which the answers about this many lights fit into memory.
     /// @throws Error if not even one row does.
@@ -49,6 +49,7 @@ private:
     int width_;
     int height_;
     int rays_per_light_;
+    std::size_t most_answers_;         // held at once
     std::vector<gl::Texture> targets_; // the receivers, then a ray each
     gl::Texture last_rays_;            // the last target as the pass before left it
     gl::Framebuffer framebuffer_{"rays"};

@@ -15,7 +15,7 @@ Renderer::Renderer(const GpuScene& scene, const scene::Camera& camera, const Ren
       film_("film", options.width, options.height, false) {
     require(!options.shader_path.empty(), "the shader path has a root");
     if (scene.occluders() && scene.occluders()->occlusion())
-        ray_answers_.emplace(scene, frame_, options.width, options.height);
+        ray_answers_.emplace(scene, frame_, options.width, options.height, options.most_answers);
     clear();
 }
 
@@ -71,8 +71,9 @@ void Renderer::shade_opaque() {
         forward_pass(frame_, scene_, shaders_, opaque_visibility());
         return;
     }
+    const std::vector<Band> bands = ray_answers_->bands(end_light_ - first_light_);
     glEnable(GL_SCISSOR_TEST);
-    for (const Band& band : ray_answers_->bands(end_light_ - first_light_)) {
+    for (const Band& band : bands) {
         glScissor(0, band.first, options_.width, band.count);
         ray_answers_->find(band, first_light_, end_light_, frame_data_, shaders_);
         forward_pass(frame_, scene_, shaders_, VisibilityTerm::answered);

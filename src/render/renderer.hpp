@@ -16,6 +16,8 @@ struct RenderOptions {
     vec3 background{0.0f}; // radiance where there is no surface [cd/m²]
     /// The roots that shaders come from, most particular first.
     std::vector<glsl::Root> shader_path{glsl::embedded()};
+    /// Shadow rays whose answers by the CPU are held at once, 4 bytes each; a picture with more is shaded in bands.
+    std::size_t most_answers = std::size_t{64} << 20;
 };
 
 class Renderer {
