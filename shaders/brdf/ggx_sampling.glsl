@@ -4,15 +4,8 @@
 //
 // Density: Heitz 2018, Eq. 2 and 17, with G1 = 2 cos_o / (cos_o + √(…)) divided out. Sampling: Dupuy & Benyoub 2023,
 // Listing 3 (spherical caps). Limit: wi may come out below the horizon, where f_r is zero.
+#include "base/frame_around.glsl"
 #include "brdf/ggx.glsl"
-
-// Two unit vectors that make a right-handed frame with n. Source: Duff et al. 2017, Listing 3.
-mat3 frame_around(vec3 n) {
-    float s = n.z >= 0.0 ? 1.0 : -1.0;
-    float a = -1.0 / (s + n.z);
-    float b = n.x * n.y * a;
-    return mat3(vec3(1.0 + s * n.x * n.x * a, s * b, -s * n.x), vec3(b, s + n.y * n.y * a, -n.y), n);
-}
 
 vec3 sample_ggx(vec3 n, vec3 wo, float alpha, vec2 u) {
     mat3 world_from_local = frame_around(n);

@@ -5,51 +5,46 @@
 // Each integral by two points a frame, one where the light is and one where the BRDF has its peak, weighed by the
 // power heuristic (Veach & Guibas 1995, section 5.2, β = 2); emitters without extent are known exactly and take one.
 // Frames add up to the integral. This is the only loop over lights and the only cosine.
-#include "base/sampling.glsl"
 #include "brdf/f_r.glsl"
 #include "brdf/sample_f_r.glsl"
-#include "interface/frame.glsl"
+#include "integrator/random_point.glsl"
+#include "integrator/rays.glsl"
 #include "light/sample_light.glsl"
 #include "visibility/visibility.glsl"
-
-// A sequence of its own for every pixel and purpose, so that none is correlated with another.
-vec2 random_point(uint purpose) {
-    uvec2 pixel = uvec2(gl_FragCoord.xy);
-    return sobol_2d(sample_index, hash(pixel.x, hash(pixel.y, hash(purpose, seed))));
-}
-
-// The rays that x sends to each light, as visibility() counts them (rays_per_light).
-const int towards_light = 0;
-const int along_brdf = 1;
 
 // f_r · L_i/p · V · cosθ_i: what one direction to light k adds, before its weight.
 vec3 integrand_over_p(Surface x, LightSample light, vec3 wo, int k, int ray) {
     float cos_i = dot(x.n, light.wi);
-    if (cos_i <= 0.0 || light.Li_over_p == vec3(0.0)) return vec3(0.0);
+    if (!(cos_i > 0.0) || light.Li_over_p == vec3(0.0)) return vec3(0.0);
     float V = visibility(x, light.wi, light.distance, k, ray);
     return f_r(x, light.wi, wo) * light.Li_over_p * V * cos_i;
 }
 
 // The share of the integral that a point of density p answers for, where another could have come with density q.
-float power_heuristic(float p, float q) { return p * p / (p * p + q * q); }
+float power_heuristic(float p, float q) {
+    float odds = q / p;
+    return 1.0 / (1.0 + odds * odds);
+}
 
 vec3 reflected(Surface x, vec3 wo) {
-    bool samples_brdf = has_rectangle_lights && has_peak(x);
+    bool samples_brdf = has_lights_to_meet && has_peak(x);
     vec3 w_brdf = samples_brdf ? sample_f_r(x, wo, random_point(0u)) : vec3(0.0);
     float p_brdf = samples_brdf ? p_f_r(x, w_brdf, wo) : 0.0;
 
     vec3 L_r = vec3(0.0);
     for (int k = first_light; k < end_light; ++k) {
-        vec2 u = has_rectangle_lights ? random_point(uint(k) + 1u) : vec2(0.0);
+        vec2 u = has_area_lights ? random_point(uint(k) + 1u) : vec2(0.0);
         LightSample from_light = sample_light(k, x.position, u);
         float weight = from_light.p > 0.0 ? power_heuristic(from_light.p, p_f_r(x, from_light.wi, wo)) : 1.0;
         L_r += weight * integrand_over_p(x, from_light, wo, k, towards_light);
 
         if (!samples_brdf) continue;
         LightSample along = light_along(k, x.position, w_brdf);
-        if (along.p > 0.0) // the point came with density p_brdf, so that is what the integrand is over
-            L_r += power_heuristic(p_brdf, along.p) * along.p / p_brdf
-                   * integrand_over_p(x, along, wo, k, along_brdf);
+        if (along.p > 0.0) { // the point came with density p_brdf, so that is what the integrand is over
+            float odds = along.p / p_brdf;
+            float weight_over_p = 1.0 / (odds + 1.0 / odds); // power_heuristic(p_brdf, along.p) * odds
+            L_r += weight_over_p * integrand_over_p(x, along, wo, k, along_brdf);
+        }
     }
     return L_r;
 }

@@ -5,9 +5,10 @@
 //   directional  E
 //
 // KHR_lights_punctual. The window that `range` asks for is saturate(1 - (d / range)⁴) (Karis 2013, without the square,
-// as the extension has it).
+// as the extension has it). A point's I may come from a photometric profile.
 #include "interface/lights.glsl"
 #include "light/light_sample.glsl"
+#include "light/profile.glsl"
 
 float range_window(float d, float inverse_range) {
     float q = d * inverse_range;
@@ -15,8 +16,9 @@ float range_window(float d, float inverse_range) {
     return clamp(1.0 - q2 * q2, 0.0, 1.0);
 }
 
-float cone_falloff(Light light, vec3 wi) {
-    float f = clamp(dot(light.direction, -wi) * light.cone_scale + light.cone_offset, 0.0, 1.0);
+// w leaves the light; 1 for lights without a cone.
+float cone_falloff(Light light, vec3 w) {
+    float f = clamp(dot(light.direction, w) * light.cone_scale + light.cone_offset, 0.0, 1.0);
     return f * f;
 }
 
@@ -24,12 +26,14 @@ LightSample sample_point(Light light, vec3 x) {
     vec3 to_light = light.position - x;
     float d2 = dot(to_light, to_light);
     float d = sqrt(d2);
-    return LightSample(to_light / d, d, light.quantity / d2 * range_window(d, light.inverse_range), 0.0);
+    vec3 wi = to_light / d;
+    vec3 I = light.quantity * profile_intensity(light, -wi);
+    return LightSample(wi, d, I / d2 * range_window(d, light.inverse_range), 0.0);
 }
 
 LightSample sample_spot(Light light, vec3 x) {
     LightSample s = sample_point(light, x);
-    s.Li_over_p *= cone_falloff(light, s.wi);
+    s.Li_over_p *= cone_falloff(light, -s.wi);
     return s;
 }
 

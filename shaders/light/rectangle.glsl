@@ -1,38 +1,82 @@
-// A rectangle of radiance L_e, sampled uniformly over its area A.
+// A rectangle of radiance L_e, sampled uniformly over the solid angle Ω in which it is seen.
 //
-//   p(wi) = d² / (A cosθ_y)     [1/sr]
+//   p(wi) = 1 / Ω                                              [1/sr]
 //
-// The change of measure dω = cosθ_y dA / d² is Kajiya 1986's geometry term. Its front is cross(half_u, half_v).
-// Limit: many points are spent in vain where d is small against the edges; u in [0, 1)².
-#include "interface/lights.glsl"
+// Ureña, Fajardo & King 2013, sections 3 and 4: in a frame with x and y along the edges, the rectangle lies at height
+// z < 0 over [x0, x1] × [y0, y1]; Ω is the spherical excess of the angles between the planes of its edges. The angles
+// come from atan(|z| r, x y), which is exact where the arc cosine of the paper cancels. Below Ω = 2e-3 sr, where the
+// excess itself cancels in 32 bits, points are uniform over the area A: p(wi) = d² / (A cosθ_y). u in [0, 1)².
+#include "base/constants.glsl"
+#include "light/emission_map.glsl"
+#include "light/flat.glsl"
 #include "light/light_sample.glsl"
 
-// The light that the point at `distance` in direction wi sends to x; none from its back.
-LightSample rectangle_point(Light light, vec3 wi, float distance) {
-    float cos_y = dot(light.direction, -wi);
-    cos_y = light.is_two_sided ? abs(cos_y) : cos_y;
-    if (cos_y <= 0.0) return no_light;
-    float area = 4.0 * length(cross(light.half_u, light.half_v));
-    float p = distance * distance / (area * cos_y);
-    return LightSample(wi, distance, light.quantity / p, p);
+struct SphericalRectangle {
+    vec2 low;         // (x0, y0) [m]
+    vec2 high;        // (x1, y1) [m]
+    float z;          // < 0 [m]
+    vec4 angles;      // between the edges' planes at (x1, y0), (x1, y1), (x0, y1), (x0, y0)
+    float solid_angle;
+};
+
+const float least_solid_angle = 2e-3; // [sr]
+
+float angle_at(float z, float x, float y, float handedness) {
+    return atan(-z * sqrt(x * x + y * y + z * z), handedness * x * y);
+}
+
+SphericalRectangle spherical_rectangle(Light light, vec3 to_center) {
+    float half_width = length(light.half_u);
+    float half_height = length(light.half_v);
+    vec2 c = vec2(dot(to_center, light.half_u) / half_width, dot(to_center, light.half_v) / half_height);
+    SphericalRectangle r;
+    r.low = c - vec2(half_width, half_height);
+    r.high = c + vec2(half_width, half_height);
+    r.z = -abs(dot(to_center, light.direction));
+    r.angles = vec4(angle_at(r.z, r.high.x, r.low.y, 1.0), angle_at(r.z, r.high.x, r.high.y, -1.0),
+                    angle_at(r.z, r.low.x, r.high.y, 1.0), angle_at(r.z, r.low.x, r.low.y, -1.0));
+    r.solid_angle = r.angles.x + r.angles.y + r.angles.z + r.angles.w - 2.0 * pi;
+    return r;
+}
+
+// The point's place in the rectangle's frame: (x, y).
+vec2 sample_spherical_rectangle(SphericalRectangle r, vec2 u) {
+    float b0 = -r.low.y * inversesqrt(r.z * r.z + r.low.y * r.low.y);
+    float b1 = r.high.y * inversesqrt(r.z * r.z + r.high.y * r.high.y);
+    float turn = u.x * r.solid_angle + 2.0 * pi - r.angles.z - r.angles.w;
+    vec2 f = vec2(cos(turn) * b0 - b1, sin(turn) * b0);
+    float cu = clamp((f.x > 0.0 ? 1.0 : -1.0) * sin(turn) * inversesqrt(dot(f, f)), -1.0, 1.0);
+    float x = clamp(-cu * r.z * inversesqrt(max(1.0 - cu * cu, 1e-12)), r.low.x, r.high.x); // 1e-12: cu = ±1, clamped next
+    float d2 = x * x + r.z * r.z;
+    float h0 = r.low.y * inversesqrt(d2 + r.low.y * r.low.y);
+    float h1 = r.high.y * inversesqrt(d2 + r.high.y * r.high.y);
+    float h = mix(h0, h1, u.y);
+    return vec2(x, clamp(h * sqrt(d2 / max(1.0 - h * h, 1e-12)), r.low.y, r.high.y));
+}
+
+float p_rectangle(Light light, SphericalRectangle r, float distance) {
+    if (r.solid_angle >= least_solid_angle) return 1.0 / r.solid_angle;
+    vec2 edges = r.high - r.low;
+    return distance * distance * distance / (edges.x * edges.y * -r.z); // cosθ_y = |z| / d
 }
 
 LightSample sample_rectangle(Light light, vec3 x, vec2 u) {
-    vec2 st = 2.0 * u - 1.0;
-    vec3 to_light = light.position + st.x * light.half_u + st.y * light.half_v - x;
+    vec3 to_center = light.position - x;
+    if (!faces(light, to_center)) return no_light;
+    SphericalRectangle r = spherical_rectangle(light, to_center);
+    vec2 place = r.solid_angle >= least_solid_angle ? sample_spherical_rectangle(r, u) : mix(r.low, r.high, u);
+    vec2 st = 2.0 * (place - r.low) / (r.high - r.low) - 1.0;
+    vec3 to_light = to_center + st.x * light.half_u + st.y * light.half_v;
     float d = length(to_light);
-    return rectangle_point(light, to_light / d, d);
+    return light_sample(to_light / d, d, light.quantity * emission_at(light, st), p_rectangle(light, r, d));
 }
 
 // The rectangle as a ray from x meets it.
 LightSample rectangle_along(Light light, vec3 x, vec3 wi) {
-    float towards = dot(light.direction, wi);
-    if (towards == 0.0) return no_light;
     vec3 to_center = light.position - x;
-    float d = dot(light.direction, to_center) / towards;
-    vec3 q = d * wi - to_center; // from the centre, in the rectangle's plane
-    vec2 st = vec2(dot(q, light.half_u) / dot(light.half_u, light.half_u),
-                   dot(q, light.half_v) / dot(light.half_v, light.half_v));
-    if (d <= 0.0 || abs(st.x) > 1.0 || abs(st.y) > 1.0) return no_light;
-    return rectangle_point(light, wi, d);
+    float d = distance_to_plane(light, to_center, wi);
+    vec2 st = plane_coordinates(light, d * wi - to_center);
+    if (d <= 0.0 || max(abs(st.x), abs(st.y)) > 1.0 || !faces(light, to_center)) return no_light;
+    float p = p_rectangle(light, spherical_rectangle(light, to_center), d);
+    return light_sample(wi, d, light.quantity * emission_at(light, st), p);
 }

@@ -12,6 +12,7 @@ namespace sr::cli {
 enum ExitStatus : int { done = 0, failed_check = 1, usage = 2, worlds_fault = 3, interrupted = 130 };
 
 void add_render_command(CLI::App& app);
+void add_probe_command(CLI::App& app);
 void add_info_command(CLI::App& app);
 void add_expand_command(CLI::App& app);
 void add_compare_command(CLI::App& app);

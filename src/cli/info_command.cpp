@@ -1,4 +1,5 @@
 #include "cli/commands.hpp"
+#include "cli/light_description.hpp"
 #include "gl/context.hpp"
 #include "gltf/load.hpp"
 #include "scene/emitters.hpp"
@@ -44,51 +45,13 @@ void print_backends(const ordered_json& backends) {
     }
 }
 
-ordered_json rgb(vec3 v) { return {v.x, v.y, v.z}; }
-
-/// A light's kind, quantity and extent.
-struct DescribeLight {
-    ordered_json operator()(const scene::PointLight& l) const {
-        ordered_json json{{"kind", "point"}, {"name", l.name}, {l.profile < 0 ? "I [cd]" : "factor", rgb(l.I)}};
-        if (l.profile >= 0) json["profile"] = l.profile;
-        if (l.radius > 0.0f) json["radius [m]"] = l.radius;
-        return json;
-    }
-    ordered_json operator()(const scene::SpotLight& l) const {
-        ordered_json json{{"kind", "spot"}, {"name", l.name}, {"I [cd]", rgb(l.I)}};
-        if (l.radius > 0.0f) json["radius [m]"] = l.radius;
-        return json;
-    }
-    ordered_json operator()(const scene::DirectionalLight& l) const {
-        ordered_json json{{"kind", "directional"}, {"name", l.name}, {"E [lx]", rgb(l.E)}};
-        if (l.angular_radius > 0.0f) json["angular radius [rad]"] = l.angular_radius;
-        return json;
-    }
-    ordered_json operator()(const scene::RectangleLight& l) const { return area("rectangle", l); }
-    ordered_json operator()(const scene::DiskLight& l) const { return area("disk", l); }
-    ordered_json operator()(const scene::SphereLight& l) const { return area("sphere", l); }
-    ordered_json operator()(const scene::TubeLight& l) const { return area("tube", l); }
-    ordered_json operator()(const scene::PolygonLight& l) const { return area("polygon", l); }
-    ordered_json operator()(const scene::MeshLight& l) const {
-        ordered_json json = area("mesh", l);
-        json["triangles"] = l.triangles.size();
-        return json;
-    }
-
-    template<class Area>
-    static ordered_json area(const char* kind, const Area& l) {
-        return {{"kind", kind}, {"name", l.name}, {"L [cd/m^2]", rgb(l.L)}, {"A [m^2]", l.area()}};
-    }
-};
-
 ordered_json scene_json(const std::string& file) {
     const gltf::Loaded loaded = gltf::load(file);
     const scene::Scene& s = loaded.scene;
     const scene::Bounds bounds = scene::bounds_of(s);
     ordered_json cameras = ordered_json::array(), lights = ordered_json::array();
     for (const scene::Camera& camera : s.cameras) cameras.push_back(camera.name);
-    for (const scene::Light& light : scene::emitters_of(s))
-        lights.push_back(std::visit(DescribeLight{}, light));
+    for (const scene::Light& light : scene::emitters_of(s)) lights.push_back(described(light, s));
     ordered_json json{{"file", file},
                       {"meshes", s.meshes.size()},
                       {"instances", s.instances.size()},
@@ -96,6 +59,7 @@ ordered_json scene_json(const std::string& file) {
                       {"materials", s.materials.size()},
                       {"textures", s.textures.size()},
                       {"images", s.images.size()},
+                      {"unit", scene::radiance_unit(s.units)},
                       {"cameras", cameras},
                       {"lights", lights},
                       {"extensions_used", loaded.extensions_used},
@@ -116,7 +80,7 @@ void print_scene(const ordered_json& json) {
         else
             for (const auto& [name, entry] : value.items())
                 fmt::print("{:<22} {}{}\n", key, value.is_object() ? name + " " : "",
-                           entry.is_string() ? entry.get<std::string>() : entry.dump());
+                           key == "lights" ? line_of(entry) : text_of(entry));
     }
 }
 

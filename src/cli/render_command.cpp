@@ -1,57 +1,21 @@
 #include "cli/commands.hpp"
 #include "cli/interruption.hpp"
+#include "cli/open_scene.hpp"
 #include "cli/progress.hpp"
 #include "cli/render_options.hpp"
 #include "cli/summary.hpp"
 #include "core/error.hpp"
-#include "gltf/load.hpp"
 #include "render/renderer.hpp"
 
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <cstdio>
 #include <fmt/format.h>
-#include <future>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 namespace sr::cli {
 namespace {
-
-struct TimedLoad {
-    gltf::Loaded loaded;
-    double seconds = 0.0;
-};
-
-TimedLoad load_timed(const RenderCommand& command) {
-    PhaseTimes times;
-    TimedLoad result{gltf::load(command.scene, {command.scene_index}), 0.0};
-    result.seconds = times.total();
-    return result;
-}
-
-scene::Stage staged(const RenderCommand& command, gltf::Loaded&& loaded) {
-    for (const std::string& warning : loaded.warnings) fmt::print(stderr, "{}\n", warning);
-    scene::StageOptions options{command.camera, command.rig};
-    if (command.size)
-        options.aspect_ratio =
-            static_cast<float>(command.size->width) / static_cast<float>(command.size->height);
-    scene::Stage stage = scene::set_stage(std::move(loaded.scene), command.scene, options);
-    for (const std::string& remark : stage.remarks) fmt::print(stderr, "{}\n", remark);
-    return stage;
-}
-
-Size picture_size(const RenderCommand& command, const scene::Camera& camera) {
-    if (command.size) return *command.size;
-    constexpr int rows = 720;
-    const float aspect = camera.aspect_ratio().value_or(16.0f / 9.0f);
-    return {std::clamp(static_cast<int>(std::lround(rows * aspect)), 1, 16 * rows), rows};
-}
-
-render::RenderOptions render_options(const RenderCommand& command, Size size) {
-    return {size.width,   size.height,        command.samples,
-            command.seed, command.background, shader_path(command.shaders)};
-}
 
 /// @return whether all samples were taken; false if Ctrl-C was pressed.
 bool add_samples(render::Renderer& renderer, int count) {
@@ -65,12 +29,16 @@ bool add_samples(render::Renderer& renderer, int count) {
     return renderer.sample_count() == count;
 }
 
+const char* name_of(render::Estimator estimator) {
+    return estimator == render::Estimator::analytic ? "analytic" : "sampled";
+}
+
 void describe(image::Image& film, const RenderCommand& command, const scene::Stage& stage,
               const gl::ContextInfo& gl) {
     film.channel_names = {"R", "G", "B", "A"};
     film.attributes = {{"steradian:version", STERADIAN_VERSION},
-                       {"steradian:unit", "cd/m^2"},
-                       {"steradian:estimator", "sampled"},
+                       {"steradian:unit", std::string(scene::radiance_unit(stage.scene.units))},
+                       {"steradian:estimator", name_of(command.estimator)},
                        {"steradian:visibility", std::string(render::name_of(command.visibility))},
                        {"steradian:samples", std::to_string(command.samples)},
                        {"steradian:seed", std::to_string(command.seed)},
@@ -124,9 +92,10 @@ ordered_json summary(const RenderCommand& command, const scene::Stage& stage, co
             {"outputs", command.outputs},
             {"width", size.width},
             {"height", size.height},
+            {"estimator", name_of(command.estimator)},
             {"samples", command.samples},
             {"seed", command.seed},
-            {"unit", "cd/m^2"},
+            {"unit", scene::radiance_unit(stage.scene.units)},
             {"camera", stage.camera.name},
             {"lights", stage.lights.size()},
             {"triangles", scene::triangle_count(stage.scene)},
@@ -162,19 +131,8 @@ ExitStatus render(const RenderCommand& command) {
     PhaseTimes times;
     for (const std::string& output : command.outputs)
         image::is_scene_referred(output); // refuses unknown formats
-    // The context first: the dynamic loader has one lock, and behind OpenImageIO a driver would wait for
-    // long.
-    const auto context = gl::open_context({command.backend, command.gl_debug});
-    times.end("start");
-    auto loading = std::async(std::launch::async, load_timed, std::cref(command));
-    const auto preloading = image::preload(); // last, since no thread can start while it has that lock
-    TimedLoad load = loading.get();
-    times.end("wait for load");
-    times.add("load (beside start)", load.seconds);
-
-    const scene::Stage stage = staged(command, std::move(load.loaded));
-    const Size size = picture_size(command, stage.camera);
-    times.end("stage");
+    const OpenScene open = open_scene(command, times);
+    const auto& [context, stage, size] = open;
     const render::GpuScene gpu_scene(stage.scene, stage.lights, command.visibility);
     glFinish();
     times.end("upload");

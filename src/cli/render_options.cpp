@@ -28,6 +28,12 @@ std::optional<scene::Rig> rig_named(const std::string& name) {
     return std::nullopt;
 }
 
+std::optional<render::Estimator> estimator_named(const std::string& name) {
+    if (name == "sampled") return render::Estimator::sampled;
+    if (name == "analytic") return render::Estimator::analytic;
+    return std::nullopt;
+}
+
 std::optional<image::SampleType> exr_type_named(const std::string& name) {
     if (name == "half") return image::SampleType::half;
     if (name == "float") return image::SampleType::floating;
@@ -64,8 +70,24 @@ void declare_picture(CLI::App& command, RenderCommand& o) {
         [&o](render::Visibility visibility) { o.visibility = visibility; });
     parsed(command, "--background", "radiance where there is no surface [cd/m²] (default: 0)", "L or R,G,B",
            parsed_color, [&o](vec3 color) { o.background = color; });
-    parsed(command, "--rig", "what lights a file without any light (default: studio)", "studio|none",
-           rig_named, [&o](scene::Rig rig) { o.rig = rig; });
+    parsed(command, "--rig", "what lights a file without a lamp; glowing details are none (default: studio)",
+           "studio|none", rig_named, [&o](scene::Rig rig) { o.rig = rig; });
+    command.add_flag(
+        "--hide-emitters", o.hide_emitters,
+        "emitters light the scene and are not seen: lights vanish, emissive surfaces only reflect");
+}
+
+void declare_estimator(CLI::App& command, RenderCommand& o) {
+    parsed(
+        command, "--estimator",
+        "how light from emitters of finite size is added up (default: sampled, which converges to the truth; "
+        "analytic is noiseless: exact for Lambert, near it for gloss)",
+        "sampled|analytic", estimator_named, [&o](render::Estimator estimator) { o.estimator = estimator; });
+    command
+        .add_option("--analytic-points", o.analytic_points,
+                    "points the analytic estimator takes a lobe and emitter; 0: none, the fitted lobe alone")
+        ->check(CLI::Range(0, 4096))
+        ->capture_default_str();
 }
 
 void declare_output(CLI::App& command, RenderCommand& o) {
@@ -91,17 +113,22 @@ void declare_machine(CLI::App& command, RenderCommand& o) {
 
 } // namespace
 
-void declare(CLI::App& command, RenderCommand& options) {
+void declare_rendering(CLI::App& command, RenderCommand& options) {
     command.add_option("SCENE", options.scene, "a .gltf or .glb file")->required();
+    declare_picture(command, options);
+    declare_estimator(command, options);
+    declare_machine(command, options);
+}
+
+void declare(CLI::App& command, RenderCommand& options) {
+    declare_rendering(command, options);
     command
         .add_option("-o,--output", options.outputs,
                     "OUT.exr or .hdr for radiance, OUT.png or .jpg for a picture (repeatable)")
         ->type_name("OUT")
         ->allow_extra_args(false) // one a flag: what follows may be the scene
         ->required();
-    declare_picture(command, options);
     declare_output(command, options);
-    declare_machine(command, options);
     command.footer(
         "Examples:\n"
         "  steradian render scene.glb -o picture.png\n"

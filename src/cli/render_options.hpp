@@ -4,6 +4,7 @@
 #include "gl/context.hpp"
 #include "image/display.hpp"
 #include "image/file.hpp"
+#include "render/renderer.hpp"
 #include "render/occluders.hpp"
 #include "scene/stage.hpp"
 
@@ -22,8 +23,11 @@ struct RenderCommand {
     int samples = 16;
     render::Visibility visibility = render::Visibility::ray;
     std::uint32_t seed = 0;
+    render::Estimator estimator = render::Estimator::sampled;
+    int analytic_points = render::default_analytic_points;
     vec3 background{0.0f};
     scene::Rig rig = scene::Rig::studio;
+    bool hide_emitters = false;
     std::optional<float> ev100; // absent: automatic
     image::ToneCurve tone_curve = image::ToneCurve::neutral;
     image::SampleType exr_type = image::SampleType::floating;
@@ -35,5 +39,8 @@ struct RenderCommand {
 
 /// Declares the options on `command`; parsing fills `options`.
 void declare(CLI::App& command, RenderCommand& options);
+
+/// Declares those that say what is rendered and by what, without those that say where it goes.
+void declare_rendering(CLI::App& command, RenderCommand& options);
 
 } // namespace sr::cli

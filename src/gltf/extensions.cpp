@@ -10,10 +10,12 @@
 namespace sr::gltf {
 namespace {
 
-constexpr std::array<std::string_view, 8> supported{
-    "EXT_lights_area",       "KHR_lights_punctual",    "KHR_materials_emissive_strength",
-    "KHR_materials_ior",     "KHR_materials_specular", "KHR_materials_unlit",
-    "KHR_mesh_quantization", "KHR_texture_transform",
+constexpr std::array<std::string_view, 9> supported{
+    "EXT_lights_area",       "EXT_lights_ies",
+    "KHR_lights_punctual",   "KHR_materials_emissive_strength",
+    "KHR_materials_ior",     "KHR_materials_specular",
+    "KHR_materials_unlit",   "KHR_mesh_quantization",
+    "KHR_texture_transform",
 };
 
 } // namespace

@@ -2,12 +2,54 @@
 
 #include "gltf/text.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
 
 namespace sr::gltf {
 namespace {
+
+using glm::dvec3;
+using tinygltf::Value;
+
+constexpr std::string_view point_takes =
+    "state a point or a spot in lm or cd, or in W or W/sr; with a radius also in cd/m^2 or W/(m^2 sr)";
+constexpr std::string_view sun_takes = "state a directional light in lx or W/m^2 (its beam is as wide as the "
+                                       "scene, so that no flux or intensity is its "
+                                       "own); with an angular_diameter also in cd/m^2 or W/(m^2 sr)";
+
+/// What the extras of a light of KHR_lights_punctual, and over them those of its node, state.
+class PunctualExtras {
+public:
+    PunctualExtras(const Document& document, const Value* node, const Value* light, const std::string& title)
+        : document_(document), node_(node), light_(light), title_(title) {}
+
+    Statement statement() const {
+        return statement_of(document_, node_, title_).over(statement_of(document_, light_, title_));
+    }
+
+    /// A length or an angle; absent where neither states it.
+    std::optional<double> number(const std::string& key) const {
+        for (const Value* extras : {node_, light_})
+            if (extras && extras->Has(key)) return number_in(*extras, key, 0.0);
+        return std::nullopt;
+    }
+
+    void forbid(const std::string& key, std::string_view kind) const {
+        if (number(key))
+            document_.fail(fmt::format("{} has the {} of another kind of light", title_, key),
+                           fmt::format("leave it out of a {} light", kind));
+    }
+
+    bool is_visible() const { return flag_in(node_, "visible", flag_in(light_, "visible", true)); }
+
+private:
+    const Document& document_;
+    const Value* node_;
+    const Value* light_;
+    std::string title_;
+};
 
 float range_of(const Document& document, const tinygltf::Light& light, const std::string& title) {
     if (light.range < 0.0)
@@ -27,63 +69,167 @@ void check_cone(const Document& document, const tinygltf::SpotLight& spot, const
                   "they must obey 0 <= inner < outer <= pi/2");
 }
 
-scene::Light punctual(const Document& document, const PlacedNode& placed, const tinygltf::Light& light,
-                      const std::string& title) {
-    const glm::dvec3 color =
-        light.color.empty() ? glm::dvec3(1.0) : glm::dvec3(light.color[0], light.color[1], light.color[2]);
-    const vec3 quantity = emitted_color(document, color, light.intensity, title);
-    const vec3 position(placed.world_from_node[3]);
-    if (light.type == "directional")
-        return scene::DirectionalLight{light.name, direction_of(document, placed, title), quantity};
-    if (light.type == "point")
-        return scene::PointLight{light.name, position, quantity, range_of(document, light, title)};
-    check_cone(document, light.spot, title);
-    return scene::SpotLight{light.name,
-                            position,
-                            direction_of(document, placed, title),
-                            quantity,
-                            range_of(document, light, title),
-                            static_cast<float>(light.spot.innerConeAngle),
-                            static_cast<float>(light.spot.outerConeAngle)};
+scene::Light directional(const Document& document, const PlacedNode& placed, dvec3 own,
+                         const PunctualExtras& extras, const std::string& title) {
+    extras.forbid("radius", "directional");
+    scene::DirectionalLight light;
+    light.direction = vec3(frame_of(document, placed, title).front);
+    if (const auto diameter = extras.number("angular_diameter")) {
+        if (!(*diameter > 0.0 && *diameter < glm::pi<double>()))
+            document.fail(fmt::format("{} has the angular_diameter {}", title, *diameter),
+                          "give one between 0 and pi radians (the sun's is 0.0093)");
+        light.angular_radius = static_cast<float>(0.5 * *diameter);
+    }
+    const Conversion conversion = [&](scene::Quantity quantity, double value) {
+        return scene::sun_irradiance_from(quantity, value, light.angular_radius);
+    };
+    light.E = emitted(document, extras.statement(), own, conversion, title, sun_takes);
+    return light;
+}
+
+/// What points and spots have in common: place, range, radius.
+template<class Punctual>
+Punctual placed_light(const Document& document, const PlacedNode& placed, const tinygltf::Light& from,
+                      const PunctualExtras& extras, const std::string& title) {
+    extras.forbid("angular_diameter", from.type);
+    Punctual light;
+    light.position = vec3(placed.world_from_node[3]);
+    light.range = range_of(document, from, title);
+    light.is_visible = extras.is_visible();
+    if (const auto radius = extras.number("radius"))
+        light.radius = scaled_size(document, *radius, frame_of(document, placed, title), "radius", title);
+    return light;
+}
+
+scene::Light punctual(const Document& document, const PlacedNode& placed, const tinygltf::Light& from,
+                      const PunctualExtras& extras, const std::string& title) {
+    const dvec3 color = from.color.empty() ? dvec3(1.0) : dvec3(from.color[0], from.color[1], from.color[2]);
+    const dvec3 own = emitted_color(document, color, from.intensity, title);
+    if (from.type == "directional") return directional(document, placed, own, extras, title);
+    if (from.type == "point") {
+        auto light = placed_light<scene::PointLight>(document, placed, from, extras, title);
+        const Conversion conversion = [&](scene::Quantity quantity, double value) {
+            return scene::point_intensity_from(quantity, value, light.radius);
+        };
+        light.I = emitted(document, extras.statement(), own, conversion, title, point_takes);
+        return light;
+    }
+    check_cone(document, from.spot, title);
+    auto light = placed_light<scene::SpotLight>(document, placed, from, extras, title);
+    light.direction = vec3(frame_of(document, placed, title).front);
+    light.inner_angle = static_cast<float>(from.spot.innerConeAngle);
+    light.outer_angle = static_cast<float>(from.spot.outerConeAngle);
+    const Conversion conversion = [&](scene::Quantity quantity, double value) {
+        return scene::spot_intensity_from(quantity, value, light);
+    };
+    light.I = emitted(document, extras.statement(), own, conversion, title, point_takes);
+    return light;
+}
+
+/// What extras without a shape can state of the lights that a node has by extensions; nothing if there are
+/// none.
+std::vector<std::string> properties_without_shape(const tinygltf::Node& node) {
+    std::vector<std::string> known;
+    const auto take = [&](const char* name, std::initializer_list<std::string> properties) {
+        if (extension(node.extensions, name)) known.insert(known.end(), properties);
+    };
+    take("KHR_lights_punctual", {"radius", "angular_diameter"});
+    take("EXT_lights_area", {"texture", "two_sided"});
+    take("EXT_lights_ies", {"radius"});
+    if (!known.empty())
+
+        for (const char* shared : {"quantity", "color", "temperature", "spectrum", "visible"})
+            known.emplace_back(shared);
+    return known;
 }
 
 } // namespace
+
+void LightTable::append_punctual(const PlacedNode& placed) {
+    const tinygltf::Node& node = document_.model.nodes[static_cast<std::size_t>(placed.node)];
+    const Value* reference = extension(node.extensions, "KHR_lights_punctual");
+    if (!reference) return;
+    const int index = whole_in(*reference, "light", 0);
+    const tinygltf::Light& from = document_.model.lights[static_cast<std::size_t>(index)];
+    const std::string title = light_title("KHR_lights_punctual", index, from.name);
+    const Value* stated = steradian_in(node.extras);
+    if (stated && stated->Has("shape")) stated = nullptr; // that is a light of its own
+    const PunctualExtras extras(document_, stated, steradian_in(from.extras), title);
+    scene::Light light = punctual(document_, placed, from, extras, title);
+    std::visit([&](auto& any) { any.name = from.name.empty() ? node.name : from.name; }, light);
+    lights_.push_back(std::move(light));
+}
+
+void LightTable::append(const PlacedNode& placed) {
+    const tinygltf::Node& node = document_.model.nodes[static_cast<std::size_t>(placed.node)];
+    append_punctual(placed);
+    append_area(placed);
+    append_ies(placed);
+    append_shape(placed);
+    const Value* stated = steradian_in(node.extras);
+    if (!stated || stated->Has("shape")) return;
+    const std::vector<std::string> known = properties_without_shape(node);
+    for (const std::string& key : stated->Keys())
+        if (!known.empty() && std::find(known.begin(), known.end(), key) == known.end())
+            document_.fail(
+                fmt::format("/nodes/{}/extras/steradian states {}", placed.node, key),
+                fmt::format("the light of this node has {}; leave it out", fmt::join(known, ", ")));
+    if (known.empty())
+        document_.fail(
+            fmt::format("/nodes/{}/extras/steradian names no shape, and its node has no light", placed.node),
+            "give it a \"shape\", or put it on the node of a light");
+}
 
 std::string light_title(std::string_view extension, int index, std::string_view name) {
     return fmt::format("light {} (/extensions/{}/lights/{})", in_quotes(name), extension, index);
 }
 
-vec3 direction_of(const Document& document, const PlacedNode& placed, const std::string& title) {
-    const glm::dvec3 back(placed.world_from_node[2]);
+LightFrame frame_of(const Document& document, const PlacedNode& placed, const std::string& title) {
+    const dvec3 x(placed.world_from_node[0]), y(placed.world_from_node[1]), back(placed.world_from_node[2]);
     if (!(glm::length(back) > 0.0))
         document.fail(fmt::format("{} is scaled to nothing and so points nowhere", title),
                       "give its node a scale that is not zero");
-    return vec3(-glm::normalize(back));
+    LightFrame frame;
+    frame.position = dvec3(placed.world_from_node[3]);
+    frame.front = -glm::normalize(back);
+    const dvec3 across = glm::cross(y, frame.front);
+    // A node that is flat across its light may still aim a spot; only what has a size needs u and v.
+    frame.u = glm::length(across) > 0.0 ? glm::normalize(across) : dvec3(0.0);
+    frame.v = glm::cross(frame.front, frame.u);
+    frame.scale = std::max({glm::length(x), glm::length(y), glm::length(back)});
+    return frame;
 }
 
-vec3 emitted_color(const Document& document, glm::dvec3 color, double quantity, const std::string& title) {
+float scaled_size(const Document& document, double size, const LightFrame& frame, std::string_view what,
+                  const std::string& title) {
+    const auto scaled = static_cast<float>(size * frame.scale);
+    if (!(scaled > 0.0f) || !std::isfinite(scaled))
+        document.fail(fmt::format("{} has the {} {}", title, what, size), "give a positive one");
+    return scaled;
+}
+
+dvec3 emitted_color(const Document& document, dvec3 color, double quantity, const std::string& title) {
     if (!(quantity >= 0.0))
         document.fail(fmt::format("{} has the intensity {}", title, quantity), "give zero or more");
     if (!(color.x >= 0.0 && color.y >= 0.0 && color.z >= 0.0))
         document.fail(fmt::format("{} has the colour {} {} {}", title, color.x, color.y, color.z),
                       "give zero or more");
-    const vec3 product(color * quantity);
-    if (!std::isfinite(product.x) || !std::isfinite(product.y) || !std::isfinite(product.z))
-        document.fail(fmt::format("{} is brighter than 32-bit floats can say", title), "lower its intensity");
-    return product;
+    return color * quantity;
 }
 
-void append_lights(const Document& document, const PlacedNode& placed, std::vector<scene::Light>& lights,
-                   Warnings& warnings) {
-    const tinygltf::Node& node = document.model.nodes[static_cast<std::size_t>(placed.node)];
-    if (const tinygltf::Value* reference = extension(node.extensions, "KHR_lights_punctual")) {
-        const int index = whole_in(*reference, "light", 0);
-        tinygltf::Light light = document.model.lights[static_cast<std::size_t>(index)];
-        const std::string title = light_title("KHR_lights_punctual", index, light.name);
-        if (light.name.empty()) light.name = node.name;
-        lights.push_back(punctual(document, placed, light, title));
-    }
-    append_area_light(document, placed, lights, warnings);
+std::string text_in(const Value& object, const std::string& key) {
+    return object.Has(key) && object.Get(key).IsString() ? object.Get(key).Get<std::string>() : std::string();
+}
+
+bool flag_in(const Value* object, const std::string& key, bool fallback) {
+    return object && object->Has(key) ? object->Get(key).Get<bool>() : fallback;
+}
+
+dvec3 color_in(const Value& object) {
+    if (!object.Has("color")) return dvec3(1.0);
+    const Value& color = object.Get("color");
+    return {color.Get(0).GetNumberAsDouble(), color.Get(1).GetNumberAsDouble(),
+            color.Get(2).GetNumberAsDouble()};
 }
 
 } // namespace sr::gltf

@@ -1,31 +1,93 @@
 #pragma once
-// KHR_lights_punctual, and EXT_lights_area (area_light.cpp).
+// Lights: KHR_lights_punctual (light.cpp), EXT_lights_area (area_light.cpp), EXT_lights_ies (ies_light.cpp),
+// and the shapes of extras.steradian (shape_light.cpp).
 #include "gltf/hierarchy.hpp"
-#include "gltf/warnings.hpp"
+#include "gltf/statement.hpp"
+#include "gltf/texture.hpp"
+#include "scene/ies.hpp"
 #include "scene/light.hpp"
 
+#include <map>
 #include <vector>
 
 namespace sr::gltf {
 
-/// Appends the lights that a placed node carries, in world space. They keep their photometric numbers
-/// whatever the node's scale is; only the size of an area light scales.
-/// @throws Error naming a light with a negative quantity, a bad cone or no size
-void append_lights(const Document& document, const PlacedNode& placed, std::vector<scene::Light>& lights,
-                   Warnings& warnings);
+/// Collects the lights of placed nodes, in world space. They keep their photometric numbers whatever the
+/// node's scale is; only sizes scale.
+class LightTable {
+public:
+    /// Textures of emitters are asked for in `textures`.
+    LightTable(const Document& document, TextureTable& textures) : document_(document), textures_(textures) {}
 
-/// The same for EXT_lights_area alone.
-void append_area_light(const Document& document, const PlacedNode& placed, std::vector<scene::Light>& lights,
-                       Warnings& warnings);
+    /// Appends the lights that a node carries.
+    /// @throws Error naming a light with a quantity, a cone, a shape or a profile that makes no sense
+    void append(const PlacedNode& placed);
+
+    const std::vector<scene::Light>& lights() const { return lights_; }
+    const std::vector<scene::LightProfile>& profiles() const { return profiles_; }
+
+private:
+    void append_punctual(const PlacedNode& placed);
+    void append_area(const PlacedNode& placed);
+    void append_shape(const PlacedNode& placed);
+    void append_ies(const PlacedNode& placed);
+
+    /// The emission map of extras.steradian.texture; none where there is no texture.
+    scene::EmissionMap map_of(const tinygltf::Value* stated);
+    /// An IES file of the glTF, read once; with the index of its profile.
+    const std::pair<int, scene::IesLuminaire>& luminaire(int index, const std::string& title);
+
+    const Document& document_;
+    TextureTable& textures_;
+    std::vector<scene::Light> lights_;
+    std::vector<scene::LightProfile> profiles_;
+    std::map<int, std::pair<int, scene::IesLuminaire>> luminaires_;
+};
+
+/// How a light stands in the world: orthonormal, with one scale.
+struct LightFrame {
+    glm::dvec3 position{0.0}; // [m]
+    glm::dvec3 front{0.0};    // the node's -Z, where the light goes
+    glm::dvec3 u{0.0};        // along the node's X, turned so that cross(u, v) is the front
+    glm::dvec3 v{0.0};        // along the node's Y
+    double scale = 1.0; // the largest of the node's axes: what the draft of EXT_lights_area scales sizes by
+};
+
+/// @throws Error naming the light if its node is scaled to nothing
+LightFrame frame_of(const Document& document, const PlacedNode& placed, const std::string& title);
+
+/// A size in the file times the frame's scale [m]. @throws Error unless it is positive and finite
+float scaled_size(const Document& document, double size, const LightFrame& frame, std::string_view what,
+                  const std::string& title);
 
 /// What errors call a light: "light "Key" (/extensions/…/lights/0)".
 std::string light_title(std::string_view extension, int index, std::string_view name);
 
-/// The unit direction that a node's -Z points to in the world. @throws Error naming the light if its node has
-/// no depth
-vec3 direction_of(const Document& document, const PlacedNode& placed, const std::string& title);
-
 /// Colour times quantity. @throws Error if either is negative
-vec3 emitted_color(const Document& document, glm::dvec3 color, double quantity, const std::string& title);
+glm::dvec3 emitted_color(const Document& document, glm::dvec3 color, double quantity,
+                         const std::string& title);
+
+/// The text, the flag and the three numbers of an object's property, or what stands for them where it is
+/// absent.
+std::string text_in(const tinygltf::Value& object, const std::string& key);
+bool flag_in(const tinygltf::Value* object, const std::string& key, bool fallback);
+glm::dvec3 color_in(const tinygltf::Value& object);
+
+/// Which units an area light can be stated in.
+inline constexpr std::string_view area_takes =
+    "state an area light in lm, cd or cd/m^2, or in W, W/sr or W/(m^2 sr): lx says what arrives elsewhere";
+
+/// Sets L, and what else a flat light's statement says. @throws Error
+template<class Flat>
+void state_flat(const Document& document, Flat& light, const tinygltf::Value* stated, glm::dvec3 own,
+                const std::string& title) {
+    light.is_visible = flag_in(stated, "visible", true);
+    light.is_two_sided = flag_in(stated, "two_sided", false);
+    const scene::Radiator radiator = scene::radiator_of(light);
+    const Conversion conversion = [&](scene::Quantity quantity, double value) {
+        return scene::radiance_from(quantity, value, radiator);
+    };
+    light.L = emitted(document, statement_of(document, stated, title), own, conversion, title, area_takes);
+}
 
 } // namespace sr::gltf

@@ -84,14 +84,18 @@ Loaded load(const std::filesystem::path& file, const LoadOptions& options) {
     MaterialTable materials(document, warnings);
     UsedMeshes used(document, placed, materials);
     scene.materials = materials.materials();
+    LightTable lights(document, materials.textures());
+    for (const PlacedNode& here : placed) lights.append(here);
+    scene.lights = lights.lights();
+    scene.profiles = lights.profiles();
+    scene.units = unit_system_of(document);
     scene.textures = materials.textures().textures();
     Decoding decoding(document, materials.textures().image_sources());
 
-    for (const PlacedNode& here : placed) {
-        append_lights(document, here, scene.lights, warnings);
+    for (const PlacedNode& here : placed)
         if (node_of(document, here).camera >= 0) scene.cameras.push_back(camera_at(document, here));
-    }
     append_instances(document, placed, used, scene, warnings);
+    materials.share_fluxes(scene);
     scene.images = decoding.images();
 
     loaded.warnings = warnings.lines();

@@ -112,6 +112,55 @@ void MaterialTable::read_specular(const tinygltf::Material& from, scene::Materia
         to.specular_color_texture = slot(specular->Get("specularColorTexture"), ColorSpace::srgb);
 }
 
+void MaterialTable::read_emission(const tinygltf::Material& from, scene::Material& to) {
+    const Value* strength = extension(from.extensions, "KHR_materials_emissive_strength");
+    const auto factor = static_cast<float>(strength ? number_in(*strength, "emissiveStrength", 1.0) : 1.0);
+    const auto& e = from.emissiveFactor;
+    to.emission =
+        not_negative(document_, vec3(e[0], e[1], e[2]) * factor, "emissive factor times strength", from.name);
+    const Value* stated = steradian_in(from.extras);
+    if (!stated) return;
+    const std::string title = fmt::format("material {}", in_quotes(from.name));
+    bool is_flux = false;
+    const Conversion conversion = [&](scene::Quantity quantity, double value) {
+        is_flux = quantity == scene::Quantity::flux;
+        const bool is_determined = is_flux || quantity == scene::Quantity::radiance;
+        return is_determined ? std::optional(value) : std::nullopt;
+    };
+    const vec3 stated_emission =
+        emitted(document_, statement_of(document_, stated, title), glm::dvec3(to.emission), conversion, title,
+                "state what a material emits in cd/m^2 or lm, or in W/(m^2 sr) or W");
+    if (!is_flux) {
+        to.emission = stated_emission;
+        return;
+    }
+    fluxes_[static_cast<int>(materials_.size())] = {glm::dvec3(stated_emission), title};
+    to.emission = vec3(0.0f);
+}
+
+void MaterialTable::share_fluxes(scene::Scene& scene) const {
+    std::map<int, double> area; // by material
+    for (const scene::Instance& instance : scene.instances) {
+        const scene::Mesh& mesh = scene.meshes[static_cast<std::size_t>(instance.mesh)];
+        if (!fluxes_.contains(mesh.material)) continue;
+        const glm::dmat4 world(instance.world_from_object);
+        const auto corner = [&](std::size_t i) {
+            return glm::dvec3(world * glm::dvec4(mesh.positions[mesh.indices[i]], 1.0f));
+        };
+        for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3)
+            area[mesh.material] +=
+                0.5 * glm::length(glm::cross(corner(i + 1) - corner(i), corner(i + 2) - corner(i)));
+    }
+    for (const auto& [number, flux] : fluxes_) {
+        scene::Material& material = scene.materials[static_cast<std::size_t>(number)];
+        const double emitting = area[number] * (material.is_double_sided ? 2.0 : 1.0);
+        if (!(emitting > 0.0))
+            document_.fail(fmt::format("{} states a flux, and no surface with an area has it", flux.title),
+                           "give it a surface, or state its radiance in cd/m^2");
+        material.emission = as_floats(document_, flux.Phi / (glm::pi<double>() * emitting), flux.title);
+    }
+}
+
 scene::Material MaterialTable::read(const tinygltf::Material& from) {
     scene::Material to;
     to.name = from.name;
@@ -130,11 +179,7 @@ scene::Material MaterialTable::read(const tinygltf::Material& from) {
     to.normal_scale = static_cast<float>(from.normalTexture.scale);
     to.emission_texture = slot_of(from.emissiveTexture, ColorSpace::srgb);
 
-    const Value* strength = extension(from.extensions, "KHR_materials_emissive_strength");
-    const auto factor = static_cast<float>(strength ? number_in(*strength, "emissiveStrength", 1.0) : 1.0);
-    const auto& e = from.emissiveFactor;
-    to.emission =
-        not_negative(document_, vec3(e[0], e[1], e[2]) * factor, "emissive factor times strength", from.name);
+    read_emission(from, to);
     if (const Value* ior = extension(from.extensions, "KHR_materials_ior"))
         to.ior = static_cast<float>(number_in(*ior, "ior", 1.5));
     if (to.ior != 0.0f && !(to.ior >= 1.0f))

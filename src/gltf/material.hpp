@@ -1,6 +1,8 @@
 #pragma once
 // glTF materials.
+#include "gltf/statement.hpp"
 #include "gltf/texture.hpp"
+#include "scene/scene.hpp"
 
 #include <map>
 
@@ -16,9 +18,20 @@ public:
     int material(int gltf_material);
 
     const std::vector<scene::Material>& materials() const { return materials_; }
-    const TextureTable& textures() const { return textures_; }
+    /// Lights ask for textures, too.
+    TextureTable& textures() { return textures_; }
+
+    /// Gives each material that states a flux its radiance: L = Φ / (π A), A being the area of all surfaces
+    /// of the scene that have the material, on both sides if they emit on both. To be called when all
+    /// instances are there.
+    void share_fluxes(scene::Scene& scene) const;
 
 private:
+    struct StatedFlux {
+        glm::dvec3 Phi{0.0}; // in the scene's units
+        std::string title;
+    };
+    void read_emission(const tinygltf::Material& from, scene::Material& to);
     scene::Material read(const tinygltf::Material& from);
     void read_specular(const tinygltf::Material& from, scene::Material& to);
     scene::TextureSlot slot(const tinygltf::Value& info, scene::ColorSpace color_space);
@@ -31,6 +44,7 @@ private:
     TextureTable textures_;
     std::vector<scene::Material> materials_;
     std::map<int, int> number_of_;
+    std::map<int, StatedFlux> fluxes_; // by number
 };
 
 } // namespace sr::gltf

@@ -1,5 +1,6 @@
 // The rules of glTF 2.0 (its JSON schema) for the parts that are read, and of the extensions that are
 // supported.
+#include "gltf/extras_rules.hpp"
 #include "gltf/schema.hpp"
 
 namespace sr::gltf {
@@ -46,6 +47,7 @@ const Rule node_index = index_into("/nodes");
 const Rule scene_index = index_into("/scenes");
 const Rule punctual_light_index = index_into("/extensions/KHR_lights_punctual/lights");
 const Rule area_light_index = index_into("/extensions/EXT_lights_area/lights");
+const Rule ies_light_index = index_into("/extensions/EXT_lights_ies/lights");
 const Rule node_indices = list_of(node_index);
 
 // --- bytes
@@ -130,7 +132,8 @@ const Rule material = record({{"name", &text},
                               {"alphaMode", &alpha_mode},
                               {"alphaCutoff", &number},
                               {"doubleSided", &boolean},
-                              {"extensions", &material_extensions}});
+                              {"extensions", &material_extensions},
+                              {"extras", &material_extras_rule()}});
 const Rule magnification = number_out_of({9728, 9729});
 const Rule minification = number_out_of({9728, 9729, 9984, 9985, 9986, 9987});
 const Rule wrap = number_out_of({33071, 33648, 10497});
@@ -160,7 +163,8 @@ const Rule punctual_light = record({{"type", &punctual_type, true},
                                     {"name", &text},
                                     {"color", &three_numbers},
                                     {"intensity", &number},
-                                    {"range", &number}});
+                                    {"range", &number},
+                                    {"extras", &light_extras_rule()}});
 const Rule punctual_lights = list_of(punctual_light);
 const Rule punctual = record({{"lights", &punctual_lights}});
 const Rule rect = record({{"aspect", &number}});
@@ -173,13 +177,21 @@ const Rule area_light = record({{"type", &text},
                                 {"rect", &rect}});
 const Rule area_lights = list_of(area_light);
 const Rule area = record({{"lights", &area_lights}});
-const Rule root_extensions = record({{"KHR_lights_punctual", &punctual}, {"EXT_lights_area", &area}});
+const Rule ies_light =
+    record({{"uri", &text}, {"bufferView", &view_index}, {"mimeType", &text}, {"name", &text}});
+const Rule ies_lights = list_of(ies_light);
+const Rule ies = record({{"lights", &ies_lights, true}});
+const Rule root_extensions =
+    record({{"KHR_lights_punctual", &punctual}, {"EXT_lights_area", &area}, {"EXT_lights_ies", &ies}});
 
 // --- nodes
 const Rule node_punctual = record({{"light", &punctual_light_index, true}});
 const Rule node_area = record({{"light", &area_light_index, true}});
-const Rule node_extensions =
-    record({{"KHR_lights_punctual", &node_punctual}, {"EXT_lights_area", &node_area}});
+const Rule node_ies =
+    record({{"light", &ies_light_index, true}, {"multiplier", &number}, {"color", &three_numbers}});
+const Rule node_extensions = record({{"KHR_lights_punctual", &node_punctual},
+                                     {"EXT_lights_area", &node_area},
+                                     {"EXT_lights_ies", &node_ies}});
 const Rule node = record({{"name", &text},
                           {"children", &node_indices},
                           {"mesh", &mesh_index},
@@ -190,7 +202,8 @@ const Rule node = record({{"name", &text},
                           {"rotation", &four_numbers},
                           {"scale", &three_numbers},
                           {"weights", &numbers},
-                          {"extensions", &node_extensions}});
+                          {"extensions", &node_extensions},
+                          {"extras", &node_extras_rule()}});
 const Rule scene = record({{"nodes", &node_indices}, {"name", &text}, {"extensions", &object}});
 
 const Rule buffers = list_of(buffer);
@@ -204,8 +217,11 @@ const Rule textures = list_of(texture);
 const Rule cameras = list_of(camera);
 const Rule nodes = list_of(node);
 const Rule scenes = list_of(scene);
-const Rule asset =
-    record({{"version", &text, true}, {"minVersion", &text}, {"generator", &text}, {"copyright", &text}});
+const Rule asset = record({{"version", &text, true},
+                           {"minVersion", &text},
+                           {"generator", &text},
+                           {"copyright", &text},
+                           {"extras", &asset_extras_rule()}});
 
 const Rule root = record({{"asset", &asset, true},
                           {"extensionsUsed", &texts},

@@ -2,6 +2,7 @@
 
 #include "core/error.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
@@ -99,6 +100,7 @@ private:
     }
 
     void record(json& value, const Rule& rule, const Place& place) const {
+        if (rule.is_optional && !value.is_object()) return;
         claim(value.is_object(), "must be an object", value, place);
         for (const Property& property : rule.properties) {
             const auto found = value.find(property.name);
@@ -107,6 +109,16 @@ private:
             else if (property.is_required)
                 fail(fmt::format("must have the property \"{}\"", property.name), value, place);
         }
+        if (rule.is_closed) no_others(value, rule, place);
+    }
+
+    void no_others(const json& value, const Rule& rule, const Place& place) const {
+        std::vector<std::string_view> names;
+        for (const Property& property : rule.properties) names.push_back(property.name);
+        for (const auto& [key, ignored] : value.items())
+            if (std::find(names.begin(), names.end(), key) == names.end())
+                fail(fmt::format("may have {} only", fmt::join(names, ", ")), json{{key, value.at(key)}},
+                     place);
     }
 
     void dictionary(json& value, const Rule& rule, const Place& place) const {

@@ -5,7 +5,8 @@
 
 namespace sr::render {
 
-/// One entry of an alias table: of all that fall on entry i, the share `keep` stays and the rest goes to `alias`.
+/// One entry of an alias table: of all that fall on entry i, the share `keep` stays and the rest goes to
+/// `alias`.
 struct AliasEntry {
     float keep = 1.0f;
     int alias = 0;

@@ -21,8 +21,8 @@ void append(const std::vector<Texel>& values, bool is_srgb, std::vector<std::uin
         return is_srgb ? linear_of_srgb(stored) : stored;
     };
     for (std::size_t i = 0; i < values.size(); i += 4)
-        texels.push_back(glm::packHalf4x16(
-            {linear(values[i]), linear(values[i + 1]), linear(values[i + 2]), 1.0f}));
+        texels.push_back(
+            glm::packHalf4x16({linear(values[i]), linear(values[i + 1]), linear(values[i + 2]), 1.0f}));
 }
 
 int wrapped(int i, int size, scene::Wrap wrap) {
@@ -60,7 +60,8 @@ vec3 EmissionMaps::mean(int index, const std::array<vec2, 3>& uv) {
                               place.width, sampler.wrap_u);
         const int y = wrapped(static_cast<int>(std::floor(at.y * static_cast<float>(place.height))),
                               place.height, sampler.wrap_v);
-        sum += vec3(glm::unpackHalf4x16(texels_[static_cast<std::size_t>(place.first + y * place.width + x)]));
+        sum +=
+            vec3(glm::unpackHalf4x16(texels_[static_cast<std::size_t>(place.first + y * place.width + x)]));
     }
     return sum / static_cast<float>(points);
 }

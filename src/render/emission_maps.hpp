@@ -16,8 +16,8 @@ struct EmissionMapPlace {
     int wrap = 0;
 };
 
-/// Appends every texture once. Texels are linear RGBA in half precision, whose steps (2^-11) are finer than those
-/// of 8-bit sRGB.
+/// Appends every texture once. Texels are linear RGBA in half precision, whose steps (2^-11) are finer than
+/// those of 8-bit sRGB.
 class EmissionMaps {
 public:
     explicit EmissionMaps(const scene::Scene& scene) : scene_(scene) {}

@@ -78,8 +78,7 @@ Features shading_features(const scene::Scene& scene, const scene::Mesh& mesh,
                           std::span<const scene::Light> lights) {
     const scene::Material& material = scene.materials[mesh.material];
     Features f;
-    for (const scene::Light& light : lights)
-        std::visit([&f](const auto& any) { ask_for(f, any); }, light);
+    for (const scene::Light& light : lights) std::visit([&f](const auto& any) { ask_for(f, any); }, light);
     f.rays_per_light = rays_per_light(lights);
     f.has_base_color_texture = material.base_color_texture.is_present();
     f.has_metallic_roughness_texture = material.metallic_roughness_texture.is_present();

@@ -188,6 +188,8 @@ void GpuScene::upload_lights(const scene::Scene& scene, std::span<const scene::L
 void GpuScene::bind_lights() const {
     light_texture_.bind(light_table_unit);
     emission_texture_.bind(emission_texels_unit);
+    ltc_texture_.bind(ltc_table_unit);
+    glBindSampler(ltc_table_unit, 0);
     if (occluders_) occluders_->bind();
 }
 

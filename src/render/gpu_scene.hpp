@@ -3,6 +3,7 @@
 #include "render/blocks.hpp"
 #include "render/features.hpp"
 #include "render/gpu_mesh.hpp"
+#include "render/ltc_table.hpp"
 #include "render/occluders.hpp"
 
 #include <vector>
@@ -34,7 +35,7 @@ public:
     const std::vector<Draw>& opaque_draws() const { return opaque_; }   // opaque and masked, by program
     const std::vector<Draw>& blended_draws() const { return blended_; } // in the scene's order
 
-    /// Binds the light table, the emitters' textures and the shadow casters to their units.
+    /// Binds the light table, the emitters' textures, the fitted lobes and the shadow casters to their units.
     void bind_lights() const;
 
     /// Binds the instance's and the material's data and draws with whatever program is in use.
@@ -62,6 +63,7 @@ private:
     gl::Texture light_texture_{GL_TEXTURE_BUFFER, "lights"};
     gl::Buffer emission_buffer_{"emission texels"};
     gl::Texture emission_texture_{GL_TEXTURE_BUFFER, "emission texels"};
+    gl::Texture ltc_texture_ = upload_ltc_table();
     int light_count_ = 0;
     int rays_per_light_ = 1;
     std::unique_ptr<Occluders> occluders_;

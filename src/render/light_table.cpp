@@ -102,7 +102,8 @@ public:
     }
 
     Texels operator()(const scene::MeshLight& light) {
-        Texels t = blank(light.triangles.empty() ? vec3(0.0f) : light.triangles[0].corners[0], mesh_light, light.L);
+        Texels t =
+            blank(light.triangles.empty() ? vec3(0.0f) : light.triangles[0].corners[0], mesh_light, light.L);
         t[4].w = light.is_two_sided ? 1.0f : 0.0f;
         if (light.texture >= 0) t[6].x = static_cast<float>(place_of_map(light.texture));
         t[5].y = static_cast<float>(end());

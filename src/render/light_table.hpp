@@ -8,9 +8,9 @@
 
 namespace sr::render {
 
-/// Eight RGBA texels a light, behind them the corners, triangles, profiles and descriptions of emission maps that
-/// they point to: the twin of shaders/interface/lights.glsl. Textures and profiles are the scene's; the textures
-/// in use go to `maps`.
+/// Eight RGBA texels a light, behind them the corners, triangles, profiles and descriptions of emission maps
+/// that they point to: the twin of shaders/interface/lights.glsl. Textures and profiles are the scene's; the
+/// textures in use go to `maps`.
 inline constexpr int texels_per_light = 8;
 std::vector<vec4> pack_lights(const scene::Scene& scene, std::span<const scene::Light> lights,
                               EmissionMaps& maps);

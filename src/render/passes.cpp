@@ -14,7 +14,7 @@ void cull(bool is_double_sided, GLenum face = GL_BACK) {
 }
 
 /// Draws the opaque surfaces where the pre-pass left them in front.
-void draw_visible(const GpuScene& scene, ShaderLibrary& shaders, const char* fragment,
+void draw_visible(const GpuScene& scene, ShaderLibrary& shaders, const std::string& fragment,
                   VisibilityTerm visibility) {
     glDisable(GL_BLEND);
     glEnable(GL_DEPTH_TEST);
@@ -38,7 +38,6 @@ float farness(const Draw& draw, vec4 eye) {
 
 void depth_pass(const Target& frame, const GpuScene& scene, ShaderLibrary& shaders, vec3 background) {
     frame.bind();
-    glDisable(GL_SCISSOR_TEST); // clearing heeds it
     glDisable(GL_BLEND);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);
@@ -57,21 +56,24 @@ void depth_pass(const Target& frame, const GpuScene& scene, ShaderLibrary& shade
 
 void record_pass(const GpuScene& scene, ShaderLibrary& shaders, int attachments) {
     constexpr float nothing[4]{0.0f, 0.0f, 0.0f, 0.0f}; // a ray without distance asks nothing
+    glDisable(GL_SCISSOR_TEST); // what lies outside asks nothing, either
     for (int i = 0; i < attachments; ++i) glClearBufferfv(GL_COLOR, i, nothing);
+    glEnable(GL_SCISSOR_TEST);
     draw_visible(scene, shaders, "record.frag", VisibilityTerm::record);
 }
 
 void forward_pass(const Target& frame, const GpuScene& scene, ShaderLibrary& shaders,
-                  VisibilityTerm visibility) {
+                  const std::string& shader, VisibilityTerm visibility) {
     frame.bind();
-    draw_visible(scene, shaders, "forward.frag", visibility);
+    draw_visible(scene, shaders, shader, visibility);
 }
 
 VisibilityTerm blended_visibility(const GpuScene& scene) {
     return scene.occluders() ? VisibilityTerm::ray : VisibilityTerm::none;
 }
 
-void blend_pass(const Target& frame, const GpuScene& scene, ShaderLibrary& shaders, vec4 eye) {
+void blend_pass(const Target& frame, const GpuScene& scene, ShaderLibrary& shaders, const std::string& shader,
+                vec4 eye) {
     if (scene.blended_draws().empty()) return;
     frame.bind();
     glEnable(GL_BLEND);
@@ -85,7 +87,7 @@ void blend_pass(const Target& frame, const GpuScene& scene, ShaderLibrary& shade
     std::stable_sort(draws.begin(), draws.end(),
                      [&](const Draw& a, const Draw& b) { return farness(a, eye) > farness(b, eye); });
     for (const Draw& draw : draws) {
-        shaders.mesh_program("forward.frag", draw.features, blended_visibility(scene)).use();
+        shaders.mesh_program(shader, draw.features, blended_visibility(scene)).use();
         if (draw.is_double_sided) {
             cull(false, GL_FRONT);
             scene.draw(draw);

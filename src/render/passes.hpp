@@ -11,20 +11,22 @@ namespace sr::render {
 /// surfaces.
 void depth_pass(const Target& frame, const GpuScene& scene, ShaderLibrary& shaders, vec3 background);
 
-/// Writes the rays that the forward pass will ask about into the bound framebuffer, whose depth is the
-/// pre-pass's: to attachment 0 the receivers, to `attachments` - 1 others a ray each.
+/// Writes the rays that the forward pass will ask about within the scissor into the bound framebuffer, whose
+/// depth is the pre-pass's: to attachment 0 the receivers, to `attachments` - 1 others a ray each.
 void record_pass(const GpuScene& scene, ShaderLibrary& shaders, int attachments);
 
-/// Shades the surfaces whose depth the pre-pass left: each pixel once. `visibility` says how V is found.
+/// Shades the surfaces whose depth the pre-pass left, each pixel once, by the fragment shader `shader`.
+/// `visibility` says how V is found.
 void forward_pass(const Target& frame, const GpuScene& scene, ShaderLibrary& shaders,
-                  VisibilityTerm visibility);
+                  const std::string& shader, VisibilityTerm visibility);
 
 /// How V is found on blended surfaces: by the shader, since several layers of a pixel can ask.
 VisibilityTerm blended_visibility(const GpuScene& scene);
 
 /// Blends the transparent instances over what is behind them, the farthest first; of double-sided ones the
 /// backs first. Instances that interpenetrate are not split.
-void blend_pass(const Target& frame, const GpuScene& scene, ShaderLibrary& shaders, vec4 eye);
+void blend_pass(const Target& frame, const GpuScene& scene, ShaderLibrary& shaders, const std::string& shader,
+                vec4 eye);
 
 /// Adds the frame to the film.
 void accumulate_pass(const Target& film, const Target& frame, ShaderLibrary& shaders);

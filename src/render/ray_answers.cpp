@@ -80,20 +80,20 @@ RayAnswers::RayAnswers(const GpuScene& scene, const Target& frame, int width, in
                     "choose a smaller --size, or --visibility ray-glsl");
 }
 
-std::vector<Band> RayAnswers::bands(int light_count) const {
+std::vector<Band> RayAnswers::bands(Band all, int light_count) const {
     const std::size_t per_row = static_cast<std::size_t>(width_)
                                 * static_cast<std::size_t>(std::max(light_count, 1))
                                 * static_cast<std::size_t>(rays_per_light_);
     const std::size_t most = std::min(BufferTexture::most_texels(), most_answers_);
     const int rows =
-        static_cast<int>(std::min<std::size_t>(static_cast<std::size_t>(height_), most / per_row));
+        static_cast<int>(std::min<std::size_t>(static_cast<std::size_t>(all.count), most / per_row));
     if (rows == 0)
         throw Error(
             fmt::format("{} rays to a row of {} pixels are more than fit into memory", per_row, width_),
             "choose a smaller --size, or --visibility ray-glsl");
     std::vector<Band> bands;
-    for (int first = 0; first < height_; first += rows)
-        bands.push_back({first, std::min(rows, height_ - first)});
+    for (int first = 0; first < all.count; first += rows)
+        bands.push_back({all.first + first, std::min(rows, all.count - first)});
     return bands;
 }
 

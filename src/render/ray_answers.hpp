@@ -19,9 +19,9 @@ public:
     /// For the opaque surfaces whose depth lies in `frame`. @throws Error if the driver refuses the targets.
     RayAnswers(const GpuScene& scene, const Target& frame, int width, int height, std::size_t most_answers);
 
-    /// The picture in bands for which the answers about this many lights fit into memory.
+    /// These rows in bands for which the answers about this many lights fit into memory.
     /// @throws Error if not even one row does.
-    std::vector<Band> bands(int light_count) const;
+    std::vector<Band> bands(Band rows, int light_count) const;
 
     /// Finds V for every ray of the band to the lights [first, end), and leaves it where
     /// visibility/answered.glsl reads it. Leaves frame_data at these lights.

@@ -3,17 +3,50 @@
 #include "core/error.hpp"
 #include "render/sampling.hpp"
 
+#include <algorithm>
+#include <fmt/format.h>
+
 namespace sr::render {
+namespace {
+
+/// The analytic estimator evaluates f_r lobe by lobe.
+/// @throws Error if a user's folder changes f_r and not its lobes.
+void require_lobes(std::span<const glsl::Root> users) {
+    const auto has = [](std::string_view name) {
+        return [name](const glsl::Root& root) { return root.text_of(name).has_value(); };
+    };
+    const auto changed = std::find_if(users.begin(), users.end(), has("brdf/f_r.glsl"));
+    if (changed == users.end() || std::any_of(users.begin(), users.end(), has("brdf/lobes.glsl"))) return;
+    throw Error({changed->place_of("brdf/f_r.glsl")}, "the analytic estimator reads brdf/lobes.glsl instead",
+                "overlay that file too, or use --estimator sampled");
+}
+
+/// The estimator stands behind the user's own roots and in front of the embedded ones.
+std::vector<glsl::Root> shader_path(const RenderOptions& options) {
+    std::vector<glsl::Root> path = options.shader_path;
+    require(!path.empty(), "the shader path has a root");
+    if (options.estimator == Estimator::sampled) return path;
+    require_lobes(std::span(path).first(path.size() - 1));
+    const std::string limits = fmt::format("const int analytic_points = {};\n"
+                                           "const int most_outlined_triangles = {};\n",
+                                           options.analytic_points, most_outlined_triangles);
+    path.insert(path.end() - 1,
+                glsl::Root::memory("estimator", {{"integrator/reflected.glsl",
+                                                  "#include \"integrator/reflected_analytic.glsl\"\n"},
+                                                 {"interface/estimator.glsl", limits}}));
+    return path;
+}
+
+} // namespace
 
 Renderer::Renderer(const GpuScene& scene, const scene::Camera& camera, const RenderOptions& options)
     : scene_(scene),
       camera_(camera),
       options_(options),
       end_light_(scene.light_count()),
-      shaders_(options.shader_path),
+      shaders_(shader_path(options)),
       frame_("frame", options.width, options.height, true),
       film_("film", options.width, options.height, false) {
-    require(!options.shader_path.empty(), "the shader path has a root");
     if (scene.occluders() && scene.occluders()->occlusion())
         ray_answers_.emplace(scene, frame_, options.width, options.height, options.most_answers);
     clear();
@@ -22,11 +55,11 @@ Renderer::Renderer(const GpuScene& scene, const scene::Camera& camera, const Ren
 void Renderer::compile() {
     for (const Draw& draw : scene_.opaque_draws()) {
         shaders_.mesh_program("depth.frag", depth_features(draw.features));
-        shaders_.mesh_program("forward.frag", draw.features, opaque_visibility());
+        shaders_.mesh_program(options_.shader, draw.features, opaque_visibility());
         if (ray_answers_) shaders_.mesh_program("record.frag", draw.features, VisibilityTerm::record);
     }
     for (const Draw& draw : scene_.blended_draws())
-        shaders_.mesh_program("forward.frag", draw.features, blended_visibility(scene_));
+        shaders_.mesh_program(options_.shader, draw.features, blended_visibility(scene_));
     shaders_.fullscreen_program("accumulate.frag");
 }
 
@@ -44,13 +77,23 @@ void Renderer::clear() {
 }
 
 void Renderer::add_sample() {
+    keep_to_window();
     const View view = begin_frame();
     depth_pass(frame_, scene_, shaders_, options_.background);
     shade_opaque();
-    blend_pass(frame_, scene_, shaders_, view.eye);
+    keep_to_window();
+    blend_pass(frame_, scene_, shaders_, options_.shader, view.eye);
     glBindVertexArray(no_vertices_.id());
     accumulate_pass(film_, frame_, shaders_);
+    glDisable(GL_SCISSOR_TEST);
     ++sample_count_;
+}
+
+void Renderer::keep_to_window() const {
+    if (!options_.window) return;
+    const Window& w = *options_.window;
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(w.column, options_.height - w.row - w.height, w.width, w.height); // GL counts rows from below
 }
 
 View Renderer::begin_frame() {
@@ -68,15 +111,18 @@ VisibilityTerm Renderer::opaque_visibility() const {
 
 void Renderer::shade_opaque() {
     if (!ray_answers_ || first_light_ == end_light_) {
-        forward_pass(frame_, scene_, shaders_, opaque_visibility());
+        forward_pass(frame_, scene_, shaders_, options_.shader, opaque_visibility());
         return;
     }
-    const std::vector<Band> bands = ray_answers_->bands(end_light_ - first_light_);
+    const Window all{0, 0, options_.width, options_.height};
+    const Window& w = options_.window ? *options_.window : all;
+    const Band rows{options_.height - w.row - w.height, w.height};
+    const std::vector<Band> bands = ray_answers_->bands(rows, end_light_ - first_light_);
     glEnable(GL_SCISSOR_TEST);
     for (const Band& band : bands) {
-        glScissor(0, band.first, options_.width, band.count);
+        glScissor(w.column, band.first, w.width, band.count);
         ray_answers_->find(band, first_light_, end_light_, frame_data_, shaders_);
-        forward_pass(frame_, scene_, shaders_, VisibilityTerm::answered);
+        forward_pass(frame_, scene_, shaders_, options_.shader, VisibilityTerm::answered);
     }
     glDisable(GL_SCISSOR_TEST);
 }

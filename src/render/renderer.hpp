@@ -4,9 +4,27 @@
 #include "render/passes.hpp"
 #include "render/ray_answers.hpp"
 
-#include <memory>
+#include <optional>
+#include <string>
 
 namespace sr::render {
+
+/// How the integral over an emitter is evaluated: by samples, which converge to it, or in closed form with
+/// few points (shaders/integrator/reflected_analytic.glsl).
+enum class Estimator { sampled, analytic };
+
+/// Points of the analytic estimator a lobe and emitter: tools/ltc/README.md has what they buy.
+inline constexpr int default_analytic_points = 16;
+
+/// A mesh of more emissive triangles is sampled by the analytic estimator too.
+inline constexpr int most_outlined_triangles = 32;
+/// A part of a picture, counted from its upper left corner.
+struct Window {
+    int column = 0;
+    int row = 0;
+    int width = 0;
+    int height = 0;
+};
 
 struct RenderOptions {
     int width = 1280;
@@ -14,9 +32,16 @@ struct RenderOptions {
     int samples = 16; // how many will be added; one sample looks at the centre of each pixel
     std::uint32_t seed = 0;
     vec3 background{0.0f}; // radiance where there is no surface [cd/m²]
+    /// What surfaces are drawn with: forward.frag is the equation, views/ shows one of its terms.
+    std::string shader = "forward.frag";
+    /// The only part that is drawn; the rest of the film stays black.
+    std::optional<Window> window;
     /// The roots that shaders come from, most particular first.
     std::vector<glsl::Root> shader_path{glsl::embedded()};
-    /// Shadow rays whose answers by the CPU are held at once, 4 bytes each; a picture with more is shaded in bands.
+    Estimator estimator = Estimator::sampled;
+    int analytic_points = default_analytic_points; // 0: linearly transformed cosines alone
+    /// Shadow rays whose answers by the CPU are held at once, 4 bytes each; a picture with more is shaded in
+    /// bands.
     std::size_t most_answers = std::size_t{64} << 20;
 };
 
@@ -49,6 +74,7 @@ public:
 
 private:
     View begin_frame();
+    void keep_to_window() const;
     VisibilityTerm opaque_visibility() const;
     void shade_opaque();
 

@@ -94,7 +94,8 @@ std::optional<std::vector<RectangleLight>> rectangles_of(const Mesh& mesh, const
 MeshLight mesh_light(const Mesh& mesh, const mat4& world_from_object, const Material& material) {
     MeshLight light;
     const bool is_textured = material.emission_texture.is_present();
-    light.triangles = triangles_of(mesh, world_from_object, is_textured ? &material.emission_texture : nullptr);
+    light.triangles =
+        triangles_of(mesh, world_from_object, is_textured ? &material.emission_texture : nullptr);
     light.L = material.emission;
     light.is_two_sided = material.is_double_sided;
     light.texture = material.emission_texture.texture;

@@ -50,7 +50,8 @@ Mesh surface_of(const DiskLight& light) {
 
 Mesh surface_of(const PolygonLight& light) { return fan(light.corners, light.normal()); }
 
-/// Rings of latitude around `pole`, those of the far half shifted by `half_axis`, those of the near by its opposite.
+/// Rings of latitude around `pole`, those of the far half shifted by `half_axis`, those of the near by its
+/// opposite.
 Mesh capsule(vec3 center, vec3 half_axis, vec3 pole, float radius) {
     const vec3 helper = std::abs(pole.x) < 0.5f ? vec3(1, 0, 0) : vec3(0, 1, 0);
     const vec3 u = glm::normalize(glm::cross(helper, pole));
@@ -115,14 +116,19 @@ void append(Scene& scene, const std::string& name, Looks looks) {
 
 template<class Flat>
 void append_flat(Scene& scene, const Flat& light, int texture) {
-    if (light.is_visible) append(scene, light.name, {surface_of(light), light.L, light.is_two_sided, texture});
+    if (light.is_visible)
+        append(scene, light.name, {surface_of(light), light.L, light.is_two_sided, texture});
 }
 
 struct Append {
     Scene& scene;
 
-    void operator()(const PointLight&) const {}
-    void operator()(const SpotLight&) const {}
+    void operator()(const PointLight& light) const {
+        if (!light.is_visible || !(light.radius > 0.0f) || light.profile >= 0) return;
+        append(scene, light.name,
+               {sphere(light.position, light.radius), light.I / (pi * light.radius * light.radius)});
+    }
+    void operator()(const SpotLight&) const {} // its radiance, as a profile's, depends on the direction
     void operator()(const DirectionalLight&) const {}
     void operator()(const MeshLight&) const {} // its surface is the mesh that it came from
     void operator()(const RectangleLight& light) const { append_flat(scene, light, light.map.texture); }

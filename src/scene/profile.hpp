@@ -5,9 +5,9 @@
 
 namespace sr::scene {
 
-/// I(γ, φ) on a grid, to be interpolated linearly in both angles. γ is the angle from the luminaire's axis (its
-/// nadir, -Y of the profile's frame) up to π; φ turns around it, from +X of the frame towards +Z, and the grid
-/// always covers the whole turn: the first column stands at 0, the last at 2π and repeats the first.
+/// I(γ, φ) on a grid, to be interpolated linearly in both angles. γ is the angle from the luminaire's axis
+/// (its nadir, -Y of the profile's frame) up to π; φ turns around it, from +X of the frame towards +Z, and
+/// the grid always covers the whole turn: the first column stands at 0, the last at 2π and repeats the first.
 /// Beyond the first and last γ there is no light.
 struct LightProfile {
     std::string name;

@@ -4,6 +4,7 @@
 #include "scene/light.hpp"
 #include "scene/material.hpp"
 #include "scene/profile.hpp"
+#include "scene/units.hpp"
 
 #include <cstdint>
 #include <string>
@@ -50,6 +51,8 @@ struct Scene {
     std::vector<Instance> instances;
     std::vector<Light> lights; // what the file calls lights; emissive surfaces: see emitters.hpp
     std::vector<LightProfile> profiles;
+    /// What the lights count in, and the film: cd/m² or W/(m² sr).
+    UnitSystem units = UnitSystem::photometric;
     std::vector<Camera> cameras;
 };
 

@@ -6,6 +6,7 @@
 #include "scene/light_surfaces.hpp"
 #include "scene/rig.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <fmt/format.h>
 
@@ -33,6 +34,12 @@ Camera chosen_camera(const Scene& scene, const std::string& file, const StageOpt
     throw Error({file}, fmt::format("no camera '{}'", wanted), "choose one of " + cameras_of(scene));
 }
 
+/// Whether a light is the glow of a model's details, as emissive textures are mostly painted, and no lamp.
+bool is_detail(const Light& light) {
+    const auto* mesh = std::get_if<MeshLight>(&light);
+    return mesh && mesh->texture >= 0;
+}
+
 } // namespace
 
 Stage set_stage(Scene scene, const std::string& name, const StageOptions& options) {
@@ -41,14 +48,17 @@ Stage set_stage(Scene scene, const std::string& name, const StageOptions& option
     stage.camera = chosen_camera(scene, name, options);
 
     stage.lights = assign_emitters(scene);
-    if (stage.lights.empty() && options.rig == Rig::studio) {
+    if (std::ranges::all_of(stage.lights, is_detail) && options.rig == Rig::studio) {
         for (RectangleLight& light : studio_rig(bounds, stage.camera))
             stage.lights.emplace_back(std::move(light));
-        stage.remarks.push_back(fmt::format("{}: no light in this file: lit by three studio softboxes "
+        stage.remarks.push_back(fmt::format("{}: no lamp in this file: lit by three studio softboxes "
                                             "(--rig none leaves it dark)",
                                             name));
     }
-    add_light_surfaces(scene);
+    if (options.hide_emitters)
+        for (Material& material : scene.materials) material.emission = vec3(0.0f);
+    else
+        add_light_surfaces(scene);
     stage.scene = std::move(scene);
     return stage;
 }

@@ -10,14 +10,17 @@ struct StageOptions {
     /// A camera of the scene by name or by index, or "auto" for one that frames the scene. Empty: the scene's
     /// first camera, or "auto" if it has none.
     std::string camera;
-    /// What lights a scene that has no light at all.
+    /// What lights a scene that has no lamp: no emitter but, perhaps, glowing details (textured emission).
     Rig rig = Rig::studio;
     /// Width / height of the picture, which "auto" fits the scene into.
     float aspect_ratio = 16.0f / 9.0f;
+    /// Leaves L_e out of what the camera sees, not out of the light: lights get no surface of their own, and
+    /// emissive surfaces show only what they reflect. Unlit materials are no emitters and stay.
+    bool hide_emitters = false;
 };
 
 struct Stage {
-    Scene scene; // with a surface for every visible light
+    Scene scene; // with a surface for every visible light, unless emitters are hidden
     std::vector<Light> lights;
     Camera camera;
     /// One line each: what was decided without being asked.

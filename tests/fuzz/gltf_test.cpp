@@ -60,6 +60,14 @@ MadeGltf everything() {
             {"matrix": [1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1], "mesh": 0, "children": [3]},
             {"extensions": {"KHR_lights_punctual": {"light": 0}, "EXT_lights_area": {"light": 0}}, "scale": [1, 2, 3]}],
         "scene": 0})"));
+    made.root["nodes"].push_back(
+        json::parse(R"({"extras": {"steradian": {"shape": "disk", "radius": 1, "texture": 0,
+        "temperature": 3000, "quantity": {"value": 9, "unit": "lm"}}}})"));
+    made.root["nodes"].push_back(json::parse(R"({"extras": {"steradian": {"shape": "polygon", "corners":
+        [[0, 0, 0], [1, 0, 0], [0, 1, 0]], "spectrum": [[400, 1], [700, 2]], "quantity": {"value": 9, "unit": "W"}}}})"));
+    made.root["extensions"]["EXT_lights_ies"]["lights"] = json::parse(R"([{"uri":
+        "data:,TILT=NONE%0A1 -1 1 2 1 1 2 0 0 0 1 1 1 0 90 0 9 8"}])");
+    made.root["nodes"].push_back(json::parse(R"({"extensions": {"EXT_lights_ies": {"light": 0}}})"));
     made.root["images"] = json::array({{{"uri", png_uri()}}});
     return made;
 }

@@ -145,7 +145,7 @@ const Test emitter("law.shadow.an_emitter_shadows_others_only", [] {
             std::get<scene::PointLight>(lights[1]).I = vec3(0.0f);
             return picture(stage.scene, lights, camera, size, 4, 0, how);
         };
-        EXPECT_LT(largest_relative_difference(panel(visibility), panel(Visibility::none), 1e-3f), 1e-6f);
+        EXPECT_LT(largest_relative_difference(panel(visibility), panel(Visibility::none), 1e-3f), 2e-4f);
         std::vector<scene::Light> lights(all.begin(), all.end());
         std::get<scene::RectangleLight>(lights[0]).L = vec3(0.0f);
         const auto lamp = picture(stage.scene, lights, camera, size, 1, 0, visibility);
@@ -176,7 +176,8 @@ scene::Scene heap(int triangles) {
     return scene;
 }
 
-// The shader's walk and Embree see the same; a ray through an edge may be decided otherwise by each.
+// The shader's walk and Embree see the same; a ray through an edge may be decided otherwise by each. (What
+// another program rounds otherwise stays far below 1e-3, an answer that differs far above.)
 const Test equal("law.shadow.both_providers_agree", [] {
     const auto scene = heap(200);
     const std::vector<scene::Light> lights{
@@ -187,7 +188,7 @@ const Test equal("law.shadow.both_providers_agree", [] {
     int different = 0;
     for (std::size_t i = 0; i < cpu.pixels.size(); i += 4)
         different +=
-            std::abs(cpu.pixels[i] - glsl.pixels[i]) > 1e-5f * std::max(cpu.pixels[i], glsl.pixels[i]);
+            std::abs(cpu.pixels[i] - glsl.pixels[i]) > 1e-3f * std::max(cpu.pixels[i], glsl.pixels[i]);
     EXPECT_LE(different, 16) << "of 16384 pixels with 6 rays each";
     ::testing::Test::RecordProperty("different_pixels", different);
 });

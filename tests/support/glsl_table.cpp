@@ -10,7 +10,8 @@ namespace {
 
 constexpr int columns = 256;
 
-gl::Program table_program(const std::string& preamble, const std::string& body) {
+gl::Program table_program(const std::string& preamble, const std::string& body,
+                          const glsl::Files& overlay) {
     const std::string fragment =
         "#version 410 core\n" + preamble
         + "\nuniform samplerBuffer rows;\nuniform int row_count;\nout vec4 result;\n"
@@ -20,15 +21,17 @@ gl::Program table_program(const std::string& preamble, const std::string& body) 
           "    if (row >= row_count) { result = vec4(0.0); return; }\n"
           "    result = f(texelFetch(rows, 3 * row), texelFetch(rows, 3 * row + 1),\n"
           "               texelFetch(rows, 3 * row + 2));\n}\n";
-    const std::array path{glsl::Root::memory("table", {{"table.frag", fragment}}), glsl::embedded()};
+    const std::array path{glsl::Root::memory("table", {{"table.frag", fragment}}),
+                          glsl::Root::memory("overlay", overlay), glsl::embedded()};
     return {"table", glsl::expand(path, "fullscreen.vert"), glsl::expand(path, "table.frag")};
 }
 
 } // namespace
 
-std::vector<vec4> evaluate(const std::string& preamble, const std::string& body, std::span<const Row> rows) {
+std::vector<vec4> evaluate(const std::string& preamble, const std::string& body, std::span<const Row> rows,
+                           const render::GpuScene* scene, const glsl::Files& overlay) {
     context();
-    const gl::Program program = table_program(preamble, body);
+    const gl::Program program = table_program(preamble, body, overlay);
     const int count = static_cast<int>(rows.size());
     const int height = (count + columns - 1) / columns;
     const render::Target target("table", columns, height, false);
@@ -48,6 +51,10 @@ std::vector<vec4> evaluate(const std::string& preamble, const std::string& body,
     glDisable(GL_DEPTH_TEST);
     program.use();
     program.bind_texture("rows", 0);
+    program.bind_texture("light_table", render::light_table_unit);
+    program.bind_texture("emission_texels", render::emission_texels_unit);
+    program.bind_texture("ltc_table", render::ltc_table_unit);
+    if (scene) scene->bind_lights();
     glProgramUniform1i(program.id(), program.uniform("row_count"), count);
     glDrawArrays(GL_TRIANGLES, 0, 3);
 

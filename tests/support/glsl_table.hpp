@@ -1,6 +1,8 @@
 #pragma once
 // Evaluates GLSL over a table of inputs, on the very code that renders: a law is tested where it applies.
 #include "core/math.hpp"
+#include "glsl/root.hpp"
+#include "render/gpu_scene.hpp"
 
 #include <array>
 #include <span>
@@ -13,7 +15,9 @@ namespace sr::testing {
 using Row = std::array<vec4, 3>;
 
 /// Runs `body`, the body of `vec4 f(vec4 a, vec4 b, vec4 c)`, for each row, after `preamble` (includes,
-/// functions). Draws into an RGBA32F target; nothing is clamped.
-std::vector<vec4> evaluate(const std::string& preamble, const std::string& body, std::span<const Row> rows);
+/// functions). Draws into an RGBA32F target; nothing is clamped. With a `scene`, its lights are in the light
+/// table. Files of `overlay` stand in for the shaders' own.
+std::vector<vec4> evaluate(const std::string& preamble, const std::string& body, std::span<const Row> rows,
+                           const render::GpuScene* scene = nullptr, const glsl::Files& overlay = {});
 
 } // namespace sr::testing

@@ -174,6 +174,53 @@ class CommandLine(unittest.TestCase):
         self.assertGreater(scene["triangles"], 0)
         self.assertEqual(scene["lights"][0]["kind"], "rectangle")
 
+    def lamp_alone(self, stated, **asset):
+        """A scene of nothing but a lamp of extras.steradian, in a file."""
+        scene = self.folder / "lit.gltf"
+        scene.write_text(json.dumps({"asset": {"version": "2.0", **asset}, "scenes": [{"nodes": [0]}], "scene": 0,
+                                     "nodes": [{"name": "lamp", "extras": {"steradian": stated}}]}))
+        return scene
+
+    def test_info_converts_units(self):
+        sphere = {"shape": "sphere", "radius": 0.5, "quantity": {"value": 100, "unit": "lm"}}
+        lamp = json.loads(run("info", self.lamp_alone(sphere), "--json").stdout)["lights"][0]
+        self.assertAlmostEqual(lamp["Phi [lm]"], 100, 3)
+        self.assertAlmostEqual(lamp["L [cd/m^2]"][1], 100 / 3.14159265 / 3.14159265, 3)  # Φ / (π A), A = π
+        self.assertIn('sphere "lamp": L [cd/m^2]', run("info", self.lamp_alone(sphere)).stdout)
+        sphere["quantity"] = {"value": 10, "unit": "W"}
+        radiometric = {"extras": {"steradian": {"units": "radiometric"}}}
+        scene = json.loads(run("info", self.lamp_alone(sphere, **radiometric), "--json").stdout)
+        self.assertEqual(scene["unit"], "W/(m^2 sr)")
+        self.assertAlmostEqual(scene["lights"][0]["Phi [W]"], 10, 4)
+
+    def test_the_unit_of_a_radiometric_scene_is_written(self):
+        sphere = {"shape": "sphere", "radius": 0.5, "quantity": {"value": 10, "unit": "W"}}
+        scene = self.lamp_alone(sphere, extras={"steradian": {"units": "radiometric"}})
+        result = run("render", scene, "-o", self.folder / "a.exr", "--size", "16x16", "--samples", "1", "--json")
+        self.assertEqual(json.loads(result.stdout)["unit"], "W/(m^2 sr)", result.stderr)
+        self.assertIn(b"W/(m^2 sr)", (self.folder / "a.exr").read_bytes()[:4096])
+
+    def test_hidden_emitters_are_not_seen(self):
+        self.render("seen.exr")
+        self.assertEqual(self.render("unseen.exr", "--hide-emitters").returncode, 0)
+        self.assertNotEqual((self.folder / "seen.exr").read_bytes(), (self.folder / "unseen.exr").read_bytes())
+
+    def test_a_bad_light_is_one_line(self):
+        sphere = {"shape": "sphere", "radius": 0, "quantity": {"value": 10, "unit": "lm"}}
+        self.assert_refused(run("info", self.lamp_alone(sphere)), "lit.gltf", '"lamp"', "has the radius 0")
+
+    def test_probe_prints_the_equation_at_a_pixel(self):
+        arguments = ("probe", SCENE, "--size", "48x48", "--samples", "2", "--gl-debug")
+        table = run(*arguments, "--pixel", "30,24")
+        self.assertEqual((table.returncode, table.stderr), (0, ""))
+        self.assertIn("rectangle", table.stdout)
+        terms = json.loads(run(*arguments, "--pixel", "30,24", "--json").stdout)
+        for channel in range(3):
+            total = terms["L_e [cd/m^2]"][channel] + sum(light["L_r [cd/m^2]"][channel] for light in terms["lights"])
+            self.assertAlmostEqual(total / terms["L_o [cd/m^2]"][channel], 1.0, places=5)
+        self.assertEqual(run(*arguments, "--pixel", "48,0").returncode, 2)
+        self.assertEqual(run(*arguments, "--pixel", "a,0").returncode, 2)
+
     def test_expand_prints_a_whole_shader(self):
         result = run("expand", "forward.frag")
         self.assertTrue(result.stdout.startswith("#version 410 core\n"))

@@ -148,12 +148,13 @@ const Test bad_areas("unit.gltf.light.bad_areas_are_errors_naming_them", [] {
     EXPECT_NE(error_of(flat), "");
 });
 
-const Test disk("unit.gltf.light.a_disk_is_left_out_with_a_warning", [] {
-    const gltf::Loaded loaded = load(area(R"({"type": "disk", "name": "Lid"})"));
-    EXPECT_TRUE(loaded.scene.lights.empty());
-    EXPECT_TRUE(warns_once(
-        loaded,
-        "light \"Lid\" (/extensions/EXT_lights_area/lights/0) is a disk, which is not evaluated yet"));
+const Test disk("unit.gltf.light.disk", [] {
+    const auto lid =
+        light_of<scene::DiskLight>(area(R"({"type": "disk", "name": "Lid", "intensity": 50, "size": 3})"));
+    EXPECT_EQ(lid.name, "Lid");
+    EXPECT_EQ(lid.L, vec3(50));
+    EXPECT_NEAR(lid.area(), 9.0f * pi, 1e-4f); // a diameter of 3 m, scaled by 2
+    EXPECT_LT(glm::length(lid.normal() - vec3(0, 1, 0)), 1e-6f);
 });
 
 } // namespace

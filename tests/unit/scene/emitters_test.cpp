@@ -98,4 +98,22 @@ const Test surface("unit.scene.emitters.a_light_gets_a_surface", [] {
     EXPECT_FLOAT_EQ(again.area(), 4.0f);
 });
 
+// A point with a radius is a sphere of radiance I / (π radius²); a spot or a profile would look different
+// from every side.
+const Test bulbs("unit.scene.emitters.a_point_with_a_radius_gets_a_surface", [] {
+    Scene scene;
+    PointLight bulb;
+    bulb.I = vec3(2.0f);
+    scene.lights.emplace_back(bulb);
+    bulb.radius = 0.5f;
+    scene.lights.emplace_back(bulb);
+    bulb.profile = 0;
+    scene.lights.emplace_back(bulb);
+    SpotLight spot;
+    spot.radius = 0.5f;
+    scene.lights.emplace_back(spot);
+    EXPECT_EQ(add_light_surfaces(scene), 1);
+    EXPECT_FLOAT_EQ(scene.materials.at(0).emission.r, 2.0f / (pi * 0.25f));
+});
+
 } // namespace

@@ -50,6 +50,30 @@ const Test rig("unit.scene.stage.a_dark_scene_gets_softboxes_and_says_so", [] {
     EXPECT_EQ(set_stage(own, "f", {}).lights.size(), 1u);
 });
 
+// Hidden emitters give the same light and are not seen: no surface for a light, no L_e on an emissive one.
+const Test hidden("unit.scene.stage.hidden_emitters_still_light", [] {
+    Scene scene;
+    scene.lights.emplace_back(SphereLight{});
+    scene.materials.push_back({});
+    scene.materials[0].emission = vec3(5.0f);
+    Mesh quad;
+    quad.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+    quad.normals.assign(4, vec3(0, 0, 1));
+    quad.indices = {0, 1, 2, 0, 2, 3};
+    scene.meshes.push_back(quad);
+    scene.instances.push_back({0, mat4(1.0f), "glow"});
+    StageOptions options;
+    const Stage seen = set_stage(scene, "f", options);
+    options.hide_emitters = true;
+    const Stage unseen = set_stage(scene, "f", options);
+    EXPECT_EQ(seen.lights.size(), 2u);
+    EXPECT_EQ(unseen.lights.size(), 2u);
+    EXPECT_EQ(seen.scene.instances.size(), 2u);
+    EXPECT_EQ(unseen.scene.instances.size(), 1u);
+    EXPECT_EQ(seen.scene.materials[0].emission, vec3(5.0f));
+    EXPECT_EQ(unseen.scene.materials[0].emission, vec3(0.0f));
+});
+
 /// The corners of a box, as a mesh without triangles.
 Scene box_of(vec3 center, vec3 half) {
     Scene scene;

@@ -1,0 +1,32 @@
+// What one point on a light sends to x, whatever x makes of it: the light's own sample of reflected.glsl.
+//
+//   E = L_i/p · V · cosθ_i          [lx]
+#include "integrator/random_point.glsl"
+#include "integrator/rays.glsl"
+#include "light/sample_light.glsl"
+#include "surface/surface.glsl"
+#include "visibility/visibility.glsl"
+
+struct Arriving {
+    LightSample light;
+    vec3 E;            // [lx]
+    vec3 E_unshadowed; // [lx]
+};
+
+Arriving arriving_from(int k, Surface x) {
+    LightSample light = sample_light(k, x.position, random_point(uint(k) + 1u));
+    float cos_i = dot(x.n, light.wi);
+    if (!(cos_i > 0.0)) return Arriving(light, vec3(0.0), vec3(0.0));
+    vec3 E = light.Li_over_p * cos_i;
+    return Arriving(light, E * visibility(x, light.wi, light.distance, k, towards_light), E);
+}
+
+// 1/p, whose mean is the solid angle of an area light [sr]; 0 for emitters without extent.
+float solid_angle_of(int k, LightSample light) {
+    if (light.p > 0.0) return 1.0 / light.p;
+    Light from = light_at(k);
+    if (from.kind != mesh_light || from.quantity == vec3(0.0)) return 0.0;
+    return dot(light.Li_over_p, from.quantity) / dot(from.quantity, from.quantity); // untextured: L_e / p over L_e
+}
+
+float luminance(vec3 color) { return dot(color, vec3(0.2126, 0.7152, 0.0722)); } // Rec. 709

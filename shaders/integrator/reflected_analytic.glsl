@@ -1,0 +1,29 @@
+// The reflection equation without noise, for interaction (--estimator analytic puts this file in the place of
+// reflected.glsl): every emitter that has an outline by integrator/analytic_lobe.glsl, points, spots and parallel light
+// as they are, and meshes of many triangles by samples.
+#include "integrator/analytic_lobe.glsl"
+#include "integrator/sampled_light.glsl"
+
+// The whole of a light that is evaluated by its outlines, times V in one direction: in the mean over frames the ratio
+// of shadowed to unshadowed light (Heitz, Hill & McGuire 2018), so that only penumbrae are noisy.
+vec3 reflected_from_outlines(int k, Light light, int parts, Surface x, vec3 wo) {
+    vec2 place = random_point(uint(k) + 1u);
+    const uint choice = 0x10000u; // a purpose that is no light's
+    Chosen chosen = Chosen(vec3(0.0), 0, 0.0, vec3(random_point(uint(k) + choice).x, place));
+    vec3 L_r = vec3(0.0);
+    for (int part = 0; part < parts; ++part) L_r += reflected_from_outline(light, part, parts, x, wo, chosen);
+    if (!(chosen.total > 0.0)) return L_r;
+    vec3 wi = normalize(chosen.wi);
+    return L_r * visibility(x, wi, distance_along(k, light, chosen.part, x.position, wi), k, towards_light);
+}
+
+vec3 reflected(Surface x, vec3 wo) {
+    vec3 L_r = vec3(0.0);
+    for (int k = first_light; k < end_light; ++k) {
+        Light light = light_at(k);
+        int parts = outlines_of(light);
+        if (parts == 0) L_r += reflected_from_sample(k, x, wo);
+        else L_r += reflected_from_outlines(k, light, parts, x, wo);
+    }
+    return L_r;
+}

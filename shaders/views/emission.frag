@@ -1,0 +1,11 @@
+#version 410 core
+// What the surface itself sends out: L_e [cd/m²].
+#include "integrator/emitted.glsl"
+#include "surface/at_fragment.glsl"
+
+out vec4 film;
+
+void main() {
+    Surface x = surface_at_fragment();
+    film = vec4(emitted(x) * x.coverage, x.coverage);
+}

@@ -1,0 +1,166 @@
+#include "cli/light_description.hpp"
+
+#include "scene/photometry.hpp"
+
+#include <cmath>
+#include <fmt/format.h>
+
+namespace sr::cli {
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json list(vec3 v) { return {v.x, v.y, v.z}; }
+
+/// The smallest box around points.
+ordered_json box_of(const scene::Bounds& bounds) {
+    return {{"min", list(bounds.min)}, {"max", list(bounds.max)}};
+}
+
+class Describe {
+public:
+    explicit Describe(const scene::Scene& scene) : scene_(scene) {}
+
+    ordered_json operator()(const scene::PointLight& l) const {
+        ordered_json json = start("point", l.name);
+        if (l.profile < 0) {
+            json[quantity("I", scene::Quantity::intensity)] = list(l.I);
+        } else {
+            json["profile"] = scene_.profiles[static_cast<std::size_t>(l.profile)].name;
+            json["factor"] = list(l.I);
+        }
+        return with_place(json, l);
+    }
+    ordered_json operator()(const scene::SpotLight& l) const {
+        ordered_json json = start("spot", l.name);
+        json[quantity("I", scene::Quantity::intensity)] = list(l.I);
+        json["inner angle [rad]"] = l.inner_angle;
+        json["outer angle [rad]"] = l.outer_angle;
+        json["direction"] = list(l.direction);
+        return with_place(json, l);
+    }
+    ordered_json operator()(const scene::DirectionalLight& l) const {
+        ordered_json json = start("directional", l.name);
+        json[quantity("E", scene::Quantity::irradiance)] = list(l.E);
+        json["direction"] = list(l.direction);
+        if (l.angular_radius > 0.0f) json["angular radius [rad]"] = l.angular_radius;
+        return json;
+    }
+    ordered_json operator()(const scene::RectangleLight& l) const {
+        ordered_json json = flat("rectangle", l);
+        json["size [m]"] = {2.0f * glm::length(l.half_u), 2.0f * glm::length(l.half_v)};
+        return json;
+    }
+    ordered_json operator()(const scene::DiskLight& l) const {
+        ordered_json json = flat("disk", l);
+        json["size [m]"] = {2.0f * glm::length(l.half_u), 2.0f * glm::length(l.half_v)};
+        return json;
+    }
+    ordered_json operator()(const scene::SphereLight& l) const {
+        ordered_json json = area("sphere", l);
+        json["center [m]"] = list(l.center);
+        json["radius [m]"] = l.radius;
+        return json;
+    }
+    ordered_json operator()(const scene::TubeLight& l) const {
+        ordered_json json = area("tube", l);
+        json["center [m]"] = list(l.center);
+        json["axis [m]"] = list(2.0f * l.half_axis);
+        json["radius [m]"] = l.radius;
+        return json;
+    }
+    ordered_json operator()(const scene::PolygonLight& l) const {
+        ordered_json json = sided("polygon", l);
+        json["normal"] = list(l.normal());
+        for (const vec3 corner : l.corners) json["corners [m]"].push_back(list(corner));
+        return json;
+    }
+    ordered_json operator()(const scene::MeshLight& l) const {
+        ordered_json json = sided("mesh", l);
+        json["triangles"] = l.triangles.size();
+        scene::Bounds bounds;
+        for (const auto& triangle : l.triangles)
+            for (const vec3 corner : triangle.corners) bounds.extend(corner);
+        json["bounds [m]"] = box_of(bounds);
+        if (l.texture >= 0) json["texture"] = l.texture;
+        return json;
+    }
+
+    std::string quantity(const char* symbol, scene::Quantity kind) const {
+        return fmt::format("{} [{}]", symbol, scene::name_of({kind, scene_.units}));
+    }
+
+private:
+    static ordered_json start(const char* kind, const std::string& name) {
+        return {{"kind", kind}, {"name", name}};
+    }
+
+    template<class Area>
+    ordered_json area(const char* kind, const Area& l) const {
+        ordered_json json = start(kind, l.name);
+        json[quantity("L", scene::Quantity::radiance)] = list(l.L);
+        json["A [m^2]"] = l.area();
+        return json;
+    }
+
+    template<class Area>
+    ordered_json sided(const char* kind, const Area& l) const {
+        ordered_json json = area(kind, l);
+        json["two-sided"] = l.is_two_sided;
+        return json;
+    }
+
+    template<class Flat>
+    ordered_json flat(const char* kind, const Flat& l) const {
+        ordered_json json = sided(kind, l);
+        json["center [m]"] = list(l.center);
+        json["normal"] = list(l.normal());
+        if (l.map.is_present()) json["texture"] = l.map.texture;
+        return json;
+    }
+
+    template<class Punctual>
+    static ordered_json with_place(ordered_json json, const Punctual& l) {
+        json["position [m]"] = list(l.position);
+        if (l.radius > 0.0f) json["radius [m]"] = l.radius;
+        if (std::isfinite(l.range)) json["range [m]"] = l.range;
+        return json;
+    }
+
+    const scene::Scene& scene_;
+};
+
+} // namespace
+
+ordered_json described(const scene::Light& light, const scene::Scene& scene) {
+    const Describe describe(scene);
+    ordered_json json = std::visit(describe, light);
+    if (const auto flux = scene::flux_of(light, scene.profiles))
+        json[describe.quantity("Phi", scene::Quantity::flux)] = scene::luminance(*flux);
+    return json;
+}
+
+std::string text_of(const ordered_json& value) {
+    if (value.is_string()) return value.get<std::string>();
+    if (value.is_number_float()) return fmt::format("{:.6g}", value.get<double>());
+    if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
+    if (!value.is_structured()) return value.dump();
+    std::string text;
+    for (const auto& [key, entry] : value.items())
+        text += (text.empty() ? "" : ", ") + (value.is_object() ? key + " " : "") + text_of(entry);
+    return "(" + text + ")";
+}
+
+std::string line_of(const ordered_json& light) {
+    std::string text =
+        fmt::format("{} \"{}\"", light.at("kind").get<std::string>(), light.at("name").get<std::string>());
+    const char* separator = ": ";
+    for (const auto& [key, value] : light.items()) {
+        if (key == "kind" || key == "name") continue;
+        text += separator + key + " " + text_of(value);
+        separator = ", ";
+    }
+    return text;
+}
+
+} // namespace sr::cli

@@ -1,0 +1,63 @@
+#include "gltf/extras_rules.hpp"
+
+#include "scene/units.hpp"
+
+namespace sr::gltf {
+namespace {
+
+using Kind = Rule::Kind;
+
+// All in one function-local static: rules.cpp points here before main.
+struct Rules {
+    Rule boolean{.kind = Kind::boolean};
+    Rule number{.kind = Kind::number};
+    Rule three_numbers{.kind = Kind::list, .element = &number, .length = 3};
+    Rule corners{.kind = Kind::list, .element = &three_numbers};
+    Rule sample{.kind = Kind::list, .element = &number, .length = 2};
+    Rule spectrum{.kind = Kind::list, .element = &sample};
+    Rule texture{.kind = Kind::index, .pool = "/textures"};
+    Rule shape{.kind = Kind::text, .words = {"rectangle", "disk", "ellipse", "sphere", "tube", "polygon"}};
+    Rule unit{.kind = Kind::text};
+    Rule system{.kind = Kind::text, .words = {"photometric", "radiometric"}};
+    Rule quantity{.kind = Kind::record,
+                  .properties = {{"value", &number, true}, {"unit", &unit, true}},
+                  .is_closed = true};
+
+    // clang-format off
+    Rule node{.kind = Kind::record, .properties = {
+        {"shape", &shape}, {"width", &number}, {"height", &number}, {"radius", &number}, {"length", &number},
+        {"corners", &corners}, {"angular_diameter", &number}, {"quantity", &quantity}, {"color", &three_numbers},
+        {"temperature", &number}, {"spectrum", &spectrum}, {"texture", &texture}, {"visible", &boolean},
+        {"two_sided", &boolean}}, .is_closed = true};
+    Rule light{.kind = Kind::record, .properties = {
+        {"radius", &number}, {"angular_diameter", &number}, {"quantity", &quantity}, {"color", &three_numbers},
+        {"temperature", &number}, {"spectrum", &spectrum}, {"visible", &boolean}}, .is_closed = true};
+    Rule material{.kind = Kind::record, .properties = {
+        {"quantity", &quantity}, {"color", &three_numbers}, {"temperature", &number}, {"spectrum", &spectrum}},
+        .is_closed = true};
+    Rule asset{.kind = Kind::record, .properties = {{"units", &system}}, .is_closed = true};
+    // clang-format on
+
+    Rule node_extras{.kind = Kind::record, .properties = {{"steradian", &node}}, .is_optional = true};
+    Rule light_extras{.kind = Kind::record, .properties = {{"steradian", &light}}, .is_optional = true};
+    Rule material_extras{.kind = Kind::record, .properties = {{"steradian", &material}}, .is_optional = true};
+    Rule asset_extras{.kind = Kind::record, .properties = {{"steradian", &asset}}, .is_optional = true};
+
+    Rules() {
+        for (const scene::NamedUnit& named : scene::unit_names) unit.words.push_back(named.name);
+    }
+};
+
+const Rules& rules() {
+    static const Rules all;
+    return all;
+}
+
+} // namespace
+
+const Rule& node_extras_rule() { return rules().node_extras; }
+const Rule& light_extras_rule() { return rules().light_extras; }
+const Rule& material_extras_rule() { return rules().material_extras; }
+const Rule& asset_extras_rule() { return rules().asset_extras; }
+
+} // namespace sr::gltf

@@ -1,0 +1,21 @@
+#pragma once
+// GGX as linearly transformed cosines, on the GPU for shaders/brdf/ltc.glsl.
+#include "gl/object.hpp"
+
+#include <span>
+
+namespace sr::render {
+
+/// Entries a side: rows of roughness, in each √cosθ_o.
+inline constexpr int ltc_grid = 32;
+/// Numbers an entry: a, b, c (scaled as tools/ltc/fit.cpp has it), ∫ D V cosθ, ∫ (1 - w·h)⁵ D V cosθ.
+inline constexpr int ltc_numbers = 5;
+
+/// assets/lut/ggx_ltc.inc: ltc_grid² entries of ltc_numbers.
+std::span<const float> ltc_table();
+
+/// A texture of ltc_grid columns and twice as many rows, read linearly: a, b, c and the albedo; above them
+/// Schlick's part.
+gl::Texture upload_ltc_table();
+
+} // namespace sr::render

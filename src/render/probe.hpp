@@ -1,0 +1,39 @@
+#pragma once
+// The equation at one pixel, term by term.
+#include "render/renderer.hpp"
+
+#include <functional>
+
+namespace sr::render {
+
+/// What one light adds to a pixel. Means over all samples; E and what derives from it by the points on the
+/// light.
+struct LightTerms {
+    float solid_angle = 0.0f; // Ω [sr]; 0 for emitters without extent
+    vec3 wi{0.0f};            // the mean direction, weighted by E; shorter than 1 the larger the light is
+    float cos_i = 0.0f;       // the mean cosθ_i, weighted by E
+    vec3 E{0.0f};             // irradiance [lx], shadows included
+    float V = 1.0f;           // E over E without shadows
+    vec3 f_r{0.0f};           // L_r / E [1/sr]
+    vec3 L_r{0.0f};           // what the pixel gains by this light [cd/m²]
+};
+
+struct PixelTerms {
+    vec3 x{0.0f};          // at the pixel's centre [m]
+    vec3 n{0.0f};          // at the pixel's centre
+    vec3 wo{0.0f};         // at the pixel's centre
+    float coverage = 0.0f; // how much of the pixel surfaces cover, 0 to 1
+    vec3 L_e{0.0f};        // what remains when no light shines: emission and background [cd/m²]
+    std::vector<LightTerms> lights;
+    vec3 L_o{0.0f}; // the pixel as rendered [cd/m²]; L_e + Σ L_r, but for rounding
+};
+
+/// Renders the pixel (column, row), counted from the picture's upper left corner, once for each term and
+/// light, with the samples that the whole picture would have. `goes_on` is asked between the steps; false
+/// ends the work.
+/// @return absent if `goes_on` said so
+std::optional<PixelTerms> probe(
+    const GpuScene& scene, const scene::Camera& camera, const RenderOptions& options, int column, int row,
+    const std::function<bool()>& goes_on = [] { return true; });
+
+} // namespace sr::render

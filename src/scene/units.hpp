@@ -1,0 +1,52 @@
+#pragma once
+// The units that a light's quantity may be stated in.
+#include <array>
+#include <optional>
+#include <string_view>
+
+namespace sr::scene {
+
+/// What a scene counts light in: lumens and what follows from them (glTF), or watts.
+enum class UnitSystem { photometric, radiometric };
+
+/// What is stated of a light: Φ, I, E or L.
+enum class Quantity { flux, intensity, irradiance, radiance };
+
+struct Unit {
+    Quantity quantity = Quantity::radiance;
+    UnitSystem system = UnitSystem::photometric;
+
+    bool operator==(const Unit&) const = default;
+};
+
+struct NamedUnit {
+    std::string_view name;
+    Unit unit;
+};
+
+/// All names that are understood; a unit's first name is the one that we write.
+inline constexpr std::array<NamedUnit, 12> unit_names{{
+    {"lm", {Quantity::flux, UnitSystem::photometric}},
+    {"cd", {Quantity::intensity, UnitSystem::photometric}},
+    {"lx", {Quantity::irradiance, UnitSystem::photometric}},
+    {"cd/m^2", {Quantity::radiance, UnitSystem::photometric}},
+    {"cd/m²", {Quantity::radiance, UnitSystem::photometric}},
+    {"nit", {Quantity::radiance, UnitSystem::photometric}},
+    {"W", {Quantity::flux, UnitSystem::radiometric}},
+    {"W/sr", {Quantity::intensity, UnitSystem::radiometric}},
+    {"W/m^2", {Quantity::irradiance, UnitSystem::radiometric}},
+    {"W/m²", {Quantity::irradiance, UnitSystem::radiometric}},
+    {"W/(m^2 sr)", {Quantity::radiance, UnitSystem::radiometric}},
+    {"W/(m² sr)", {Quantity::radiance, UnitSystem::radiometric}},
+}};
+
+/// Absent: there is no such unit.
+std::optional<Unit> unit_named(std::string_view name);
+
+/// "lm", "W/(m^2 sr)", …, in ASCII.
+std::string_view name_of(Unit unit);
+
+/// The unit of a scene's radiance, and so of its film: "cd/m^2" or "W/(m^2 sr)".
+inline std::string_view radiance_unit(UnitSystem system) { return name_of({Quantity::radiance, system}); }
+
+} // namespace sr::scene

@@ -1,0 +1,82 @@
+#include "render/probe.hpp"
+
+#include "support/address.hpp"
+#include "support/gl.hpp"
+#include "support/scenes.hpp"
+
+using namespace sr;
+using namespace sr::testing;
+
+namespace {
+
+constexpr int size = 16, samples = 32;
+
+scene::Scene glossy_plane() {
+    scene::Scene scene = lambert_plane(4.0f, vec3(0.5f, 0.6f, 0.7f));
+    scene.materials[0].specular = 1.0f;
+    scene.materials[0].roughness = 0.4f;
+    scene.materials[0].emission = vec3(0.01f, 0.02f, 0.03f);
+    return scene;
+}
+
+const std::vector<scene::Light> lights{
+    scene::PointLight{"point", {0.2f, 1, 0}, vec3(1.0f, 2.0f, 3.0f)},
+    scene::RectangleLight{"panel", {0, 1, 0}, {0.3f, 0, 0}, {0, 0, 0.3f}, vec3(2.0f)},
+    scene::SphereLight{"ball", {-0.5f, 0.7f, 0.3f}, 0.2f, vec3(1.0f, 0.5f, 0.2f)},
+    scene::DirectionalLight{"sun", {0, -1, 0}, vec3(0.5f), 0.01f}};
+
+render::RenderOptions options() {
+    render::RenderOptions o;
+    o.width = o.height = size;
+    o.samples = samples;
+    o.seed = 3;
+    return o;
+}
+
+// What probe prints is what render writes: the pixel to the bit, its terms to the rounding of a sum of 32
+// samples.
+const Test sum("law.probe.terms_add_up_to_the_pixel", [] {
+    context();
+    const scene::Camera camera = camera_from_above(1.0f);
+    const scene::Scene plane = glossy_plane();
+    const auto image = picture(plane, lights, camera, size, samples, 3);
+    const render::GpuScene scene(plane, lights);
+    for (const auto& [column, row] : {std::pair{8, 8}, {0, 15}, {12, 3}}) {
+        const auto terms = render::probe(scene, camera, options(), column, row);
+        ASSERT_TRUE(terms);
+        vec3 total = terms->L_e;
+        for (const render::LightTerms& light : terms->lights) total += light.L_r;
+        for (int c = 0; c < 3; ++c) {
+            EXPECT_EQ(terms->L_o[c], image.at(column, row)[static_cast<std::size_t>(c)]);
+            EXPECT_NEAR(total[c] / terms->L_o[c], 1.0f, 3e-6f);
+        }
+    }
+});
+
+// On a Lambert plane every term has a closed form.
+const Test forms("law.probe.terms_of_a_lambert_plane", [] {
+    context();
+    const render::GpuScene scene(lambert_plane(4.0f, vec3(0.5f)), lights);
+    render::RenderOptions one = options();
+    one.width = one.height = 1; // its centre is the nadir
+    const auto terms = render::probe(scene, camera_from_above(1e-4f), one, 0, 0);
+    ASSERT_TRUE(terms);
+    EXPECT_LT(glm::length(terms->x), 1e-5f);
+    EXPECT_LT(glm::distance(terms->n, vec3(0, 1, 0)), 1e-6f);
+    EXPECT_LT(glm::distance(terms->wo, vec3(0, 1, 0)), 1e-6f);
+    for (const render::LightTerms& light : terms->lights) {
+        EXPECT_NEAR(light.f_r.x, 0.5f / pi, 1e-4f);
+        EXPECT_EQ(light.V, 1.0f);
+    }
+    const render::LightTerms& point = terms->lights[0];
+    const float d2 = 1.04f;
+    EXPECT_NEAR(point.cos_i, 1.0f / std::sqrt(d2), 1e-4f);
+    EXPECT_NEAR(point.E.y, 2.0f / (d2 * std::sqrt(d2)), 1e-3f);
+    EXPECT_EQ(point.solid_angle, 0.0f);
+    EXPECT_NEAR(terms->lights[2].solid_angle, 2.0f * pi * (1.0f - std::sqrt(1.0f - 0.04f / 0.83f)), 1e-5f);
+    EXPECT_NEAR(terms->lights[3].solid_angle, pi * 1e-4f, 1e-7f);
+    EXPECT_NEAR(terms->lights[3].E.x, 0.5f, 1e-4f);
+    EXPECT_LT(glm::distance(terms->lights[3].wi, vec3(0, 1, 0)), 1e-3f);
+});
+
+} // namespace
