@@ -1,10 +1,16 @@
-// Does not answer but notes the rays down, each in its place, for record.frag to write out.
+// Does not answer but notes the rays down, in the order in which they are asked, for record.frag to write out. Many
+// lights are behind a surface and few lie along its BRDF's peak: only rays that are asked take a place.
 #include "interface/features.glsl"
 #include "surface/surface.glsl"
 #include "visibility/recorded.glsl"
 
+const float nowhere = 1e30; // the distance of lights that have no place
+
 float visibility(Surface x, vec3 wi, float distance, int light, int ray) {
-    int place = light * rays_per_light + ray - first_ray;
-    if (place >= 0 && place < rays_a_pass) recorded[place] = vec4(wi, distance);
+    float name = float(light * rays_per_light + ray + 1);
+    vec4 entry = distance < nowhere ? vec4(distance * wi, name) : vec4(wi, -name);
+    int place = recorded_count - first_ray;
+    if (place >= 0 && place < rays_a_pass) recorded[place] = entry;
+    ++recorded_count;
     return 0.0;
 }

@@ -1,4 +1,6 @@
 // Where visibility/record.glsl leaves the rays.
 #include "interface/rays.glsl"
 
-vec4 recorded[rays_a_pass]; // wi, distance [m]; distance 0: no ray
+// xyz: from x to the emitter's point [m]; w: the ray's number + 1. Lights without a place: wi, and w negated.
+vec4 recorded[rays_a_pass];
+int recorded_count; // asked so far by this pixel, noted or not

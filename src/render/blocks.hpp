@@ -49,7 +49,8 @@ inline constexpr unsigned light_table_unit = slot_count;
 inline constexpr unsigned emission_texels_unit = slot_count + 1;
 inline constexpr unsigned answers_unit = slot_count + 2;
 inline constexpr unsigned ltc_table_unit = slot_count + 3;
-inline constexpr unsigned first_caster_unit = slot_count + 4; // five of them, see gpu_casters.hpp
+inline constexpr unsigned last_rays_unit = slot_count + 4;
+inline constexpr unsigned first_caster_unit = slot_count + 5; // five of them, see gpu_casters.hpp
 
 struct MaterialBlock {
     vec4 base_color_factor;

@@ -11,8 +11,8 @@ namespace sr::render {
 /// surfaces.
 void depth_pass(const Target& frame, const GpuScene& scene, ShaderLibrary& shaders, vec3 background);
 
-/// Writes the rays that the forward pass will ask about into the bound framebuffer, whose depth is the
-/// pre-pass's: to attachment 0 the receivers, to `attachments` - 1 others a ray each.
+/// Writes the rays that the forward pass will ask about within the scissor into the bound framebuffer, whose
+/// depth is the pre-pass's: to attachment 0 the receivers, to `attachments` - 1 others a ray each.
 void record_pass(const GpuScene& scene, ShaderLibrary& shaders, int attachments);
 
 /// Shades the surfaces whose depth the pre-pass left, each pixel once, by the fragment shader `shader`.

@@ -12,9 +12,11 @@
 namespace sr::render {
 namespace {
 
-constexpr int most_rays = 7;                                  // rays_a_pass of shaders/interface/rays.glsl
-constexpr std::size_t target_memory = std::size_t{512} << 20; // [bytes] that may go into targets …
-constexpr std::size_t most_answers = std::size_t{64} << 20;   // … and numbers into answers
+constexpr int most_rays = 7; // rays_a_pass of shaders/interface/rays.glsl
+// Most pixels have rays to a third of the lights. The more lights at once, the fewer passes read the
+// surfaces; but pixels that do have more rays sample all of these lights anew in every pass.
+constexpr int lights_a_pass = 16;
+constexpr std::size_t target_memory = std::size_t{512} << 20; // [bytes] that may go into targets
 
 /// Calls work(row) for all rows, on all cores.
 template<class Work>
@@ -36,11 +38,17 @@ int rays_that_fit(int width, int height, int wanted) {
     return std::clamp(std::min(fitting - 1, wanted), 1, most_rays);
 }
 
-gl::Texture attached(int index, int width, int height) {
-    gl::Texture texture(GL_TEXTURE_2D, index == 0 ? "receivers" : "rays");
+gl::Texture float_texture(const char* name, int width, int height) {
+    gl::Texture texture(GL_TEXTURE_2D, name);
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, width, height, 0, GL_RGBA, GL_FLOAT, nullptr);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+    return texture;
+}
+
+gl::Texture attached(int index, int width, int height) {
+    gl::Texture texture = float_texture(index == 0 ? "receivers" : "rays", width, height);
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(index), GL_TEXTURE_2D,
                            texture.id(), 0);
     return texture;
@@ -48,8 +56,14 @@ gl::Texture attached(int index, int width, int height) {
 
 } // namespace
 
-RayAnswers::RayAnswers(const GpuScene& scene, const Target& frame, int width, int height)
-    : scene_(scene), width_(width), height_(height), rays_per_light_(scene.rays_per_light()) {
+RayAnswers::RayAnswers(const GpuScene& scene, const Target& frame, int width, int height,
+                       std::size_t most_answers)
+    : scene_(scene),
+      width_(width),
+      height_(height),
+      rays_per_light_(scene.rays_per_light()),
+      most_answers_(most_answers),
+      last_rays_(float_texture("last rays", width, height)) {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
     const int rays = rays_that_fit(width, height, scene.light_count() * rays_per_light_);
     std::vector<GLenum> attachments;
@@ -70,7 +84,7 @@ std::vector<Band> RayAnswers::bands(Band all, int light_count) const {
     const std::size_t per_row = static_cast<std::size_t>(width_)
                                 * static_cast<std::size_t>(std::max(light_count, 1))
                                 * static_cast<std::size_t>(rays_per_light_);
-    const std::size_t most = std::min(BufferTexture::most_texels(), most_answers);
+    const std::size_t most = std::min(BufferTexture::most_texels(), most_answers_);
     const int rows =
         static_cast<int>(std::min<std::size_t>(static_cast<std::size_t>(all.count), most / per_row));
     if (rows == 0)
@@ -85,68 +99,75 @@ std::vector<Band> RayAnswers::bands(Band all, int light_count) const {
 
 void RayAnswers::find(Band band, int first_light, int end_light, FrameData& frame_data,
                       ShaderLibrary& shaders) {
-    const auto plane = static_cast<std::size_t>(width_) * static_cast<std::size_t>(band.count);
-    const int planes = (end_light - first_light) * rays_per_light_;
-    values_.resize(plane * static_cast<std::size_t>(planes));
-    const int rays_a_pass = static_cast<int>(targets_.size()) - 1;
-    const int lights_a_pass = std::max(1, rays_a_pass / rays_per_light_);
-    for (int first = 0; first < planes; first += std::min(rays_a_pass, lights_a_pass * rays_per_light_)) {
-        const int count = std::min({rays_a_pass, lights_a_pass * rays_per_light_, planes - first});
-        const int light = first_light + first / rays_per_light_;
-        upload_block({first_light * rays_per_light_ + first, 0, 0, 0});
-        frame_data.select_lights(light, std::min(end_light, light + lights_a_pass));
-        glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
-        glViewport(0, 0, width_, height_);
-        record_pass(scene_, shaders, count + 1);
-        if (first == 0) read_receivers(band);
-        for (int i = 0; i < count; ++i) {
-            read_rays(band, i + 1);
-            answer_plane(band, first_light + (first + i) / rays_per_light_,
-                         std::span(values_).subspan(plane * static_cast<std::size_t>(first + i), plane));
-        }
+    planes_ = {first_light * rays_per_light_,
+               static_cast<std::size_t>(width_) * static_cast<std::size_t>(band.count)};
+    values_.assign(planes_.size * static_cast<std::size_t>((end_light - first_light) * rays_per_light_),
+                   0.0f);
+    for (int first = first_light; first < end_light; first += lights_a_pass) {
+        const int end = std::min(end_light, first + lights_a_pass);
+        frame_data.select_lights(first, end);
+        const int most = (end - first) * rays_per_light_;
+        const int rays_a_pass = static_cast<int>(targets_.size()) - 1;
+        int taken = 0;
+        while (taken < most && record_and_answer(band, taken, shaders)) taken += rays_a_pass;
     }
     answers_.upload(values_, "choose a smaller --size");
     answers_.bind(answers_unit);
-    upload_block({first_light * rays_per_light_, static_cast<std::int32_t>(plane), width_, band.first});
+    upload_block({planes_.first_ray, static_cast<std::int32_t>(planes_.size), width_, band.first});
     frame_data.select_lights(first_light, end_light);
 }
 
-void RayAnswers::read_receivers(Band band) {
-    receivers_.resize(static_cast<std::size_t>(width_) * static_cast<std::size_t>(band.count));
-    glReadBuffer(GL_COLOR_ATTACHMENT0);
-    glReadPixels(0, band.first, width_, band.count, GL_RGBA, GL_FLOAT, receivers_.data());
+bool RayAnswers::record_and_answer(Band band, int taken, ShaderLibrary& shaders) {
+    upload_block({taken, 0, 0, 0});
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
+    glViewport(0, 0, width_, height_);
+    record_pass(scene_, shaders, static_cast<int>(targets_.size()));
+    read(band, 0, receivers_);
+    std::size_t asked = 0;
+    for (int i = 1; i < static_cast<int>(targets_.size()); ++i) {
+        read(band, i, rays_);
+        asked = answer(band);
+        if (asked == 0) return false; // who has no ray in this place has none in the next
+    }
+    last_rays_.bind(last_rays_unit); // the read buffer is still the last target
+    glCopyTexSubImage2D(GL_TEXTURE_2D, 0, 0, band.first, 0, band.first, width_, band.count);
+    return true;
 }
 
-void RayAnswers::read_rays(Band band, int attachment) {
-    rays_.resize(receivers_.size());
+void RayAnswers::read(Band band, int attachment, std::vector<vec4>& texels) {
+    texels.resize(planes_.size);
     glReadBuffer(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(attachment));
-    glReadPixels(0, band.first, width_, band.count, GL_RGBA, GL_FLOAT, rays_.data());
+    glReadPixels(0, band.first, width_, band.count, GL_RGBA, GL_FLOAT, texels.data());
 }
 
-void RayAnswers::answer_plane(Band band, int light, std::span<float> plane) {
+std::size_t RayAnswers::answer(Band band) {
     const auto begin = std::chrono::steady_clock::now();
     std::atomic<std::size_t> asked = 0;
-    const auto columns = static_cast<std::size_t>(width_);
     for_each_row(band.count, [&](int row) {
-        const std::size_t first = columns * static_cast<std::size_t>(row);
-        std::vector<shadow::Query> queries;
-        std::vector<std::size_t> pixels;
-        for (std::size_t pixel = first; pixel < first + columns; ++pixel) {
-            const vec4 ray = rays_[pixel];
-            plane[pixel] = 0.0f;
-            if (!(ray.w > 0.0f)) continue;
-            const vec4 receiver = receivers_[pixel];
-            queries.push_back(
-                {vec3(receiver), static_cast<std::uint32_t>(receiver.w), vec3(ray), ray.w, light});
-            pixels.push_back(pixel);
-        }
-        std::vector<float> V(queries.size());
-        scene_.occluders()->occlusion()->answer(queries, V);
-        for (std::size_t i = 0; i < V.size(); ++i) plane[pixels[i]] = V[i];
-        asked += V.size();
+        const std::size_t first = static_cast<std::size_t>(width_) * static_cast<std::size_t>(row);
+        asked += answer_row(first, first + static_cast<std::size_t>(width_));
     });
     ray_count_ += asked;
     seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    return asked;
+}
+
+std::size_t RayAnswers::answer_row(std::size_t first, std::size_t end) {
+    std::vector<shadow::Query> queries;
+    std::vector<std::size_t> places;
+    for (std::size_t pixel = first; pixel < end; ++pixel) {
+        const vec4 ray = rays_[pixel];
+        if (ray.w == 0.0f) continue;
+        const vec4 receiver = receivers_[pixel];
+        const int number = static_cast<int>(std::abs(ray.w)) - 1;
+        queries.push_back({vec3(receiver), static_cast<std::uint32_t>(receiver.w), vec3(ray), ray.w < 0.0f,
+                           number / rays_per_light_});
+        places.push_back(static_cast<std::size_t>(number - planes_.first_ray) * planes_.size + pixel);
+    }
+    std::vector<float> V(queries.size());
+    scene_.occluders()->occlusion()->answer(queries, V);
+    for (std::size_t i = 0; i < V.size(); ++i) values_[places[i]] = V[i];
+    return V.size();
 }
 
 void RayAnswers::upload_block(const RaysBlock& block) {

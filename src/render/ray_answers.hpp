@@ -17,7 +17,7 @@ struct Band {
 class RayAnswers {
 public:
     /// For the opaque surfaces whose depth lies in `frame`. @throws Error if the driver refuses the targets.
-    RayAnswers(const GpuScene& scene, const Target& frame, int width, int height);
+    RayAnswers(const GpuScene& scene, const Target& frame, int width, int height, std::size_t most_answers);
 
     /// These rows in bands for which the answers about this many lights fit into memory.
     /// @throws Error if not even one row does.
@@ -31,22 +31,34 @@ public:
     double seconds() const { return seconds_; }          // that the CPU took for them
 
 private:
-    void read_receivers(Band band);
-    void read_rays(Band band, int attachment);
-    void answer_plane(Band band, int light, std::span<float> plane);
+    /// The answers' planes: which ray the first is of, and how many pixels each has.
+    struct Planes {
+        int first_ray = 0;
+        std::size_t size = 0;
+    };
+
+    /// Notes down and answers the rays that come after the first `taken` of each pixel.
+    /// @return whether there may be more
+    bool record_and_answer(Band band, int taken, ShaderLibrary& shaders);
+    void read(Band band, int attachment, std::vector<vec4>& texels);
+    std::size_t answer(Band band); // @return how many rays there were
+    std::size_t answer_row(std::size_t first, std::size_t end);
     void upload_block(const RaysBlock& block);
 
     const GpuScene& scene_;
     int width_;
     int height_;
     int rays_per_light_;
+    std::size_t most_answers_;         // held at once
     std::vector<gl::Texture> targets_; // the receivers, then a ray each
+    gl::Texture last_rays_;            // the last target as the pass before left it
     gl::Framebuffer framebuffer_{"rays"};
     gl::Buffer block_{"rays"};
     BufferTexture answers_{"the answered rays", GL_R32F};
     std::vector<vec4> receivers_; // of the band
     std::vector<vec4> rays_;
     std::vector<float> values_;
+    Planes planes_;
     std::size_t ray_count_ = 0;
     double seconds_ = 0.0;
 };

@@ -48,7 +48,7 @@ Renderer::Renderer(const GpuScene& scene, const scene::Camera& camera, const Ren
       frame_("frame", options.width, options.height, true),
       film_("film", options.width, options.height, false) {
     if (scene.occluders() && scene.occluders()->occlusion())
-        ray_answers_.emplace(scene, frame_, options.width, options.height);
+        ray_answers_.emplace(scene, frame_, options.width, options.height, options.most_answers);
     clear();
 }
 
@@ -117,8 +117,9 @@ void Renderer::shade_opaque() {
     const Window all{0, 0, options_.width, options_.height};
     const Window& w = options_.window ? *options_.window : all;
     const Band rows{options_.height - w.row - w.height, w.height};
+    const std::vector<Band> bands = ray_answers_->bands(rows, end_light_ - first_light_);
     glEnable(GL_SCISSOR_TEST);
-    for (const Band& band : ray_answers_->bands(rows, end_light_ - first_light_)) {
+    for (const Band& band : bands) {
         glScissor(w.column, band.first, w.width, band.count);
         ray_answers_->find(band, first_light_, end_light_, frame_data_, shaders_);
         forward_pass(frame_, scene_, shaders_, options_.shader, VisibilityTerm::answered);

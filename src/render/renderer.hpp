@@ -40,6 +40,9 @@ struct RenderOptions {
     std::vector<glsl::Root> shader_path{glsl::embedded()};
     Estimator estimator = Estimator::sampled;
     int analytic_points = default_analytic_points; // 0: linearly transformed cosines alone
+    /// Shadow rays whose answers by the CPU are held at once, 4 bytes each; a picture with more is shaded in
+    /// bands.
+    std::size_t most_answers = std::size_t{64} << 20;
 };
 
 class Renderer {

@@ -34,6 +34,7 @@ void connect(const gl::Program& program) {
     program.bind_texture("emission_texels", emission_texels_unit);
     program.bind_texture("ltc_table", ltc_table_unit);
     program.bind_texture("answers", answers_unit);
+    program.bind_texture("last_rays", last_rays_unit);
     for (unsigned i = 0; i < caster_sampler_names.size(); ++i)
         program.bind_texture(caster_sampler_names[i], static_cast<GLint>(first_caster_unit + i));
 }

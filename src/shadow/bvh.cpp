@@ -48,23 +48,25 @@ RTCBounds bounds_of(std::span<const vec3, 3> triangle) {
     return {low.x, low.y, low.z, 0.0f, high.x, high.y, high.z, 0.0f};
 }
 
-bool is_finite(const RTCBounds& b) {
-    return std::isfinite(b.lower_x + b.lower_y + b.lower_z)
-           && std::isfinite(b.upper_x + b.upper_y + b.upper_z);
+/// Numbers that Embree takes: its triangle meshes leave out what is farther than 2^60.6, whose areas would
+/// overflow.
+bool is_buildable(std::span<const vec3, 3> triangle) {
+    constexpr float farthest = 1.844e18f;
+    for (const vec3 corner : triangle)
+        for (int i = 0; i < 3; ++i)
+            if (!(std::abs(corner[i]) < farthest)) return false;
+    return true;
 }
-
-/// Has every corner of which glm::min and max may have lost a NaN.
-bool is_finite(std::span<const vec3, 3> t) { return std::isfinite(glm::dot(t[0] + t[1] + t[2], vec3(1.0f))); }
 
 std::vector<RTCBuildPrimitive> primitives_of(const Casters& casters) {
     std::vector<RTCBuildPrimitive> primitives;
     primitives.reserve(casters.triangle_count());
     for (std::size_t i = 0; i < casters.triangle_count(); ++i) {
         const auto triangle = casters.triangle(i);
+        if (!is_buildable(triangle)) continue;
         const RTCBounds b = bounds_of(triangle);
-        if (is_finite(b) && is_finite(triangle))
-            primitives.push_back({b.lower_x, b.lower_y, b.lower_z, 0, b.upper_x, b.upper_y, b.upper_z,
-                                  static_cast<unsigned>(i)});
+        primitives.push_back(
+            {b.lower_x, b.lower_y, b.lower_z, 0, b.upper_x, b.upper_y, b.upper_z, static_cast<unsigned>(i)});
     }
     return primitives;
 }

@@ -19,9 +19,9 @@ struct Bvh {
     std::vector<std::uint32_t> order; // the triangles' indices as leaves name them
 };
 
-/// Embree's builder with the surface area heuristic. Triangles without finite corners are left out,
-/// degenerate ones do no harm. Of two boxes the larger comes first, since any hit will do. @throws Error if
-/// Embree fails.
+/// Embree's builder with the surface area heuristic. Triangles with corners that are no numbers or
+/// beyond 1.8e18 m are left out, degenerate ones do no harm. Of two boxes the larger comes first, since any
+/// hit will do. @throws Error if Embree fails.
 Bvh bvh_of(const Casters& casters);
 
 } // namespace sr::shadow

@@ -19,14 +19,14 @@ Ray ray_of(const Query& query, std::span<const vec3, 3> triangle) {
     const float length = glm::length(n);
     n = length > 0.0f ? n / length : vec3(0.0f);
     const float reach = std::max({largest(a), largest(triangle[1]), largest(triangle[2])});
-    const float side = glm::dot(n, query.wi) < 0.0f ? -1.0f : 1.0f;
+    const float side = glm::dot(n, query.to_emitter) < 0.0f ? -1.0f : 1.0f;
     Ray ray;
     ray.origin = query.x + (side * offset_share * reach - glm::dot(query.x - a, n)) * n;
-    if (query.distance >= infinitely_far) {
-        ray.direction = query.wi;
+    if (query.is_infinite) {
+        ray.direction = query.to_emitter;
         ray.end = std::numeric_limits<float>::infinity();
     } else {
-        ray.direction = query.x + query.distance * query.wi - ray.origin;
+        ray.direction = query.x + query.to_emitter - ray.origin;
         ray.end = last_share;
     }
     return ray;

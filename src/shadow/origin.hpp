@@ -6,17 +6,14 @@
 
 namespace sr::shadow {
 
-/// What the shader asks: does the emitter's point in direction wi at `distance` see x?
+/// What the shader asks: does the emitter's point see x?
 struct Query {
     vec3 x{0.0f};               // the point as it was interpolated [m]
     std::uint32_t triangle = 0; // that it lies on: index among the casters
-    vec3 wi{0.0f};              // unit
-    float distance = 0.0f;      // [m]; infinitely_far or more: the light has no place
+    vec3 to_emitter{0.0f};      // from x to the emitter's point [m]; wi where the light has no place
+    bool is_infinite = false;   // it has none
     int light = 0;
 };
-
-/// The twin of shaders/light/light_sample.glsl's.
-inline constexpr float infinitely_far = 1e30f;
 
 /// The points origin + t direction for 0 <= t <= end.
 struct Ray {
@@ -26,11 +23,11 @@ struct Ray {
 };
 
 /// A ray that does not meet the triangle that it leaves. The point is put into the triangle's plane, where
-/// interpolation left it off by rounding, and from there moved along the geometric normal to the side of wi
-/// by 2^-17 (64 units in the last place) of the triangle's largest coordinate, to which all rounding is
-/// proportional. The idea of an offset in such units is Wächter & Binder's (2019, "A Fast and Robust Method
-/// for Avoiding Self-Intersection"), who take those of the point itself. A finite ray ends 2^-15 of its
-/// length before the emitter's point, so that an emitter that lies in the plane of another surface is not
+/// interpolation left it off by rounding, and from there moved along the geometric normal to the side of the
+/// emitter by 2^-17 (64 units in the last place) of the triangle's largest coordinate, to which all rounding
+/// is proportional. The idea of an offset in such units is Wächter & Binder's (2019, "A Fast and Robust
+/// Method for Avoiding Self-Intersection"), who take those of the point itself. A finite ray ends 2^-15 of
+/// its length before the emitter's point, so that an emitter that lies in the plane of another surface is not
 /// shadowed by it.
 Ray ray_of(const Query& query, std::span<const vec3, 3> triangle);
 

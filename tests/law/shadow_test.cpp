@@ -1,3 +1,4 @@
+#include "core/error.hpp"
 #include "support/address.hpp"
 #include "support/gl.hpp"
 #include "support/scenes.hpp"
@@ -160,6 +161,50 @@ const Test superposition("law.shadow.superposition", [] {
             for (std::size_t i = 0; i < sum.pixels.size(); ++i) sum.pixels[i] += alone.pixels[i];
         }
         EXPECT_LT(largest_relative_difference(together, sum, 1e-3f), 1e-5f);
+    }
+});
+
+// A picture whose rays do not fit into memory at once is shaded in bands of rows, to the same bits.
+const Test bands("law.shadow.bands_of_rows_make_the_same_picture", [] {
+    context();
+    auto scene = lambert_plane(4.0f);
+    add_box(scene, {0.0f, 0.5f, 0.0f}, turned(vec3(0.3f)), 1, lambert());
+    const render::GpuScene gpu_scene(scene, zoo, Visibility::ray_on_cpu);
+    const auto shaded = [&](std::size_t most_answers) {
+        render::RenderOptions options;
+        options.width = options.height = 64;
+        options.samples = 2;
+        options.most_answers = most_answers;
+        render::Renderer renderer(gpu_scene, camera_from_above(2.0f), options);
+        for (int i = 0; i < 2; ++i) renderer.add_sample();
+        return renderer.film();
+    };
+    const std::size_t rays_to_a_row = 64 * zoo.size() * 2;
+    EXPECT_EQ(shaded(7 * rays_to_a_row).pixels, shaded(64 * rays_to_a_row).pixels);
+    EXPECT_THROW(shaded(rays_to_a_row - 1), Error);
+});
+
+// Within a window and under some of the lights, pixels are what they are in the whole picture.
+const Test window("law.shadow.a_window_shows_what_the_picture_shows", [] {
+    context();
+    auto scene = lambert_plane(4.0f);
+    add_box(scene, {0.0f, 0.5f, 0.0f}, turned(vec3(0.3f)), 1, lambert());
+    const render::GpuScene gpu_scene(scene, zoo, Visibility::ray_on_cpu);
+    render::RenderOptions options;
+    options.width = options.height = 64;
+    options.samples = 2;
+    render::Renderer whole(gpu_scene, camera_from_above(2.0f), options);
+    options.window = render::Window{20, 30, 16, 8};
+    render::Renderer part(gpu_scene, camera_from_above(2.0f), options);
+    for (const int first : {0, 2}) {
+        for (render::Renderer* renderer : {&whole, &part}) {
+            renderer->clear();
+            renderer->use_lights(first, first + 2);
+            renderer->add_sample();
+        }
+        const auto a = whole.film(), b = part.film();
+        for (int y = 30; y < 38; ++y)
+            for (int x = 20; x < 36; ++x) ASSERT_EQ(a.at(x, y)[0], b.at(x, y)[0]) << x << ", " << y;
     }
 });
 

@@ -112,7 +112,7 @@ class CommandLine(unittest.TestCase):
         header = (self.folder / "a.exr").read_bytes()[:4096]
         for words in (b"steradian:unit", b"cd/m^2", b"steradian:estimator", b"sampled", b"steradian:samples",
                       b"steradian:seed", b"steradian:GL_RENDERER", b"steradian:GL_VERSION", b"steradian:version",
-                      b"steradian:camera"):
+                      b"steradian:camera", b"steradian:visibility"):
             self.assertIn(words, header)
 
     def test_every_format_is_written(self):
@@ -139,6 +139,19 @@ class CommandLine(unittest.TestCase):
         self.assertGreater(summary["triangles"], 0)
         for phase in ("start", "upload", "compile", "draw", "read", "write", "total"):
             self.assertGreaterEqual(summary["seconds"][phase], 0.0)
+
+    def test_shadows_are_a_choice(self):
+        summaries = {}
+        for visibility in ("ray", "ray-cpu", "ray-glsl", "none"):
+            result = self.render(visibility + ".exr", "--visibility", visibility, "--json")
+            summaries[visibility] = json.loads(result.stdout)["shadows"]
+        self.assertIsNone(summaries["none"])
+        self.assertGreater(summaries["ray-cpu"]["rays"], 0)
+        self.assertEqual(summaries["ray-cpu"]["bvh_nodes"], 0)
+        self.assertGreater(summaries["ray-glsl"]["bvh_nodes"], 0)
+        self.assertEqual(summaries["ray-glsl"]["bvh_triangles"], summaries["ray"]["bvh_triangles"])
+        self.assertNotEqual((self.folder / "ray.exr").read_bytes(), (self.folder / "none.exr").read_bytes())
+        self.assertEqual(run("render", SCENE, "-o", "a.png", "--visibility", "soft").returncode, 2)
 
     def test_exposure_is_a_matter_of_the_picture_alone(self):
         self.render("dark.png", "--exposure", "20")

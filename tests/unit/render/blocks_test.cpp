@@ -43,7 +43,7 @@ GLint size_of(const gl::Program& program, const char* block) {
 const Test layout("unit.render.blocks.match_the_shaders", [] {
     sr::testing::context();
     ShaderLibrary shaders({glsl::embedded()});
-    const gl::Program& program = shaders.mesh_program("forward.frag", everything());
+    const gl::Program& program = shaders.mesh_program("forward.frag", everything(), VisibilityTerm::ray);
 
     EXPECT_EQ(offset_of(program, "clip_from_world"), offsetof(FrameBlock, clip_from_world));
     EXPECT_EQ(offset_of(program, "eye"), offsetof(FrameBlock, eye));
@@ -56,6 +56,7 @@ const Test layout("unit.render.blocks.match_the_shaders", [] {
     EXPECT_EQ(offset_of(program, "world_from_object"), offsetof(ObjectBlock, world_from_object));
     EXPECT_EQ(offset_of(program, "world_from_normal"), offsetof(ObjectBlock, world_from_normal));
     EXPECT_EQ(offset_of(program, "handedness"), offsetof(ObjectBlock, handedness));
+    EXPECT_EQ(offset_of(program, "first_triangle"), offsetof(ObjectBlock, first_triangle));
     EXPECT_LE(size_of(program, "Object"), static_cast<GLint>(sizeof(ObjectBlock)));
 
     EXPECT_EQ(offset_of(program, "base_color_factor"), offsetof(MaterialBlock, base_color_factor));
@@ -69,6 +70,16 @@ const Test layout("unit.render.blocks.match_the_shaders", [] {
     EXPECT_EQ(offset_of(program, "uv_row_u[0]"), offsetof(MaterialBlock, uv_row_u));
     EXPECT_EQ(offset_of(program, "uv_row_v[0]"), offsetof(MaterialBlock, uv_row_v));
     EXPECT_LE(size_of(program, "Material"), static_cast<GLint>(sizeof(MaterialBlock)));
+});
+
+const Test rays("unit.render.blocks.rays_match_the_shader", [] {
+    sr::testing::context();
+    ShaderLibrary shaders({glsl::embedded()});
+    const gl::Program& program = shaders.mesh_program("forward.frag", everything(), VisibilityTerm::answered);
+    EXPECT_EQ(offset_of(program, "first_ray"), offsetof(RaysBlock, first_ray));
+    EXPECT_EQ(offset_of(program, "plane_size"), offsetof(RaysBlock, plane_size));
+    EXPECT_EQ(offset_of(program, "row_size"), offsetof(RaysBlock, row_size));
+    EXPECT_EQ(offset_of(program, "first_row"), offsetof(RaysBlock, first_row));
 });
 
 } // namespace
