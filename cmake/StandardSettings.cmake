@@ -26,6 +26,24 @@ if(STERADIAN_SANITIZE)
   target_link_options(sr_settings INTERFACE -fsanitize=address,undefined)
 endif()
 
+# What runs once or waits for others need not be fast: -O1 takes a third off the time that templates compile.
+add_library(sr_compile_quickly INTERFACE)
+if(NOT MSVC AND NOT CMAKE_BUILD_TYPE STREQUAL "Debug")
+  target_compile_options(sr_compile_quickly INTERFACE -O1)
+endif()
+
+# Large headers, parsed once a target. ccache cannot keep what is compiled so, so this is for machines without a cache.
+set(precompile_default OFF)
+if(DEFINED ENV{CI})
+  set(precompile_default ON)
+endif()
+option(STERADIAN_PRECOMPILE "Precompile large headers" ${precompile_default})
+function(sr_precompile target)
+  if(STERADIAN_PRECOMPILE)
+    target_precompile_headers(${target} PRIVATE ${ARGN})
+  endif()
+endfunction()
+
 find_program(CCACHE_PROGRAM ccache)
 if(CCACHE_PROGRAM)
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE_PROGRAM})

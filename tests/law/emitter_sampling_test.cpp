@@ -1,109 +1,18 @@
+#include "law/direction_counts.hpp"
 #include "support/address.hpp"
 #include "support/gl.hpp"
-#include "support/glsl_table.hpp"
 
 #include <cmath>
 #include <fmt/format.h>
-#include <random>
 
 using namespace sr;
 using namespace sr::testing;
 
 namespace {
 
-/// One light as the point x sees it, and the cone of directions that it is looked for in.
-struct View {
-    scene::Light light;
-    vec3 x{0.0f};
-    vec3 axis{0.0f, 1.0f, 0.0f};
-    float cone = 0.0f; // half angle [rad], holds the whole light
-};
-
-vec3 across(vec3 axis) {
-    return glm::normalize(glm::cross(axis, std::abs(axis.x) < 0.5f ? vec3(1, 0, 0) : vec3(0, 1, 0)));
-}
-
-/// 1 - cos of the cone's half angle.
-double height_of(const View& view) {
-    return 2.0 * std::pow(std::sin(0.5 * static_cast<double>(view.cone)), 2.0);
-}
-
-constexpr int rings = 12, sectors = 12, fine = 48;
-
-/// Directions on a jittered grid in (1 - cosθ, φ), where areas are solid angles; fine² in each cell. (The
-/// edges of lights like to run along the lines of a regular one.)
-std::vector<Row> grid(const View& view) {
-    const vec3 u = across(view.axis), v = glm::cross(view.axis, u);
-    const auto height = static_cast<float>(height_of(view));
-    std::mt19937 random(1);
-    std::uniform_real_distribution<float> jitter(0.0f, 1.0f);
-    std::vector<Row> rows;
-    for (int ring = 0; ring < rings * fine; ++ring) {
-        for (int sector = 0; sector < sectors * fine; ++sector) {
-            const float h = height * (static_cast<float>(ring) + jitter(random)) / (rings * fine);
-            const float s = std::sqrt(h * (2.0f - h));
-            const float phi = 2.0f * pi * (static_cast<float>(sector) + jitter(random)) / (sectors * fine);
-            const vec3 w = (1.0f - h) * view.axis + s * (std::cos(phi) * u + std::sin(phi) * v);
-            rows.push_back({vec4(view.x, 0.0f), vec4(w, 0.0f)});
-        }
-    }
-    return rows;
-}
-
-int cell_of(const View& view, vec3 w) {
-    const vec3 u = across(view.axis), v = glm::cross(view.axis, u);
-    const vec3 chord = w - view.axis;
-    const float h = 0.5f * glm::dot(chord, chord) / static_cast<float>(height_of(view));
-    const float phi = std::atan2(glm::dot(w, v), glm::dot(w, u)) / (2.0f * pi);
-    const int ring = static_cast<int>(h * rings),
-              sector = static_cast<int>((phi < 0.0f ? phi + 1.0f : phi) * sectors);
-    return ring < rings ? ring * sectors + std::min(sector, sectors - 1) : -1;
-}
-
-/// The density integrated over each cell of the grid.
-std::vector<double> integrals(const View& view, const std::vector<vec4>& densities) {
-    std::vector<double> cells(rings * sectors, 0.0);
-    const double d_omega = 2.0 * pi * height_of(view) / (rings * fine * sectors * fine);
-    for (int i = 0; i < static_cast<int>(densities.size()); ++i) {
-        const int ring = i / (sectors * fine) / fine, sector = i % (sectors * fine) / fine;
-        cells[static_cast<std::size_t>(ring * sectors + sector)] +=
-            densities[static_cast<std::size_t>(i)].x * d_omega;
-    }
-    return cells;
-}
-
-std::vector<vec4> sampled_directions(const View& view, const render::GpuScene& scene, int count) {
-    std::mt19937 random(7);
-    std::uniform_real_distribution<float> uniform(0.0f, 1.0f - 1e-7f);
-    std::vector<Row> rows;
-    for (int i = 0; i < count; ++i)
-        rows.push_back({vec4(view.x, 0.0f), vec4(uniform(random), uniform(random), 0, 0)});
+std::vector<vec4> densities_along(const std::vector<Row>& rows, const render::GpuScene& scene) {
     return evaluate("#include \"light/sample_light.glsl\"",
-                    "LightSample s = sample_light(0, a.xyz, b.xy); return vec4(s.wi, s.p);", rows, &scene);
-}
-
-/// Pearson's statistic over the cells that expect 10 samples or more, the others taken together; in units of
-/// its own standard deviation above its mean, so that 5 has a probability below 1e-5.
-double chi_squared_excess(const std::vector<double>& expected, const std::vector<int>& counts, int total) {
-    double statistic = 0.0, rest_expected = 0.0;
-    int rest = 0, cells = -1;
-    for (std::size_t i = 0; i < expected.size(); ++i) {
-        const double e = expected[i] * total;
-        if (e < 10.0) {
-            rest_expected += e;
-            rest += counts[i];
-            continue;
-        }
-        statistic += (counts[i] - e) * (counts[i] - e) / e;
-        ++cells;
-    }
-    if (rest_expected >= 10.0) {
-        statistic += (rest - rest_expected) * (rest - rest_expected) / rest_expected;
-        ++cells;
-    } else {
-        EXPECT_LE(rest, 40) << "samples where the density is next to nothing";
-    }
-    return cells > 0 ? (statistic - cells) / std::sqrt(2.0 * cells) : 0.0;
+                    "return vec4(light_along(0, a.xyz, b.xyz).p, 0.0, 0.0, 0.0);", rows, &scene);
 }
 
 void expect_lawful(const View& view) {
@@ -111,29 +20,11 @@ void expect_lawful(const View& view) {
     context();
     const scene::Scene nothing;
     const render::GpuScene scene(nothing, std::vector{view.light});
-    const auto densities =
-        evaluate("#include \"light/sample_light.glsl\"",
-                 "return vec4(light_along(0, a.xyz, b.xyz).p, 0.0, 0.0, 0.0);", grid(view), &scene);
-    const std::vector<double> expected = integrals(view, densities);
-    double total = 0.0;
-    for (const double cell : expected) total += cell;
-    EXPECT_NEAR(total, 1.0, 0.01) << "the density's integral";
+    const auto samples = expect_counts(view, scene, densities_along(grid(view), scene));
 
-    constexpr int count = 1 << 16;
-    const auto samples = sampled_directions(view, scene, count);
-    std::vector<int> counts(rings * sectors, 0);
     std::vector<Row> again;
-    for (const vec4 s : samples) {
-        const int cell = cell_of(view, vec3(s));
-        ASSERT_GE(cell, 0) << "a direction beside the light";
-        ++counts[static_cast<std::size_t>(cell)];
-        if (again.size() < 4096) again.push_back({vec4(view.x, 0.0f), vec4(vec3(s), 0.0f)});
-    }
-    EXPECT_LT(chi_squared_excess(expected, counts, count), 5.0);
-
-    const auto backwards =
-        evaluate("#include \"light/sample_light.glsl\"",
-                 "return vec4(light_along(0, a.xyz, b.xyz).p, 0.0, 0.0, 0.0);", again, &scene);
+    for (std::size_t i = 0; i < 4096; ++i) again.push_back({vec4(view.x, 0.0f), vec4(vec3(samples[i]), 0.0f)});
+    const auto backwards = densities_along(again, scene);
     int missed = 0;
     for (std::size_t i = 0; i < again.size(); ++i) {
         if (backwards[i].x == 0.0f) {
@@ -196,6 +87,43 @@ const Test polygon("law.emitter.polygon.sampling_matches_density", [] {
     expect_lawful({pentagon, {0, 0, 0}, {0, 1, 0}, 0.7f});
     expect_lawful({pentagon, {0.3f, 0.9f, 0.1f}, {0, 1, 0}, 1.571f});
     expect_lawful({pentagon, {2.5f, 0.7f, 0.3f}, glm::normalize(vec3(-2.5f, 0.3f, -0.3f)), 0.3f});
+});
+
+/// The density of directions under a mesh, in doubles: P_i / Ω_i, or P_i d² / (A_i cosθ) below mesh.glsl's 0.01 sr.
+double mesh_density(const scene::MeshLight& light, glm::dvec3 w) {
+    double p = 0.0;
+    for (const auto& [corners, uv] : light.triangles) {
+        const glm::dvec3 a = corners[0], b = corners[1], c = corners[2];
+        const glm::dvec3 normal = glm::cross(b - a, c - a);
+        const double volume = std::abs(glm::dot(a, normal));
+        if (glm::dot(glm::cross(a, b), w) > 0.0 || glm::dot(glm::cross(b, c), w) > 0.0
+            || glm::dot(glm::cross(c, a), w) > 0.0)
+            continue; // beside it: seen from its front, corners go round against w
+        const double la = glm::length(a), lb = glm::length(b), lc = glm::length(c);
+        const double solid_angle = 2.0 * std::atan2(volume, la * lb * lc + glm::dot(a, b) * lc + glm::dot(b, c) * la
+                                                                + glm::dot(c, a) * lb);
+        const double d = glm::dot(a, normal) / glm::dot(w, normal);
+        const double P = 0.5 * glm::length(normal) / light.area();
+        p += P * (solid_angle > 0.01 ? 1.0 / solid_angle : 2.0 * d * d * d / volume);
+    }
+    return p;
+}
+
+// Triangles of many sizes and distances, chosen by area, some seen large, some small.
+const Test mesh("law.emitter.mesh.sampling_matches_density", [] {
+    context();
+    scene::MeshLight light;
+    const auto add = [&](vec3 a, vec3 b, vec3 c) { light.triangles.push_back({{a, b, c}, {}}); };
+    add({-0.6f, 0.8f, -0.4f}, {-0.1f, 0.8f, -0.4f}, {-0.6f, 0.9f, 0.3f});
+    add({0.0f, 1.0f, 0.1f}, {0.05f, 1.0f, 0.1f}, {0.0f, 1.1f, 0.2f});
+    add({0.3f, 1.5f, -0.6f}, {0.9f, 1.2f, -0.5f}, {0.6f, 1.4f, 0.2f});
+    add({0.2f, 2.0f, 0.5f}, {0.3f, 2.0f, 0.5f}, {0.25f, 2.0f, 0.6f});
+    const View view{light, {0, 0, 0}, {0, 1, 0}, 0.9f};
+    const scene::Scene nothing;
+    const render::GpuScene scene(nothing, std::vector{view.light});
+    std::vector<vec4> densities;
+    for (const Row& row : grid(view)) densities.emplace_back(mesh_density(light, vec3(row[1])), 0.0f, 0.0f, 0.0f);
+    expect_counts(view, scene, densities);
 });
 
 } // namespace
