@@ -26,10 +26,11 @@ if(STERADIAN_SANITIZE)
   target_link_options(sr_settings INTERFACE -fsanitize=address,undefined)
 endif()
 
-# What runs once or waits for others need not be fast: -O1 takes a third off the time that templates compile.
+# What runs once or waits for others need not be fast. -O1 takes a quarter off the time that templates compile; with
+# sanitizers -O0 halves it.
 add_library(sr_compile_quickly INTERFACE)
 if(NOT MSVC AND NOT CMAKE_BUILD_TYPE STREQUAL "Debug")
-  target_compile_options(sr_compile_quickly INTERFACE -O1)
+  target_compile_options(sr_compile_quickly INTERFACE $<IF:$<BOOL:${STERADIAN_SANITIZE}>,-O0,-O1>)
 endif()
 
 # Large headers, parsed once a target. ccache cannot keep what is compiled so, so this is for machines without a cache.

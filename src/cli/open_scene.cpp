@@ -39,8 +39,8 @@ void remark_on_estimator(const RenderCommand& command, const scene::Stage& stage
     for (const scene::Light& light : stage.lights) {
         const auto* mesh = std::get_if<scene::MeshLight>(&light);
         if (mesh && mesh->triangles.size() > render::most_outlined_triangles)
-            fmt::print(stderr, "{}: '{}' has {} emissive triangles, more than {}: it is sampled\n", command.scene,
-                       mesh->name, mesh->triangles.size(), render::most_outlined_triangles);
+            fmt::print(stderr, "{}: '{}' has {} emissive triangles, more than {}: it is sampled\n",
+                       command.scene, mesh->name, mesh->triangles.size(), render::most_outlined_triangles);
     }
 }
 

@@ -4,8 +4,8 @@
 #include "gl/context.hpp"
 #include "image/display.hpp"
 #include "image/file.hpp"
-#include "render/renderer.hpp"
 #include "render/occluders.hpp"
+#include "render/renderer.hpp"
 #include "scene/stage.hpp"
 
 namespace CLI {

@@ -56,7 +56,7 @@ void depth_pass(const Target& frame, const GpuScene& scene, ShaderLibrary& shade
 
 void record_pass(const GpuScene& scene, ShaderLibrary& shaders, int attachments) {
     constexpr float nothing[4]{0.0f, 0.0f, 0.0f, 0.0f}; // a ray without distance asks nothing
-    glDisable(GL_SCISSOR_TEST); // what lies outside asks nothing, either
+    glDisable(GL_SCISSOR_TEST);                         // what lies outside asks nothing, either
     for (int i = 0; i < attachments; ++i) glClearBufferfv(GL_COLOR, i, nothing);
     glEnable(GL_SCISSOR_TEST);
     draw_visible(scene, shaders, "record.frag", VisibilityTerm::record);

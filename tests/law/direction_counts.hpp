@@ -1,5 +1,6 @@
 #pragma once
-// The χ² test of how a light is sampled: counts of directions in cells against the density's integral over them.
+// The χ² test of how a light is sampled: counts of directions in cells against the density's integral over
+// them.
 #include "render/gpu_scene.hpp"
 #include "support/glsl_table.hpp"
 
@@ -15,11 +16,13 @@ struct View {
     float cone = 0.0f; // half angle [rad], holds the whole light
 };
 
-/// Directions on a jittered grid in (1 - cosθ, φ), where areas are solid angles: in each row x, then the direction.
+/// Directions on a jittered grid in (1 - cosθ, φ), where areas are solid angles: in each row x, then the
+/// direction.
 std::vector<Row> grid(const View& view);
 
-/// Draws samples and holds their counts to the densities (.x, [1/sr]) on the grid: Pearson's statistic stays within
-/// five of its standard deviations. @return the samples: direction, and p as sample_light tells it
-std::vector<vec4> expect_counts(const View& view, const render::GpuScene& scene, const std::vector<vec4>& densities);
+/// Draws samples and holds their counts to the densities (.x, [1/sr]) on the grid: Pearson's statistic stays
+/// within five of its standard deviations. @return the samples: direction, and p as sample_light tells it
+std::vector<vec4> expect_counts(const View& view, const render::GpuScene& scene,
+                                const std::vector<vec4>& densities);
 
 } // namespace sr::testing

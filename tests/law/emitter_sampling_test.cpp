@@ -23,7 +23,8 @@ void expect_lawful(const View& view) {
     const auto samples = expect_counts(view, scene, densities_along(grid(view), scene));
 
     std::vector<Row> again;
-    for (std::size_t i = 0; i < 4096; ++i) again.push_back({vec4(view.x, 0.0f), vec4(vec3(samples[i]), 0.0f)});
+    for (std::size_t i = 0; i < 4096; ++i)
+        again.push_back({vec4(view.x, 0.0f), vec4(vec3(samples[i]), 0.0f)});
     const auto backwards = densities_along(again, scene);
     int missed = 0;
     for (std::size_t i = 0; i < again.size(); ++i) {
@@ -89,7 +90,8 @@ const Test polygon("law.emitter.polygon.sampling_matches_density", [] {
     expect_lawful({pentagon, {2.5f, 0.7f, 0.3f}, glm::normalize(vec3(-2.5f, 0.3f, -0.3f)), 0.3f});
 });
 
-/// The density of directions under a mesh, in doubles: P_i / Ω_i, or P_i d² / (A_i cosθ) below mesh.glsl's 0.01 sr.
+/// The density of directions under a mesh, in doubles: P_i / Ω_i, or P_i d² / (A_i cosθ) below mesh.glsl's
+/// 0.01 sr.
 double mesh_density(const scene::MeshLight& light, glm::dvec3 w) {
     double p = 0.0;
     for (const auto& [corners, uv] : light.triangles) {
@@ -100,8 +102,9 @@ double mesh_density(const scene::MeshLight& light, glm::dvec3 w) {
             || glm::dot(glm::cross(c, a), w) > 0.0)
             continue; // beside it: seen from its front, corners go round against w
         const double la = glm::length(a), lb = glm::length(b), lc = glm::length(c);
-        const double solid_angle = 2.0 * std::atan2(volume, la * lb * lc + glm::dot(a, b) * lc + glm::dot(b, c) * la
-                                                                + glm::dot(c, a) * lb);
+        const double solid_angle = 2.0
+                                   * std::atan2(volume, la * lb * lc + glm::dot(a, b) * lc
+                                                            + glm::dot(b, c) * la + glm::dot(c, a) * lb);
         const double d = glm::dot(a, normal) / glm::dot(w, normal);
         const double P = 0.5 * glm::length(normal) / light.area();
         p += P * (solid_angle > 0.01 ? 1.0 / solid_angle : 2.0 * d * d * d / volume);
@@ -122,7 +125,8 @@ const Test mesh("law.emitter.mesh.sampling_matches_density", [] {
     const scene::Scene nothing;
     const render::GpuScene scene(nothing, std::vector{view.light});
     std::vector<vec4> densities;
-    for (const Row& row : grid(view)) densities.emplace_back(mesh_density(light, vec3(row[1])), 0.0f, 0.0f, 0.0f);
+    for (const Row& row : grid(view))
+        densities.emplace_back(mesh_density(light, vec3(row[1])), 0.0f, 0.0f, 0.0f);
     expect_counts(view, scene, densities);
 });
 

@@ -10,8 +10,7 @@ namespace {
 
 constexpr int columns = 256;
 
-gl::Program table_program(const std::string& preamble, const std::string& body,
-                          const glsl::Files& overlay) {
+gl::Program table_program(const std::string& preamble, const std::string& body, const glsl::Files& overlay) {
     const std::string fragment =
         "#version 410 core\n" + preamble
         + "\nuniform samplerBuffer rows;\nuniform int row_count;\nout vec4 result;\n"

@@ -99,7 +99,8 @@ double frame_time(const std::vector<scene::Light>& lights, const Arguments& argu
     render::RenderOptions options;
     options.width = options.height = size;
     options.samples = frames + 1;
-    options.estimator = arguments.estimator == "analytic" ? render::Estimator::analytic : render::Estimator::sampled;
+    options.estimator =
+        arguments.estimator == "analytic" ? render::Estimator::analytic : render::Estimator::sampled;
     options.analytic_points = arguments.points;
     render::Renderer renderer(scene, camera_above(), options);
     std::vector<double> times;
@@ -116,7 +117,8 @@ double frame_time(const std::vector<scene::Light>& lights, const Arguments& argu
 }
 
 void run(const Arguments& arguments) {
-    const auto context = gl::open_context({gl::backend_named(arguments.backend).value_or(gl::Backend::automatic)});
+    const auto context =
+        gl::open_context({gl::backend_named(arguments.backend).value_or(gl::Backend::automatic)});
     double load[1] = {0.0};
     if (getloadavg(load, 1) < 1) load[0] = -1.0;
     fmt::print("{}, {}, {}x{}, median of {} frames, load {:.2f}\n\n", arguments.estimator,
