@@ -1,5 +1,6 @@
 #include "cli/commands.hpp"
 #include "cli/interruption.hpp"
+#include "cli/layers.hpp"
 #include "cli/open_scene.hpp"
 #include "cli/progress.hpp"
 #include "cli/render_options.hpp"
@@ -8,6 +9,7 @@
 #include "render/renderer.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <fmt/format.h>
@@ -18,9 +20,9 @@ namespace sr::cli {
 namespace {
 
 /// @return whether all samples were taken; false if Ctrl-C was pressed.
-bool add_samples(render::Renderer& renderer, int count) {
+bool add_samples(render::Renderer& renderer, int count, const std::string& what = "rendering") {
     const Interruption interruption;
-    Progress progress("rendering", count);
+    Progress progress(what, count);
     while (renderer.sample_count() < count && !interruption.has_come()) {
         renderer.add_sample();
         glFinish(); // so that Ctrl-C and the progress bar mean what they say
@@ -68,12 +70,15 @@ void remark_on(const image::Image& film, const RenderCommand& command, const sce
                    stage.camera.name);
 }
 
+bool holds_layers(const std::string& output) { return output.ends_with(".exr") || output.ends_with(".EXR"); }
+
 /// Writes the film in the form that each file's extension asks for. @return the EV100 in use, if any was.
-std::optional<float> write_outputs(const image::Image& film, const RenderCommand& command) {
+std::optional<float> write_outputs(const image::Image& film, const std::optional<image::Image>& layers,
+                                   const RenderCommand& command) {
     std::optional<float> ev100;
     for (const std::string& output : command.outputs) {
         if (image::is_scene_referred(output)) {
-            image::write(film, output, command.exr_type);
+            image::write(layers && holds_layers(output) ? *layers : film, output, command.exr_type);
             continue;
         }
         if (!ev100) ev100 = command.ev100 ? *command.ev100 : image::auto_ev100(film);
@@ -131,6 +136,8 @@ ExitStatus render(const RenderCommand& command) {
     PhaseTimes times;
     for (const std::string& output : command.outputs)
         image::is_scene_referred(output); // refuses unknown formats
+    if (command.light_layers && std::ranges::none_of(command.outputs, holds_layers))
+        throw CLI::ValidationError("--layers", "only .exr files hold layers: name one with -o");
     const OpenScene open = open_scene(command, times);
     const auto& [context, stage, size] = open;
     const render::GpuScene gpu_scene(stage.scene, stage.lights, command.visibility);
@@ -151,7 +158,18 @@ ExitStatus render(const RenderCommand& command) {
     times.end("read");
     remark_on(film, command, stage);
     describe(film, command, stage, context->info());
-    const auto ev100 = write_outputs(film, command);
+    std::optional<image::Image> layers;
+    if (command.light_layers) {
+        layers = with_layers(film, layer_names(stage.lights), renderer, [&](const std::string& layer) {
+            return add_samples(renderer, command.samples, layer);
+        });
+        if (!layers) {
+            fmt::print(stderr, "interrupted: nothing was written\n");
+            return interrupted;
+        }
+        times.end("layers");
+    }
+    const auto ev100 = write_outputs(film, layers, command);
     times.end("write");
 
     if (command.json) {

@@ -99,6 +99,12 @@ void declare_output(CLI::App& command, RenderCommand& o) {
            [&o](image::ToneCurve curve) { o.tone_curve = curve; });
     parsed(command, "--exr-type", "how .exr stores numbers (default: float)", "half|float", exr_type_named,
            [&o](image::SampleType type) { o.exr_type = type; });
+    command
+        .add_option_function<std::string>(
+            "--layers", [&o](const std::string&) { o.light_layers = true; },
+            "lights: .exr files get a layer for each light and one for emission, whose sum is the picture")
+        ->check(CLI::IsMember({"lights"}))
+        ->type_name("lights");
     command.add_flag("--json", o.json, "print a summary as JSON: times by phase, triangles, samples, …");
 }
 

@@ -30,6 +30,7 @@ struct RenderCommand {
     bool hide_emitters = false;
     std::optional<float> ev100; // absent: automatic
     image::ToneCurve tone_curve = image::ToneCurve::neutral;
+    bool light_layers = false; // in .exr: a layer a light
     image::SampleType exr_type = image::SampleType::floating;
     gl::Backend backend = gl::Backend::automatic;
     bool gl_debug = false;

@@ -52,6 +52,7 @@ def main():
     print(f"{mistake}: {outcomes['differs']} of {len(tests)} fail, diagnosed as {dict(diagnoses)}")
     assert outcomes["differs"] >= failing, outcomes
     assert name is None or diagnoses[name] >= count, diagnoses
+    assert mistake != "light_off" or diagnoses["light_missing"] == 1, "zoo has a layer for each light"
     assert name == "pi_missing" or diagnoses["pi_missing"] == 0, "another mistake was taken for a missing π"
 
 
