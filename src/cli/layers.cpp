@@ -36,7 +36,8 @@ std::vector<std::string> layer_names(std::span<const scene::Light> lights) {
         const std::string given = plain(std::visit([](const auto& light) { return light.name; }, lights[k]));
         const std::string stem = given.empty() ? fmt::format("light_{}", k) : given;
         std::string name = stem;
-        for (int i = 2; std::ranges::find(names, name) != names.end(); ++i) name = fmt::format("{}_{}", stem, i);
+        for (int i = 2; std::ranges::find(names, name) != names.end(); ++i)
+            name = fmt::format("{}_{}", stem, i);
         names.push_back(name);
     }
     return names;

@@ -53,8 +53,8 @@ Mesh surface_of(const PolygonLight& light) { return fan(light.corners, light.nor
 /// Rings of latitude around `pole`, those of the far half shifted by `half_axis`, those of the near by its
 /// opposite.
 Mesh capsule(vec3 center, vec3 half_axis, vec3 pole, float radius) {
-    const vec3 helper = std::abs(pole.x) < 0.5f ? vec3(1, 0, 0) : vec3(0, 1, 0);
-    const vec3 u = glm::normalize(glm::cross(helper, pole));
+    const vec3 slanted = std::abs(pole.x) < 0.5f ? vec3(1, 0, 0) : vec3(0, 1, 0);
+    const vec3 u = glm::normalize(glm::cross(slanted, pole));
     const vec3 v = glm::cross(pole, u);
     Mesh mesh;
     const auto ring = [&](int latitude, vec3 middle) {
