@@ -1,16 +1,10 @@
 // The texture of an emitter: its texel multiplies L_e. Read bilinearly at full resolution, as glTF's samplers ask
 // for magnification (glTF 2.0, section 3.8.4). Mirror: src/render/emission_maps.hpp.
+#include "base/texel_wrap.glsl"
 #include "interface/features.glsl"
 #include "interface/lights.glsl"
 
 uniform samplerBuffer emission_texels;
-
-int wrapped(int i, int size, int wrap) {
-    if (wrap == 2) return clamp(i, 0, size - 1); // scene::Wrap: repeat, mirrored_repeat, clamp_to_edge
-    int period = wrap == 0 ? size : 2 * size;
-    int m = i - period * int(floor(float(i) / float(period)));
-    return m < size ? m : 2 * size - 1 - m;
-}
 
 // The colour of the map whose description is texel `map` of the light table; white for a negative one.
 vec3 emission_map(int map, vec2 uv) {

@@ -1,22 +1,16 @@
 // What a triangle that is not plain lets through. Mirror: src/shadow/alpha.cpp and casters.cpp.
+#include "base/texel_wrap.glsl"
 #include "interface/casters.glsl"
-
-int wrapped_texel(int i, int size, int wrap) {
-    if (wrap == 2) return clamp(i, 0, size - 1); // scene::Wrap: repeat, mirrored_repeat, clamp_to_edge
-    int period = wrap == 0 ? size : 2 * size;
-    int m = i - period * int(floor(float(i) / float(period)));
-    return m < size ? m : 2 * size - 1 - m;
-}
 
 // Bilinear in the full-size texture.
 float map_alpha(Caster caster, vec2 uv) {
     vec2 at = uv * vec2(caster.map_size) - 0.5;
     ivec2 corner = ivec2(floor(at));
     vec2 f = at - floor(at);
-    int x0 = wrapped_texel(corner.x, caster.map_size.x, caster.wrap_u);
-    int x1 = wrapped_texel(corner.x + 1, caster.map_size.x, caster.wrap_u);
-    int row0 = caster.map + caster.map_size.x * wrapped_texel(corner.y, caster.map_size.y, caster.wrap_v);
-    int row1 = caster.map + caster.map_size.x * wrapped_texel(corner.y + 1, caster.map_size.y, caster.wrap_v);
+    int x0 = wrapped(corner.x, caster.map_size.x, caster.wrap_u);
+    int x1 = wrapped(corner.x + 1, caster.map_size.x, caster.wrap_u);
+    int row0 = caster.map + caster.map_size.x * wrapped(corner.y, caster.map_size.y, caster.wrap_v);
+    int row1 = caster.map + caster.map_size.x * wrapped(corner.y + 1, caster.map_size.y, caster.wrap_v);
     return mix(mix(texelFetch(alpha_texels, row0 + x0).r, texelFetch(alpha_texels, row0 + x1).r, f.x),
                mix(texelFetch(alpha_texels, row1 + x0).r, texelFetch(alpha_texels, row1 + x1).r, f.x), f.y);
 }

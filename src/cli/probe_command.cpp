@@ -1,7 +1,7 @@
 #include "cli/commands.hpp"
 #include "cli/interruption.hpp"
 #include "cli/open_scene.hpp"
-#include "core/error.hpp"
+#include "image/luminance.hpp"
 #include "render/probe.hpp"
 
 #include <CLI/CLI.hpp>
@@ -102,8 +102,6 @@ ordered_json as_json(const ProbeCommand& command, const OpenScene& open, const r
             {radiance("L_o"), triple(terms.L_o)}};
 }
 
-float luminance(vec3 color) { return glm::dot(color, vec3(0.2126f, 0.7152f, 0.0722f)); } // Rec. 709
-
 std::string cells(vec3 v, int width) {
     return fmt::format("{:>{w}.4g}{:>{w}.4g}{:>{w}.4g}", v.x, v.y, v.z, fmt::arg("w", width));
 }
@@ -118,7 +116,7 @@ std::string row_of(int k, const scene::Light& light, const render::LightTerms& t
     const std::string extent = t.solid_angle > 0.0f ? fmt::format("{:.4g}", t.solid_angle) : "-";
     return fmt::format("{:>3} {:<18}{:<12}{:>9} {:>7.3f}{:>7.3f}{:>7.3f}{:>8.4f}{:>8.4f}{:>11.4g}{:>10.4g}{}",
                        k, fitted(name_of(light)), shape_of(light), extent, t.wi.x, t.wi.y, t.wi.z, t.cos_i,
-                       t.V, luminance(t.f_r), luminance(t.E), cells(t.L_r, 11));
+                       t.V, image::luminance(t.f_r), image::luminance(t.E), cells(t.L_r, 11));
 }
 
 void print(const ProbeCommand& command, const OpenScene& open, const render::PixelTerms& terms) {

@@ -47,6 +47,8 @@ void describe(image::Image& film, const RenderCommand& command, const scene::Sta
                        {"steradian:camera", stage.camera.name},
                        {"steradian:GL_RENDERER", gl.renderer},
                        {"steradian:GL_VERSION", gl.version}};
+    if (command.estimator == render::Estimator::analytic)
+        film.attributes.push_back({"steradian:analytic_points", std::to_string(command.analytic_points)});
 }
 
 /// Says why a picture is black, and if it has holes.

@@ -2,6 +2,7 @@
 
 #include "image/display.hpp"
 #include "image/luminance.hpp"
+#include "image/srgb.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -44,16 +45,10 @@ Plane luma(const Image& codes) {
     return plane;
 }
 
-float srgb_decoded(float code) {
-    const float size = std::abs(code);
-    const float light = size <= 0.04045f ? size / 12.92f : std::pow((size + 0.055f) / 1.055f, 2.4f);
-    return std::copysign(light, code);
-}
+float srgb_decoded(float code) { return std::copysign(image::linear_of_srgb(std::abs(code)), code); }
 
 float srgb_encoded_unclamped(float linear) {
-    const float size = std::abs(linear);
-    const float code = size <= 0.0031308f ? 12.92f * size : 1.055f * std::pow(size, 1.0f / 2.4f) - 0.055f;
-    return std::copysign(code, linear);
+    return std::copysign(image::srgb_of_linear(std::abs(linear)), linear);
 }
 
 } // namespace sr::golden

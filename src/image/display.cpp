@@ -3,6 +3,7 @@
 #include "core/error.hpp"
 #include "image/log_table.hpp"
 #include "image/luminance.hpp"
+#include "image/srgb.hpp"
 #include "image/tone_curve.hpp"
 
 #include <cmath>
@@ -13,10 +14,10 @@ namespace {
 
 constexpr vec3 magenta{1.0f, 0.0f, 1.0f};
 
-float srgb_exact(float linear) { // IEC 61966-2-1
+float srgb_exact(float linear) {
     if (!(linear > 0.0f)) return 0.0f;
     if (linear >= 1.0f) return 1.0f;
-    return linear <= 0.0031308f ? 12.92f * linear : 1.055f * std::pow(linear, 1.0f / 2.4f) - 0.055f;
+    return srgb_of_linear(linear);
 }
 
 /// The first three channels; of an image with fewer the first, as grey.

@@ -1,6 +1,7 @@
 #include "mitsuba/textures.hpp"
 
 #include "image/file.hpp"
+#include "image/srgb.hpp"
 #include "mitsuba/new_folder.hpp"
 
 #include <algorithm>
@@ -11,10 +12,6 @@
 namespace sr::mitsuba {
 namespace {
 
-float linear_of_srgb(float s) { // IEC 61966-2-1
-    return s <= 0.04045f ? s / 12.92f : std::pow((s + 0.055f) / 1.055f, 2.4f);
-}
-
 template<class Texel>
 void fill(image::Image& picture, const std::vector<Texel>& texels, bool is_srgb, Part part, vec3 factor) {
     constexpr auto scale = static_cast<float>(std::numeric_limits<Texel>::max());
@@ -24,7 +21,7 @@ void fill(image::Image& picture, const std::vector<Texel>& texels, bool is_srgb,
             const float stored = static_cast<float>(texels[4 * i + (part == Part::alpha ? 3 : c)]) / scale;
             const bool is_encoded = is_srgb && part == Part::color;
             picture.pixels[3 * i + c] =
-                factor[static_cast<int>(c)] * (is_encoded ? linear_of_srgb(stored) : stored);
+                factor[static_cast<int>(c)] * (is_encoded ? image::linear_of_srgb(stored) : stored);
         }
     }
 }

@@ -1,35 +1,44 @@
 #include "render/emission_maps.hpp"
 
+#include "image/srgb.hpp"
 #include "render/sampling.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <glm/gtc/packing.hpp>
+#include <limits>
 
 namespace sr::render {
 namespace {
 
-float linear_of_srgb(float s) { // IEC 61966-2-1
-    return s <= 0.04045f ? s / 12.92f : std::pow((s + 0.055f) / 1.055f, 2.4f);
+/// The linear value of every value that a texel can store.
+template<class Texel>
+std::vector<float> linear_values(bool is_srgb) {
+    constexpr std::size_t most = std::numeric_limits<Texel>::max();
+    std::vector<float> values(most + 1);
+    for (std::size_t i = 0; i <= most; ++i) {
+        const float stored = static_cast<float>(i) / static_cast<float>(most);
+        values[i] = is_srgb ? image::linear_of_srgb(stored) : stored;
+    }
+    return values;
 }
 
 template<class Texel>
 void append(const std::vector<Texel>& values, bool is_srgb, std::vector<std::uint64_t>& texels) {
-    constexpr auto scale = static_cast<float>(std::numeric_limits<Texel>::max());
-    const auto linear = [&](Texel value) {
-        const float stored = static_cast<float>(value) / scale;
-        return is_srgb ? linear_of_srgb(stored) : stored;
-    };
+    const std::vector<float> linear = linear_values<Texel>(is_srgb);
+    texels.reserve(texels.size() + values.size() / 4);
     for (std::size_t i = 0; i < values.size(); i += 4)
         texels.push_back(
-            glm::packHalf4x16({linear(values[i]), linear(values[i + 1]), linear(values[i + 2]), 1.0f}));
+            glm::packHalf4x16({linear[values[i]], linear[values[i + 1]], linear[values[i + 2]], 1.0f}));
 }
 
-int wrapped(int i, int size, scene::Wrap wrap) {
-    if (wrap == scene::Wrap::clamp_to_edge) return std::clamp(i, 0, size - 1);
-    const int period = wrap == scene::Wrap::repeat ? size : 2 * size;
-    const int m = ((i % period) + period) % period;
-    return m < size ? m : 2 * size - 1 - m;
+/// Evenly spread weights of a triangle's second and third corner.
+std::array<vec2, 64> points_of_triangle() {
+    std::array<vec2, 64> points;
+    for (std::uint32_t i = 0; i < points.size(); ++i) {
+        const vec2 u = sobol_2d(i, 0);
+        points[i] = u.x + u.y < 1.0f ? u : 1.0f - u;
+    }
+    return points;
 }
 
 } // namespace
@@ -50,20 +59,17 @@ EmissionMapPlace EmissionMaps::place_of(int index) {
 vec3 EmissionMaps::mean(int index, const std::array<vec2, 3>& uv) {
     const EmissionMapPlace place = place_of(index);
     const scene::Sampler& sampler = scene_.textures[static_cast<std::size_t>(index)].sampler;
+    static const std::array points = points_of_triangle();
     vec3 sum(0.0f);
-    constexpr std::uint32_t points = 64;
-    for (std::uint32_t i = 0; i < points; ++i) {
-        const vec2 u = sobol_2d(i, 0);
-        const vec2 b = u.x + u.y < 1.0f ? u : 1.0f - u;
-        const vec2 at = uv[0] + b.x * (uv[1] - uv[0]) + b.y * (uv[2] - uv[0]);
-        const int x = wrapped(static_cast<int>(std::floor(at.x * static_cast<float>(place.width))),
-                              place.width, sampler.wrap_u);
-        const int y = wrapped(static_cast<int>(std::floor(at.y * static_cast<float>(place.height))),
-                              place.height, sampler.wrap_v);
+    for (const vec2 b : points) {
+        const vec2 at =
+            (uv[0] + b.x * (uv[1] - uv[0]) + b.y * (uv[2] - uv[0])) * vec2(place.width, place.height);
+        const int x = scene::wrapped(static_cast<int>(std::floor(at.x)), place.width, sampler.wrap_u);
+        const int y = scene::wrapped(static_cast<int>(std::floor(at.y)), place.height, sampler.wrap_v);
         sum +=
             vec3(glm::unpackHalf4x16(texels_[static_cast<std::size_t>(place.first + y * place.width + x)]));
     }
-    return sum / static_cast<float>(points);
+    return sum / static_cast<float>(points.size());
 }
 
 } // namespace sr::render

@@ -65,21 +65,19 @@ std::string Features::glsl() const {
     return text;
 }
 
-int rays_per_light(std::span<const scene::Light> lights) {
+Features light_features(std::span<const scene::Light> lights) {
     Features f;
     for (const scene::Light& light : lights) std::visit([&f](const auto& any) { ask_for(f, any); }, light);
-    const bool has_extent = f.has_rectangle_lights || f.has_disk_lights || f.has_sphere_lights
-                            || f.has_tube_lights || f.has_polygon_lights || f.has_mesh_lights
-                            || f.has_sun_disks;
-    return has_extent ? 2 : 1;
+    // What a direction of the BRDF's choice can meet: has_lights_to_meet in shaders/light/sample_light.glsl.
+    const bool has_lights_to_meet = f.has_rectangle_lights || f.has_disk_lights || f.has_sphere_lights
+                                    || f.has_tube_lights || f.has_polygon_lights || f.has_sun_disks;
+    f.rays_per_light = has_lights_to_meet ? 2 : 1;
+    return f;
 }
 
-Features shading_features(const scene::Scene& scene, const scene::Mesh& mesh,
-                          std::span<const scene::Light> lights) {
+Features shading_features(const scene::Scene& scene, const scene::Mesh& mesh, const Features& lights) {
     const scene::Material& material = scene.materials[mesh.material];
-    Features f;
-    for (const scene::Light& light : lights) std::visit([&f](const auto& any) { ask_for(f, any); }, light);
-    f.rays_per_light = rays_per_light(lights);
+    Features f = lights;
     f.has_base_color_texture = material.base_color_texture.is_present();
     f.has_metallic_roughness_texture = material.metallic_roughness_texture.is_present();
     f.has_normal_texture = material.normal_texture.is_present() && !mesh.tangents.empty();

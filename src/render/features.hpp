@@ -44,13 +44,12 @@ struct Features {
     std::string glsl() const;
 };
 
-/// What shading this mesh under these lights takes.
-Features shading_features(const scene::Scene& scene, const scene::Mesh& mesh,
-                          std::span<const scene::Light> lights);
+/// What these lights take, whatever they shine on. A point sends each of them a ray to a point of its, and,
+/// where a direction of the BRDF's choice can meet any of them, another along that.
+Features light_features(std::span<const scene::Light> lights);
 
-/// How many rays a point sends to each of these lights: one to a point of its, and where any of them has an
-/// extent another along the BRDF.
-int rays_per_light(std::span<const scene::Light> lights);
+/// What shading this mesh takes under lights that take `lights`.
+Features shading_features(const scene::Scene& scene, const scene::Mesh& mesh, const Features& lights);
 
 /// What the depth pre-pass needs of `shading`: nothing, unless the material is masked.
 Features depth_features(const Features& shading);

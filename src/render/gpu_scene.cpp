@@ -1,12 +1,10 @@
 #include "render/gpu_scene.hpp"
 
-#include "core/error.hpp"
 #include "render/gpu_texture.hpp"
 #include "render/light_table.hpp"
 
 #include <algorithm>
 #include <cstring>
-#include <fmt/format.h>
 #include <future>
 #include <glm/gtc/matrix_inverse.hpp>
 #include <optional>
@@ -87,21 +85,6 @@ ReadyImage make_ready(const scene::TextureImage& image, scene::ColorSpace color_
     return ready;
 }
 
-/// @throws Error if the driver's buffer textures are too small.
-void fill(const gl::Buffer& buffer, const gl::Texture& texture, GLenum format,
-          std::span<const std::byte> bytes) {
-    GLint most_texels = 0;
-    glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most_texels);
-    const std::size_t texels = bytes.size() / (format == GL_RGBA32F ? 16 : 8);
-    if (texels > static_cast<std::size_t>(most_texels))
-        throw Error({}, fmt::format("the emitters take {} texels, this driver has {}", texels, most_texels),
-                    "use smaller emissive textures or fewer emissive triangles");
-    glBindBuffer(GL_TEXTURE_BUFFER, buffer.id());
-    glBufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(bytes.size()), bytes.data(), GL_STATIC_DRAW);
-    texture.bind(0);
-    glTexBuffer(GL_TEXTURE_BUFFER, format, buffer.id());
-}
-
 vec3 center_of(const scene::Mesh& mesh, const mat4& world_from_object) {
     scene::Bounds bounds;
     for (const vec3 position : mesh.positions) bounds.extend(position);
@@ -118,7 +101,7 @@ GpuScene::GpuScene(const scene::Scene& scene, std::span<const scene::Light> ligh
     upload_materials(scene);
     upload_lights(scene, lights);
     list_draws(scene, lights);
-    rays_per_light_ = render::rays_per_light(lights);
+    rays_per_light_ = light_features(lights).rays_per_light;
     if (visibility != Visibility::none && !lights.empty())
         occluders_ = std::make_unique<Occluders>(scene, lights, visibility, !blended_.empty());
 }
@@ -176,24 +159,21 @@ void GpuScene::upload_materials(const scene::Scene& scene) {
 
 void GpuScene::upload_lights(const scene::Scene& scene, std::span<const scene::Light> lights) {
     EmissionMaps maps(scene);
-    std::vector<vec4> table = pack_lights(scene, lights, maps);
+    light_table_.upload(pack_lights(scene, lights, maps), "use fewer emissive triangles");
+    emission_texels_.upload(maps.texels(), "use smaller emissive textures");
     light_count_ = static_cast<int>(lights.size());
-    if (table.empty()) table.emplace_back(0.0f); // a buffer texture cannot be empty
-    fill(light_buffer_, light_texture_, GL_RGBA32F, std::as_bytes(std::span(table)));
-    std::vector<std::uint64_t> texels = maps.texels();
-    if (texels.empty()) texels.push_back(0);
-    fill(emission_buffer_, emission_texture_, GL_RGBA16F, std::as_bytes(std::span(texels)));
 }
 
 void GpuScene::bind_lights() const {
-    light_texture_.bind(light_table_unit);
-    emission_texture_.bind(emission_texels_unit);
+    light_table_.bind(light_table_unit);
+    emission_texels_.bind(emission_texels_unit);
     ltc_texture_.bind(ltc_table_unit);
     glBindSampler(ltc_table_unit, 0);
     if (occluders_) occluders_->bind();
 }
 
 void GpuScene::list_draws(const scene::Scene& scene, std::span<const scene::Light> lights) {
+    const Features lit = light_features(lights);
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {
         const scene::Instance& instance = scene.instances[i];
         const scene::Mesh& mesh = scene.meshes[instance.mesh];
@@ -202,7 +182,7 @@ void GpuScene::list_draws(const scene::Scene& scene, std::span<const scene::Ligh
         draw.mesh = instance.mesh;
         draw.instance = static_cast<int>(i);
         draw.material = mesh.material;
-        draw.features = shading_features(scene, mesh, lights);
+        draw.features = shading_features(scene, mesh, lit);
         draw.mirrors = mirrors(instance.world_from_object);
         draw.is_double_sided = scene.materials[mesh.material].is_double_sided;
         if (draw.features.is_blended) {

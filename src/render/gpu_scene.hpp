@@ -1,6 +1,7 @@
 #pragma once
 // A Scene in the memory of the GPU.
 #include "render/blocks.hpp"
+#include "render/buffer_texture.hpp"
 #include "render/features.hpp"
 #include "render/gpu_mesh.hpp"
 #include "render/ltc_table.hpp"
@@ -59,10 +60,8 @@ private:
     gl::Buffer materials_{"materials"};
     GLsizeiptr object_stride_ = 0;
     GLsizeiptr material_stride_ = 0;
-    gl::Buffer light_buffer_{"lights"};
-    gl::Texture light_texture_{GL_TEXTURE_BUFFER, "lights"};
-    gl::Buffer emission_buffer_{"emission texels"};
-    gl::Texture emission_texture_{GL_TEXTURE_BUFFER, "emission texels"};
+    BufferTexture light_table_{"the emitters", GL_RGBA32F};
+    BufferTexture emission_texels_{"the emitters' textures", GL_RGBA16F};
     gl::Texture ltc_texture_ = upload_ltc_table();
     int light_count_ = 0;
     int rays_per_light_ = 1;

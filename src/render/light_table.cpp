@@ -1,5 +1,6 @@
 #include "render/light_table.hpp"
 
+#include "image/luminance.hpp"
 #include "render/alias_table.hpp"
 #include "render/emission_maps.hpp"
 
@@ -36,8 +37,6 @@ Texels blank(vec3 position, Kind kind, vec3 quantity) {
     t[6].x = -1.0f;
     return t;
 }
-
-float luminance(vec3 color) { return glm::dot(color, vec3(0.2126f, 0.7152f, 0.0722f)); } // Rec. 709
 
 /// Packs lights one by one; what they point to collects behind.
 class Packer {
@@ -144,8 +143,8 @@ private:
         float brightest = 0.0f;
         for (const auto& triangle : light.triangles) {
             const vec3 color = light.texture >= 0 ? maps_.mean(light.texture, triangle.uv) : vec3(1.0f);
-            power.push_back(luminance(color));
-            brightest = std::max(brightest, luminance(color));
+            power.push_back(image::luminance(color));
+            brightest = std::max(brightest, image::luminance(color));
         }
         // 64 points may miss what shines in a dark triangle: none may be left out altogether.
         for (std::size_t i = 0; i < power.size(); ++i) {

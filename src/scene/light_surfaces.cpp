@@ -146,10 +146,9 @@ struct Append {
 
 int add_light_surfaces(Scene& scene) {
     const std::size_t before = scene.instances.size();
-    const std::vector<Light> lights = scene.lights; // appending may not touch what is walked over
-    for (std::size_t i = 0; i < lights.size(); ++i) {
+    for (std::size_t i = 0; i < scene.lights.size(); ++i) {
         const std::size_t first = scene.instances.size();
-        std::visit(Append{scene}, lights[i]);
+        std::visit(Append{scene}, scene.lights[i]);
         for (std::size_t s = first; s < scene.instances.size(); ++s)
             scene.instances[s].emits_as = {static_cast<int>(i), static_cast<int>(i) + 1};
     }

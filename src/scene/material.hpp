@@ -20,6 +20,10 @@ struct TextureImage {
 };
 
 enum class Wrap { repeat, mirrored_repeat, clamp_to_edge };
+
+/// The texel of a row of `size` that index `i` stands for, within the row or beyond it.
+int wrapped(int i, int size, Wrap wrap);
+
 enum class Filter { nearest, linear };
 /// Which mip levels minification reads.
 enum class Mipmap { none, nearest, linear };

@@ -6,14 +6,6 @@
 namespace sr::shadow {
 namespace {
 
-int wrapped(int i, int size, scene::Wrap wrap) {
-    if (wrap == scene::Wrap::clamp_to_edge) return std::clamp(i, 0, size - 1);
-    const int period = wrap == scene::Wrap::repeat ? size : 2 * size;
-    const int m =
-        i - period * static_cast<int>(std::floor(static_cast<float>(i) / static_cast<float>(period)));
-    return m < size ? m : 2 * size - 1 - m;
-}
-
 std::uint16_t widened(std::uint8_t value) { return static_cast<std::uint16_t>(value * 257u); }
 std::uint16_t widened(std::uint16_t value) { return value; }
 
@@ -25,8 +17,8 @@ float map_alpha(const AlphaMap& map, const std::vector<std::uint16_t>& texels, v
     const vec2 f = at - corner;
     const int column = static_cast<int>(corner.x), row = static_cast<int>(corner.y);
     const auto texel = [&](int i, int j) {
-        const int x = wrapped(column + i, map.width, map.wrap_u);
-        const int y = wrapped(row + j, map.height, map.wrap_v);
+        const int x = scene::wrapped(column + i, map.width, map.wrap_u);
+        const int y = scene::wrapped(row + j, map.height, map.wrap_v);
         return static_cast<float>(texels[static_cast<std::size_t>(map.first + y * map.width + x)]) / 65535.0f;
     };
     return glm::mix(glm::mix(texel(0, 0), texel(1, 0), f.x), glm::mix(texel(0, 1), texel(1, 1), f.x), f.y);

@@ -22,7 +22,8 @@ std::vector<double> evaluated(std::span<const Trial> trials, Material material, 
     scene::Scene one_material;
     one_material.materials.emplace_back();
     const glsl::Files overlay{
-        {"interface/features.glsl", render::shading_features(one_material, scene::Mesh{}, lights).glsl()},
+        {"interface/features.glsl",
+         render::shading_features(one_material, scene::Mesh{}, render::light_features(lights)).glsl()},
         {"interface/estimator.glsl", fmt::format("const int analytic_points = {};\n"
                                                  "const int most_outlined_triangles = 12;\n",
                                                  analytic_points)}};
