@@ -76,6 +76,11 @@ void Renderer::clear() {
     glClear(GL_COLOR_BUFFER_BIT);
 }
 
+void Renderer::look_from(const scene::Camera& camera) {
+    camera_ = camera;
+    clear();
+}
+
 void Renderer::add_sample() {
     keep_to_window();
     const View view = begin_frame();

@@ -61,12 +61,18 @@ public:
     /// Starts over with an empty film.
     void clear();
 
+    /// Looks from here, with an empty film.
+    void look_from(const scene::Camera& camera);
+
     /// Renders one frame, one sample of every pixel, and adds it to the film.
     void add_sample();
     int sample_count() const { return sample_count_; }
 
     /// The mean of all samples so far: L_o [cd/m²] in RGB, coverage in A.
     image::Image film() const;
+
+    /// The sum of all samples so far, where shaders can read it: film() is it over sample_count().
+    const gl::Texture& film_sum() const { return film_.color(); }
 
     std::size_t program_count() const { return shaders_.program_count(); }
     /// The rays that the CPU answered; null where it is not asked.
