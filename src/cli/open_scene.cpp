@@ -73,6 +73,7 @@ render::RenderOptions render_options(const RenderCommand& command, Size size) {
     options.shader_path = shader_path(command.shaders);
     options.estimator = command.estimator;
     options.analytic_points = command.analytic_points;
+    options.maps = command.maps;
     return options;
 }
 

@@ -22,6 +22,7 @@ struct RenderCommand {
     std::optional<int> scene_index;
     int samples = 16;
     render::Visibility visibility = render::Visibility::ray;
+    render::MapOptions maps;
     std::uint32_t seed = 0;
     render::Estimator estimator = render::Estimator::sampled;
     int analytic_points = render::default_analytic_points;

@@ -92,9 +92,14 @@ Features shading_features(const scene::Scene& scene, const scene::Mesh& mesh, co
 }
 
 Features depth_features(const Features& shading) {
+    return shading.is_masked ? caster_features(shading) : Features{};
+}
+
+Features caster_features(const Features& shading) {
     Features f;
-    if (!shading.is_masked) return f;
-    f.is_masked = true;
+    if (!shading.is_masked && !shading.is_blended) return f;
+    f.is_masked = shading.is_masked;
+    f.is_blended = shading.is_blended;
     f.has_base_color_texture = shading.has_base_color_texture;
     f.has_vertex_colors = shading.has_vertex_colors;
     return f;

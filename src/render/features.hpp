@@ -54,4 +54,7 @@ Features shading_features(const scene::Scene& scene, const scene::Mesh& mesh, co
 /// What the depth pre-pass needs of `shading`: nothing, unless the material is masked.
 Features depth_features(const Features& shading);
 
+/// What depth maps need of `shading`: what alpha takes, unless the material is opaque.
+Features caster_features(const Features& shading);
+
 } // namespace sr::render

@@ -49,10 +49,13 @@ Renderer::Renderer(const GpuScene& scene, const scene::Camera& camera, const Ren
       film_("film", options.width, options.height, false) {
     if (scene.occluders() && scene.occluders()->occlusion())
         ray_answers_.emplace(scene, frame_, options.width, options.height, options.most_answers);
+    if (scene.occluders() && scene.occluders()->map_stage())
+        depth_maps_.emplace(scene, options.maps, options.width, options.height);
     clear();
 }
 
 void Renderer::compile() {
+    if (depth_maps_) depth_maps_->compile(shaders_);
     for (const Draw& draw : scene_.opaque_draws()) {
         shaders_.mesh_program("depth.frag", depth_features(draw.features));
         shaders_.mesh_program(options_.shader, draw.features, opaque_visibility());
@@ -82,6 +85,9 @@ void Renderer::look_from(const scene::Camera& camera) {
 }
 
 void Renderer::add_sample() {
+    if (depth_maps_)
+        depth_maps_->draw(static_cast<std::uint32_t>(sample_count_), options_.seed, first_light_, end_light_,
+                          shaders_);
     keep_to_window();
     const View view = begin_frame();
     depth_pass(frame_, scene_, shaders_, options_.background);
@@ -111,7 +117,7 @@ View Renderer::begin_frame() {
 
 VisibilityTerm Renderer::opaque_visibility() const {
     if (!scene_.occluders()) return VisibilityTerm::none;
-    return ray_answers_ ? VisibilityTerm::answered : VisibilityTerm::ray;
+    return ray_answers_ ? VisibilityTerm::answered : blended_visibility(scene_);
 }
 
 void Renderer::shade_opaque() {

@@ -1,5 +1,6 @@
 #pragma once
 // A scene, a camera and a size; out comes the Film. Adding samples is adding frames.
+#include "render/depth_maps.hpp"
 #include "render/frame_data.hpp"
 #include "render/passes.hpp"
 #include "render/ray_answers.hpp"
@@ -40,6 +41,7 @@ struct RenderOptions {
     std::vector<glsl::Root> shader_path{glsl::embedded()};
     Estimator estimator = Estimator::sampled;
     int analytic_points = default_analytic_points; // 0: linearly transformed cosines alone
+    MapOptions maps;                               // of a scene whose shadows are found by depth maps
     /// Shadow rays whose answers by the CPU are held at once, 4 bytes each; a picture with more is shaded in
     /// bands.
     std::size_t most_answers = std::size_t{64} << 20;
@@ -78,6 +80,9 @@ public:
     /// The rays that the CPU answered; null where it is not asked.
     const RayAnswers* ray_answers() const { return ray_answers_ ? &*ray_answers_ : nullptr; }
 
+    /// The depth maps; null where shadows are found otherwise.
+    const DepthMaps* depth_maps() const { return depth_maps_ ? &*depth_maps_ : nullptr; }
+
 private:
     View begin_frame();
     void keep_to_window() const;
@@ -94,6 +99,7 @@ private:
     Target film_;
     FrameData frame_data_;
     std::optional<RayAnswers> ray_answers_;
+    std::optional<DepthMaps> depth_maps_;
     gl::VertexArray no_vertices_{"no vertices"}; // core profile draws need one bound
     int sample_count_ = 0;
 };

@@ -111,7 +111,7 @@ int main(int argc, char** argv) {
                  "the scene's lights (or the studio rig) instead of one point light");
     app.add_option("--softboxes", arguments.softboxes, "this many rectangles of the studio rig instead");
     app.add_option("--visibility", arguments.visibility)
-        ->check(CLI::IsMember({"none", "ray", "ray-cpu", "ray-glsl"}))
+        ->check(CLI::IsMember({"none", "ray", "ray-cpu", "ray-glsl", "map"}))
         ->capture_default_str();
     app.add_option("--backend", arguments.backend)->capture_default_str();
     app.footer("Example:\n  build/bench_frame scene.glb --frames 100");
