@@ -12,35 +12,29 @@
 #include "light/map_sample.glsl"
 #include "visibility/map.glsl"
 
-// V of the emitter's middle, which is the same in all frames.
-float V_of_middle(int k, Surface x) {
-    MapPoint y = map_point(k, point_count(k));
-    LightSample light = sample_from_point(k, y, x.position);
-    if (light.Li_over_p == vec3(0.0)) return 0.0; // it shines away from x
-    return V_by_map(x, y, light.wi, light.distance, k);
-}
-
 vec3 shadowed(vec3 U, int k, Surface x, vec3 wo) {
-    int N = point_count(k);
     if (!has_extent(k)) return U;
+    int N = point_count(k);
     vec3 w_V = vec3(0.0);
     vec3 w_sum = vec3(0.0);
     float n = 0.0;
     float m = 0.0;
-    for (int i = 0; i < N; ++i) {
+    float V = 0.0; // in the end that of the middle, where it is needed
+    for (int i = 0; i < N || (i == N && n < 2.0); ++i) {
         MapPoint y = map_point(k, i);
         LightSample light = sample_from_point(k, y, x.position);
         float cos_i = dot(x.n, light.wi);
-        if (!(cos_i > 0.0) || light.Li_over_p == vec3(0.0)) continue;
+        bool shines = light.Li_over_p != vec3(0.0);
+        V = 0.0;
+        if (shines) V = V_by_map(x, y, light.wi, light.distance, k);
+        if (i == N || !shines || !(cos_i > 0.0)) continue;
         vec3 w = f_r(x, light.wi, wo) * light.Li_over_p * cos_i;
-        float V = V_by_map(x, y, light.wi, light.distance, k);
         w_V += V * w;
         w_sum += w;
         n += 1.0;
         m += V;
     }
     if (n > 1.0) return U * (m / n) + (n * w_V - m * w_sum) / (float(N) * (n - 1.0));
-    float V_middle = V_of_middle(k, x);
-    if (n == 0.0) return V_middle * U;
-    return (w_V + V_middle * (U - w_sum) + float(N - 1) * m * U) / float(N);
+    if (n == 0.0) return V * U;
+    return (w_V + V * (U - w_sum) + float(N - 1) * m * U) / float(N);
 }

@@ -2,6 +2,7 @@
 //
 // The signs of the ray's volumes with the edges decide, which two triangles that share an edge compute alike, so no ray
 // slips between them.
+#include "interface/features.glsl"
 #include "visibility/alpha.glsl"
 #include "visibility/origin.glsl"
 
@@ -35,5 +36,6 @@ float through_triangle(Ray ray, int light, int place) {
     Caster caster = caster_at(int(p0.w));
     bool is_own = caster.first_light <= light && light < caster.end_light;
     if (is_own && at.x >= ray.end * (1.0 - caster.own_share)) return 1.0;
+    if (!has_transparent_casters) return 0.0;
     return transmittance_at(caster, int(p1.w), at.yzw);
 }

@@ -76,11 +76,10 @@ void declare_picture(CLI::App& command, RenderCommand& o) {
         ->check(CLI::Range(1, 32))
         ->capture_default_str();
     command
-        .add_option(
-            "--map-size", o.maps.size,
-            "with --visibility map: texels on a map's side (default: the picture's larger side, rounded up "
-            "to a power of two from 256 to 1024)")
-        ->check(CLI::Range(16, 8192));
+        .add_option("--map-size", o.maps.size,
+                    "with --visibility map: texels on a map's side; halved until a sample's maps fit into 256 MiB")
+        ->check(CLI::Range(16, 8192))
+        ->capture_default_str();
     parsed(command, "--background", "radiance where there is no surface [cd/m²] (default: 0)", "L or R,G,B",
            parsed_color, [&o](vec3 color) { o.background = color; });
     parsed(command, "--rig", "what lights a file without a lamp; glowing details are none (default: studio)",

@@ -15,13 +15,6 @@ using shadow::MapView;
 constexpr std::size_t bytes_per_texel = 4;
 constexpr int smallest_size = 64;
 
-/// As many texels as the picture's larger side has pixels, to the next power of two.
-int size_for(int width, int height) {
-    int size = 256;
-    while (size < std::max(width, height) && size < 1024) size *= 2;
-    return size;
-}
-
 /// A sequence of its own for each point of each light.
 std::uint32_t map_seed(std::uint32_t seed, int light, int point) {
     return seed * 2654435769u + static_cast<std::uint32_t>(light) * 64u + static_cast<std::uint32_t>(point);
@@ -40,18 +33,19 @@ void scissor_to_front(const MapView& view, int face, int size) {
         return;
     }
     glEnable(GL_SCISSOR_TEST);
-    if (axis == 0) glScissor(0, middle, size, size - middle);
-    else glScissor(middle, 0, size - middle, size);
+    if (axis == 0)
+        glScissor(0, middle, size, size - middle);
+    else
+        glScissor(middle, 0, size - middle, size);
 }
 
 } // namespace
 
-DepthMaps::DepthMaps(const GpuScene& scene, const MapOptions& options, int width, int height)
+DepthMaps::DepthMaps(const GpuScene& scene, const MapOptions& options)
     : scene_(scene),
       stage_(*scene.occluders()->map_stage()),
       points_per_light_(options.points),
-      size_(options.size > 0 ? options.size : size_for(width, height)) {
-}
+      size_(options.size) {}
 
 void DepthMaps::compile(ShaderLibrary& shaders) const {
     for (const auto* draws : {&scene_.opaque_draws(), &scene_.blended_draws()})
@@ -75,7 +69,8 @@ void DepthMaps::choose_middles() {
     middle_count_ = count_;
 }
 
-void DepthMaps::choose_points(std::uint32_t sample_index, std::uint32_t seed, int first_light, int end_light) {
+void DepthMaps::choose_points(std::uint32_t sample_index, std::uint32_t seed, int first_light,
+                              int end_light) {
     points_.clear();
     count_ = middle_count_;
     for (int k = first_light; k < end_light; ++k) {
@@ -96,7 +91,8 @@ void DepthMaps::choose_points(std::uint32_t sample_index, std::uint32_t seed, in
 void DepthMaps::look_from(Point& point, float roll) {
     const auto k = static_cast<std::size_t>(point.light);
     const auto& casters = scene_.occluders()->casters().casters;
-    point.view = shadow::view_from(point.on_emitter, stage_.lights[k], stage_.receivers[k], stage_.all, roll, size_);
+    point.view =
+        shadow::view_from(point.on_emitter, stage_.lights[k], stage_.receivers[k], stage_.all, roll, size_);
     for (int face = 0; face < 6; ++face) {
         if (!point.view.has_face(face)) continue;
         for (std::size_t i = 0; i < casters.size(); ++i) {
@@ -111,27 +107,31 @@ void DepthMaps::look_from(Point& point, float roll) {
 void DepthMaps::make_room() {
     GLint most = 0;
     glGetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &most);
-    const auto bytes = [&] { return count_ * static_cast<std::size_t>(size_) * static_cast<std::size_t>(size_) * bytes_per_texel; };
+    const auto bytes = [&] {
+        return count_ * static_cast<std::size_t>(size_) * static_cast<std::size_t>(size_) * bytes_per_texel;
+    };
     while (bytes() > most_bytes && size_ > smallest_size) size_ /= 2;
     triangles_.bind(0);
     if (count_ <= static_cast<std::size_t>(most)) {
-        glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_R32I, size_, size_, static_cast<GLsizei>(count_), 0, GL_RED_INTEGER,
-                     GL_INT, nullptr);
+        glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_R32I, size_, size_, static_cast<GLsizei>(count_), 0,
+                     GL_RED_INTEGER, GL_INT, nullptr);
         glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
         glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
         glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
         glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
         glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, 0);
         depth_.bind(0);
-        glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT32F, size_, size_, 0, GL_DEPTH_COMPONENT, GL_FLOAT, nullptr);
+        glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT32F, size_, size_, 0, GL_DEPTH_COMPONENT, GL_FLOAT,
+                     nullptr);
         glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
         glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, triangles_.id(), 0, 0);
         glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth_.id(), 0);
     }
     if (count_ > static_cast<std::size_t>(most) || glGetError() == GL_OUT_OF_MEMORY
         || glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-        throw Error(fmt::format("{} depth maps of {}×{} texels are more than the driver takes", count_, size_, size_),
-                    "render with --visibility ray, or with fewer --map-points");
+        throw Error(
+            fmt::format("{} depth maps of {}×{} texels are more than the driver takes", count_, size_, size_),
+            "render with --visibility ray, or with fewer --map-points");
     room_ = count_;
 }
 
@@ -157,10 +157,12 @@ void DepthMaps::draw(std::uint32_t sample_index, std::uint32_t seed, int first_l
     table_.bind(map_points_unit);
 }
 
-void DepthMaps::draw_maps(const std::vector<Point>& points, std::uint32_t sample_index, ShaderLibrary& shaders) {
+void DepthMaps::draw_maps(const std::vector<Point>& points, std::uint32_t sample_index,
+                          ShaderLibrary& shaders) {
     for (const Point& point : points)
         for (int face = 0; face < 6; ++face)
-            if (point.layers[static_cast<std::size_t>(face)] >= 0) draw_face(point, face, sample_index, shaders);
+            if (point.layers[static_cast<std::size_t>(face)] >= 0)
+                draw_face(point, face, sample_index, shaders);
 }
 
 void DepthMaps::draw_face(const Point& point, int face, std::uint32_t sample_index, ShaderLibrary& shaders) {
@@ -172,7 +174,8 @@ void DepthMaps::draw_face(const Point& point, int face, std::uint32_t sample_ind
     glClearBufferiv(GL_COLOR, 0, nothing);
     glClearBufferfv(GL_DEPTH, 0, &farthest);
     const vec4 eye(point.view.origin, point.view.kind == MapKind::orthographic ? 0.0f : 1.0f);
-    frame_data_.upload({clip_from_world(point.view, face), eye, sample_index, point.seed, point.light, point.light + 1});
+    frame_data_.upload(
+        {clip_from_world(point.view, face), eye, sample_index, point.seed, point.light, point.light + 1});
     const auto& casters = scene_.occluders()->casters().casters;
     for (const auto* draws : {&scene_.opaque_draws(), &scene_.blended_draws()}) {
         for (const Draw& draw : *draws) {

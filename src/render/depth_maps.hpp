@@ -8,16 +8,18 @@
 namespace sr::render {
 
 inline constexpr int default_map_points = 2;
+inline constexpr int default_map_size = 1024;
 
 struct MapOptions {
     int points = default_map_points; // on each emitter of finite size that a frame has
-    int size = 0;                    // texels on a map's side; 0: by the picture's size
+    int size =
+        default_map_size; // texels on a map's side; halved until all maps fit into DepthMaps::most_bytes
 };
 
 class DepthMaps {
 public:
-    /// For pictures of width × height pixels. The scene's occluders were made for Visibility::map.
-    DepthMaps(const GpuScene& scene, const MapOptions& options, int width, int height);
+    /// The scene's occluders were made for Visibility::map.
+    DepthMaps(const GpuScene& scene, const MapOptions& options);
 
     /// Compiles what draw() will use. @throws ShaderError
     void compile(ShaderLibrary& shaders) const;
@@ -28,8 +30,8 @@ public:
     void draw(std::uint32_t sample_index, std::uint32_t seed, int first_light, int end_light,
               ShaderLibrary& shaders);
 
-    int size() const { return size_; }               // texels on a map's side
-    std::size_t map_count() const { return count_; } // of the last frame
+    int size() const { return size_; }                                // texels on a map's side
+    std::size_t map_count() const { return count_; }                  // of the last frame
     static constexpr std::size_t most_bytes = std::size_t{256} << 20; // that all maps of a frame may take
 
 private:
@@ -56,10 +58,10 @@ private:
     int points_per_light_;
     int size_;
     std::size_t count_ = 0;
-    std::size_t room_ = 0; // layers that the texture has
+    std::size_t room_ = 0;       // layers that the texture has
     std::vector<Point> middles_; // of the lights with an extent; drawn once, in the first layers
     std::size_t middle_count_ = 0;
-    std::vector<Point> points_;  // of this frame
+    std::vector<Point> points_; // of this frame
     gl::Texture triangles_{GL_TEXTURE_2D_ARRAY, "depth maps"};
     gl::Texture depth_{GL_TEXTURE_2D, "depth maps"};
     gl::Framebuffer framebuffer_{"depth maps"};

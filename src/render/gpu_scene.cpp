@@ -173,7 +173,8 @@ void GpuScene::bind_lights() const {
 }
 
 void GpuScene::list_draws(const scene::Scene& scene, std::span<const scene::Light> lights) {
-    const Features lit = light_features(lights);
+    Features lit = light_features(lights);
+    lit.has_transparent_casters = has_transparent_casters(scene);
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {
         const scene::Instance& instance = scene.instances[i];
         const scene::Mesh& mesh = scene.meshes[instance.mesh];

@@ -49,8 +49,7 @@ Renderer::Renderer(const GpuScene& scene, const scene::Camera& camera, const Ren
       film_("film", options.width, options.height, false) {
     if (scene.occluders() && scene.occluders()->occlusion())
         ray_answers_.emplace(scene, frame_, options.width, options.height, options.most_answers);
-    if (scene.occluders() && scene.occluders()->map_stage())
-        depth_maps_.emplace(scene, options.maps, options.width, options.height);
+    if (scene.occluders() && scene.occluders()->map_stage()) depth_maps_.emplace(scene, options.maps);
     clear();
 }
 

@@ -22,9 +22,7 @@ vec3 in_ball_like_disk(vec3 u) {
 }
 
 /// Uniform over the unit disk.
-vec2 in_disk(vec2 u) {
-    return std::sqrt(u.x) * vec2(std::cos(2.0f * pi * u.y), std::sin(2.0f * pi * u.y));
-}
+vec2 in_disk(vec2 u) { return std::sqrt(u.x) * vec2(std::cos(2.0f * pi * u.y), std::sin(2.0f * pi * u.y)); }
 
 /// Barycentric weights of the second and third corner, uniform over a triangle (Turk 1990).
 vec2 in_triangle(vec2 u) {
@@ -59,15 +57,22 @@ float area_of(vec3 a, vec3 b, vec3 c) { return 0.5f * glm::length(glm::cross(b -
 struct PointOn {
     vec3 u;
 
-    EmitterPoint operator()(const scene::PointLight& light) const { return round(light.position, light.radius); }
-    EmitterPoint operator()(const scene::SpotLight& light) const { return round(light.position, light.radius); }
-    EmitterPoint operator()(const scene::SphereLight& light) const { return round(light.center, light.radius); }
+    EmitterPoint operator()(const scene::PointLight& light) const {
+        return round(light.position, light.radius);
+    }
+    EmitterPoint operator()(const scene::SpotLight& light) const {
+        return round(light.position, light.radius);
+    }
+    EmitterPoint operator()(const scene::SphereLight& light) const {
+        return round(light.center, light.radius);
+    }
 
     EmitterPoint operator()(const scene::DirectionalLight& light) const {
         const float half_sine = std::sin(0.5f * light.angular_radius);
         const float height = 2.0f * half_sine * half_sine * u.y; // 1 - cosθ
         const float across = std::sqrt(height * (2.0f - height));
-        const vec3 local(across * std::cos(2.0f * pi * u.x), across * std::sin(2.0f * pi * u.x), 1.0f - height);
+        const vec3 local(across * std::cos(2.0f * pi * u.x), across * std::sin(2.0f * pi * u.x),
+                         1.0f - height);
         EmitterPoint point{glm::normalize(frame_around(-light.direction) * local)};
         point.is_far = true;
         return point;
@@ -89,7 +94,8 @@ struct PointOn {
             local = vec3(light.radius * in_disk(vec2(u)), (2.0f * u.z / in_cylinder - 1.0f) * half_length);
         } else {
             const float z = 2.0f * u.x - 1.0f, across = std::sqrt(1.0f - z * z);
-            const float r = light.radius * std::cbrt(std::min((u.z - in_cylinder) / (1.0f - in_cylinder), 1.0f));
+            const float r =
+                light.radius * std::cbrt(std::min((u.z - in_cylinder) / (1.0f - in_cylinder), 1.0f));
             local = r * vec3(across * std::cos(2.0f * pi * u.y), across * std::sin(2.0f * pi * u.y), z);
             local.z += z < 0.0f ? -half_length : half_length;
         }
@@ -100,8 +106,9 @@ struct PointOn {
         const auto& c = light.corners;
         vec2 place(u);
         const float area = light.area();
-        const std::size_t i = part_at(place.x, c.size() - 2, area,
-                                      [&](std::size_t part) { return area_of(c[0], c[part + 1], c[part + 2]); });
+        const std::size_t i = part_at(place.x, c.size() - 2, area, [&](std::size_t part) {
+            return area_of(c[0], c[part + 1], c[part + 2]);
+        });
         const vec2 weights = in_triangle(place);
         return {c[0] + weights.x * (c[i + 1] - c[0]) + weights.y * (c[i + 2] - c[0]), light.normal(), area};
     }
@@ -142,7 +149,9 @@ struct MiddleOf {
     vec3 operator()(const scene::RectangleLight&) const { return vec3(0.5f); }
     vec3 operator()(const scene::PolygonLight&) const { return vec3(0.5f); }
     vec3 operator()(const scene::MeshLight&) const { return vec3(0.5f); }
-    vec3 operator()(const auto&) const { return {1.0f, 0.0f, 0.25f}; } // the coordinate that is dropped is all
+    vec3 operator()(const auto&) const {
+        return {1.0f, 0.0f, 0.25f};
+    } // the coordinate that is dropped is all
 };
 
 } // namespace

@@ -4,7 +4,8 @@ namespace sr::shadow {
 namespace {
 
 bool reflects(const scene::Material& material) {
-    const bool is_black = vec3(material.base_color) == vec3(0.0f) && !material.base_color_texture.is_present();
+    const bool is_black =
+        vec3(material.base_color) == vec3(0.0f) && !material.base_color_texture.is_present();
     return !material.is_unlit && !(is_black && material.specular == 0.0f);
 }
 

@@ -8,7 +8,9 @@ namespace {
 
 constexpr float widest = 1.7320508f; // tan 60°: beyond, a face of a cube has finer texels
 
-bool is_finite(vec3 p) { return std::abs(p.x) < 1.8e18f && std::abs(p.y) < 1.8e18f && std::abs(p.z) < 1.8e18f; }
+bool is_finite(vec3 p) {
+    return std::abs(p.x) < 1.8e18f && std::abs(p.y) < 1.8e18f && std::abs(p.z) < 1.8e18f;
+}
 
 /// A right-handed frame whose last axis is `forward`, turned by `roll`.
 mat3 frame_along(vec3 forward, float roll) {
@@ -82,7 +84,8 @@ MapView view_from(const EmitterPoint& point, const scene::Light& light, const Ba
                   const Ball& casters, float roll, int size) {
     MapView view;
     view.origin = point.place;
-    const float guard = 1.0f - 4.0f / static_cast<float>(size); // two texels beyond what is looked up, on all sides
+    const float guard =
+        1.0f - 4.0f / static_cast<float>(size); // two texels beyond what is looked up, on all sides
     if (point.is_far) {
         view.kind = MapKind::orthographic;
         view.origin = receivers.center;
@@ -114,15 +117,14 @@ mat4 clip_from_world(const MapView& view, int face) {
     const vec3 u = view.scale * view.axes[(axis + 1) % 3];
     const vec3 v = view.scale * view.axes[(axis + 2) % 3];
     const vec3 w = side * view.axes[axis] / view.far;
-    const auto row = [&](vec3 r, float at_origin) {
-        return vec4(r, at_origin - glm::dot(r, view.origin));
-    };
+    const auto row = [&](vec3 r, float at_origin) { return vec4(r, at_origin - glm::dot(r, view.origin)); };
     if (view.kind == MapKind::orthographic)
         return glm::transpose(mat4(row(u, 0.0f), row(v, 0.0f), row(w, 0.0f), vec4(0, 0, 0, 1)));
-    // z = w - 2 near: nothing is cut off at the far end. The shader writes depth itself, so that a near end so
-    // close costs no precision.
+    // z = w - 2 near: nothing is cut off at the far end. The shader writes depth itself, so that a near end
+    // so close costs no precision.
     constexpr float near = 1e-6f; // of far
-    return glm::transpose(mat4(row(u / view.far, 0.0f), row(v / view.far, 0.0f), row(w, -2.0f * near), row(w, 0.0f)));
+    return glm::transpose(
+        mat4(row(u / view.far, 0.0f), row(v / view.far, 0.0f), row(w, -2.0f * near), row(w, 0.0f)));
 }
 
 bool may_see(const MapView& view, int face, const Ball& ball) {

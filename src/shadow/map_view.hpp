@@ -26,10 +26,10 @@ enum class MapKind { perspective, cube, orthographic };
 /// its sign, and is as wide as it is high: face 2 * axis + (1 if negative).
 struct MapView {
     MapKind kind = MapKind::cube;
-    vec3 origin{0.0f};   // the point; of an orthographic view the middle of the scene [m]
-    mat3 axes{1.0f};     // orthonormal, right-handed; the last is the way of the light
-    float scale = 1.0f;  // from axes to [-1, 1]
-    float far = 1.0f;    // where depths end [m]
+    vec3 origin{0.0f};    // the point; of an orthographic view the middle of the scene [m]
+    mat3 axes{1.0f};      // orthonormal, right-handed; the last is the way of the light
+    float scale = 1.0f;   // from axes to [-1, 1]
+    float far = 1.0f;     // where depths end [m]
     bool is_half = false; // of a cube: nothing behind the plane of the first two axes
 
     static constexpr int forward_face = 4;

@@ -11,7 +11,7 @@ using render::Visibility;
 
 namespace {
 
-constexpr std::array providers{Visibility::ray_on_cpu, Visibility::ray_in_glsl};
+constexpr std::array providers{Visibility::ray_on_cpu, Visibility::ray_in_glsl, Visibility::map};
 
 const std::vector<scene::Light> zoo{
     scene::PointLight{"", {-1.0f, 1.0f, 0.0f}, vec3(3.0f, 1.0f, 0.5f)},
