@@ -55,7 +55,7 @@ std::optional<image::Image> with_layers(const image::Image& film, const std::vec
     image::Image dark;
     for (std::size_t layer = 0; layer < names.size(); ++layer) {
         const int lights = static_cast<int>(layer);
-        renderer.clear();
+        renderer.repeat();
         renderer.use_lights(std::max(lights - 1, 0), lights); // none, then one after the other
         if (!add_samples(names[layer])) return std::nullopt;
         const image::Image picture = renderer.film();

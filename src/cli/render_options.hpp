@@ -1,6 +1,7 @@
 #pragma once
 // The options of `steradian render`, one struct with the defaults.
 #include "cli/arguments.hpp"
+#include "cli/stopping.hpp"
 #include "gl/context.hpp"
 #include "image/display.hpp"
 #include "image/file.hpp"
@@ -20,7 +21,7 @@ struct RenderCommand {
     std::optional<Size> size;         // absent: 720 rows in the camera's aspect ratio, 16:9 if it has none
     std::string camera;
     std::optional<int> scene_index;
-    int samples = 16;
+    StopRule stop;
     render::Visibility visibility = render::Visibility::ray;
     std::uint32_t seed = 0;
     render::Estimator estimator = render::Estimator::sampled;
