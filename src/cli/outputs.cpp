@@ -33,7 +33,9 @@ void describe(Picture& picture, const RenderCommand& command, const scene::Stage
         {"steradian:camera", stage.camera.name},
         {"steradian:GL_RENDERER", gl.renderer},
         {"steradian:GL_VERSION", gl.version}};
-    const auto add = [&](const char* name, std::string value) { attributes.push_back({name, std::move(value)}); };
+    const auto add = [&](const char* name, std::string value) {
+        attributes.push_back({name, std::move(value)});
+    };
     if (command.estimator == render::Estimator::analytic)
         add("steradian:analytic_points", std::to_string(command.analytic_points));
     if (picture.samples.least < picture.samples.most) {
@@ -43,6 +45,7 @@ void describe(Picture& picture, const RenderCommand& command, const scene::Stage
     if (picture.stop.error) add("steradian:error", fmt::format("{:.4g}", *picture.stop.error));
     if (command.stop.error) add("steradian:error_target", fmt::format("{:.4g}", *command.stop.error));
     if (picture.stop.by == StoppedBy::interruption) add("steradian:interrupted", "yes");
+    std::ranges::move(name_tables(command.aovs, stage.scene), std::back_inserter(attributes));
     picture.film.channel_names = {"R", "G", "B", "A"};
     picture.film.attributes = attributes;
     if (picture.layers) picture.layers->attributes = std::move(attributes);
@@ -71,11 +74,12 @@ void remark_on(const image::Image& film, const RenderCommand& command, const sce
 bool holds_layers(const std::string& output) { return output.ends_with(".exr") || output.ends_with(".EXR"); }
 
 std::optional<float> write_outputs(const Picture& picture, const RenderCommand& command) {
-    const auto& [film, layers, samples, stop] = picture;
+    const image::Image& film = picture.film;
     std::optional<float> ev100;
     for (const std::string& output : command.outputs) {
         if (image::is_scene_referred(output)) {
-            image::write(layers && holds_layers(output) ? *layers : film, output, command.exr_type);
+            image::write(picture.layers && holds_layers(output) ? *picture.layers : film, output,
+                         command.exr_type);
             continue;
         }
         if (!ev100) ev100 = command.ev100 ? *command.ev100 : image::auto_ev100(film);

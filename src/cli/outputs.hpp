@@ -34,7 +34,8 @@ void remark_on(const image::Image& film, const RenderCommand& command, const sce
 /// Whether the file's format has room for more than one picture (.exr).
 bool holds_layers(const std::string& output);
 
-/// Writes the picture in the form that each file's extension asks for, its layers where there is room for them.
+/// Writes the picture in the form that each file's extension asks for, its layers where there is room for
+/// them.
 /// @return the EV100 in use, if any was. @throws Error
 std::optional<float> write_outputs(const Picture& picture, const RenderCommand& command);
 

@@ -72,27 +72,56 @@ ordered_json seconds(const PhaseTimes& times) {
 /// Refuses what cannot be written before any work is done.
 void check_outputs(const RenderCommand& command) {
     for (const std::string& output : command.outputs) image::is_scene_referred(output);
-    if (command.light_layers && std::ranges::none_of(command.outputs, holds_layers))
-        throw CLI::ValidationError("--layers", "only .exr files hold layers: name one with -o");
+    if (std::ranges::find(command.aovs, Aov::error) != command.aovs.end() && command.stop.samples < 2)
+        throw CLI::ValidationError("--aov", "error takes --samples 2 at least");
+    if (std::ranges::any_of(command.outputs, holds_layers)) return;
+    for (const auto& [is_asked, option] :
+         {std::pair(command.light_layers, "--layers"), std::pair(!command.aovs.empty(), "--aov")})
+        if (is_asked) throw CLI::ValidationError(option, "only .exr files hold layers: name one with -o");
+}
+
+/// A rendering at work.
+struct Work {
+    const RenderCommand& command;
+    const scene::Stage& stage;
+    const render::GpuScene& scene;
+    const render::RenderOptions& options;
+    render::Renderer& renderer;
+    const Interruption& interruption;
+    PhaseTimes& times;
+};
+
+/// The channels beside the film that were asked for; those of an interrupted step are left out.
+std::vector<Plane> further_planes(const Work& work, const Picture& picture, const std::vector<int>& samples) {
+    std::vector<Plane> planes;
+    const auto goes_on = [&] { return !work.interruption.has_come(); };
+    if (work.command.light_layers && goes_on()) {
+        planes = light_layers(
+            layer_names(work.stage.lights, aov_names()), work.renderer, [&](const std::string& layer) {
+                return add_again(work.renderer, picture.samples.most, work.interruption, layer);
+            });
+        work.times.end("layers");
+    }
+    if (!work.command.aovs.empty() && goes_on()) {
+        const AovSource source{work.scene, work.stage.camera, work.options, samples, picture.stop.estimate};
+        std::ranges::move(aov_planes(work.command.aovs, source, goes_on), std::back_inserter(planes));
+        work.times.end("aovs");
+    }
+    return planes;
 }
 
 /// Takes the samples, and what else was asked for; after an interruption, what there is.
-Picture draw(render::Renderer& renderer, const RenderCommand& command, const scene::Stage& stage,
-             const Interruption& interruption, PhaseTimes& times) {
+Picture draw(const Work& work) {
     Picture picture;
-    picture.stop = add_samples(renderer, command.stop, interruption);
-    picture.samples = counted(renderer.pixel_samples());
-    times.end("draw");
-    picture.film = renderer.film();
-    times.end("read");
-    if (command.light_layers && !interruption.has_come()) {
-        picture.layers =
-            with_layers(picture.film, layer_names(stage.lights), renderer, [&](const std::string& layer) {
-                return add_again(renderer, picture.samples.most, interruption, layer);
-            });
-        times.end("layers");
-    }
-    if (interruption.has_come()) picture.stop.by = StoppedBy::interruption;
+    picture.stop = add_samples(work.renderer, work.command.stop, work.interruption);
+    const std::vector<int> samples = work.renderer.pixel_samples();
+    picture.samples = counted(samples);
+    work.times.end("draw");
+    picture.film = work.renderer.film();
+    work.times.end("read");
+    const std::vector<Plane> planes = further_planes(work, picture, samples);
+    if (!planes.empty()) picture.layers = with_planes(picture.film, planes);
+    if (work.interruption.has_come()) picture.stop.by = StoppedBy::interruption;
     return picture;
 }
 
@@ -101,7 +130,8 @@ void remark_on_stop(const Picture& picture, const RenderCommand& command) {
     const int samples = picture.samples.most;
     if (picture.stop.by == StoppedBy::interruption)
         fmt::print(stderr, "interrupted after {} of {} samples: what there is was written{}\n", samples,
-                   command.stop.samples, command.light_layers && !picture.layers ? ", without layers" : "");
+                   command.stop.samples,
+                   command.light_layers || !command.aovs.empty() ? ", not all layers" : "");
     else if (command.stop.error && picture.stop.by != StoppedBy::error)
         fmt::print(stderr,
                    "{}: stopped by {} after {} samples with an estimated error of {:.3g} %, not {:.3g} %\n",
@@ -118,11 +148,12 @@ ExitStatus render(const RenderCommand& command) {
     glFinish();
     times.end("upload");
     if (gpu_scene.occluders()) times.add("bvh (in upload)", gpu_scene.occluders()->build_seconds());
-    render::Renderer renderer(gpu_scene, stage.camera, render_options(command, size));
+    const render::RenderOptions options = render_options(command, size);
+    render::Renderer renderer(gpu_scene, stage.camera, options);
     renderer.compile();
     times.end("compile");
     const Interruption interruption;
-    Picture picture = draw(renderer, command, stage, interruption, times);
+    Picture picture = draw({command, stage, gpu_scene, options, renderer, interruption, times});
     if (interruption.asks_to_leave()) {
         fmt::print(stderr, "asked to leave after {} samples: nothing was written\n", renderer.sample_count());
         return interrupted;

@@ -1,6 +1,7 @@
 #include "cli/render_options.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 
 namespace sr::cli {
@@ -14,9 +15,9 @@ CLI::Option* parsed(CLI::App& command, const char* name, const char* help, const
         .add_option_function<std::string>(
             name,
             [=](const std::string& text) {
-                const auto value = parse(text);
+                auto value = parse(text);
                 if (!value) throw CLI::ValidationError(name, "'" + text + "' is not " + expected);
-                take(*value);
+                take(std::move(*value));
             },
             help)
         ->type_name(expected);
@@ -118,6 +119,11 @@ void declare_output(CLI::App& command, RenderCommand& o) {
             "lights: .exr files get a layer for each light and one for emission, whose sum is the picture")
         ->check(CLI::IsMember({"lights"}))
         ->type_name("lights");
+    parsed(command, "--aov",
+           "further channels of .exr files, named in src/cli/README.md: depth, normal, albedo, visibility, "
+           "irradiance, "
+           "object, material, samples, error; separated by commas",
+           "NAME,NAME...", parsed_aovs, [&o](std::vector<Aov> aovs) { o.aovs = std::move(aovs); });
     command.add_flag("--json", o.json, "print a summary as JSON: times by phase, triangles, samples, …");
 }
 
@@ -131,6 +137,10 @@ void declare_machine(CLI::App& command, RenderCommand& o) {
 }
 
 } // namespace
+
+bool RenderCommand::asks_for_error() const {
+    return stop.asks_for_error() || std::ranges::find(aovs, Aov::error) != aovs.end();
+}
 
 void declare_rendering(CLI::App& command, RenderCommand& options) {
     command.add_option("SCENE", options.scene, "a .gltf or .glb file")->required();
@@ -155,6 +165,7 @@ void declare(CLI::App& command, RenderCommand& options) {
         "  steradian render scene.glb -o radiance.exr -o picture.png --samples 256 --size 1920x1080\n"
         "  steradian render scene.glb -o converged.exr --error 0.5%\n"
         "  steradian render scene.glb -o quick.png --time 2s --error 2%    (whichever comes first)\n"
+        "  steradian render scene.glb -o layers.exr --layers lights --aov depth,normal,object\n"
         "  steradian render scene.glb -o front.png --camera auto --exposure 9.5 --tone-curve agx\n"
         "  steradian render scene.glb -o mine.png --shaders my_shaders    (my_shaders/brdf/f_r.glsl wins)");
 }

@@ -1,5 +1,6 @@
 #pragma once
 // The options of `steradian render`, one struct with the defaults.
+#include "cli/aovs.hpp"
 #include "cli/arguments.hpp"
 #include "cli/stopping.hpp"
 #include "gl/context.hpp"
@@ -32,6 +33,10 @@ struct RenderCommand {
     std::optional<float> ev100; // absent: automatic
     image::ToneCurve tone_curve = image::ToneCurve::neutral;
     bool light_layers = false; // in .exr: a layer a light
+    std::vector<Aov> aovs;     // in .exr: further channels
+
+    /// Whether the picture has to know its error, that is, takes its samples from two sequences.
+    bool asks_for_error() const;
     image::SampleType exr_type = image::SampleType::floating;
     gl::Backend backend = gl::Backend::automatic;
     bool gl_debug = false;

@@ -34,14 +34,17 @@ std::string percent(double error) { return fmt::format("{:.3g} %", 100.0 * error
 class Sampling {
 public:
     Sampling(render::Renderer& renderer, const StopRule& rule)
-        : renderer_(renderer), rule_(rule), convergence_(rule.error.value_or(0.0)) {}
+        : renderer_(renderer),
+          rule_(rule),
+          knows_error_(renderer.knows_error()),
+          convergence_(rule.error.value_or(0.0)) {}
 
     StoppedBy run(const Interruption& interruption) {
         while (true) {
             const double before = watch_.seconds();
             renderer_.add_sample();
             glFinish(); // so that Ctrl-C, the time and the progress bar mean what they say
-            if (rule_.asks_for_error() && render::is_time_to_look(renderer_.sample_count())) look();
+            if (knows_error_ && render::is_time_to_look(renderer_.sample_count())) look();
             const double now = watch_.seconds();
             if (rule_.error && convergence_.is_reached()) return StoppedBy::error;
             if (renderer_.sample_count() >= rule_.samples) return StoppedBy::samples;
@@ -52,10 +55,10 @@ public:
         }
     }
 
-    std::optional<double> last_error() {
-        if (!rule_.asks_for_error() || renderer_.sample_count() < 2) return std::nullopt;
+    Stop stopped(StoppedBy by) {
+        if (!knows_error_ || renderer_.sample_count() < 2) return {by, {}, {}};
         if (looked_at_ != renderer_.sample_count()) look();
-        return convergence_.error();
+        return {by, convergence_.error(), convergence_.seen()};
     }
 
 private:
@@ -66,7 +69,8 @@ private:
     }
 
     void show(double seconds) {
-        const double part = share(rule_, renderer_.sample_count(), seconds, convergence_.error(), first_error_);
+        const double part =
+            share(rule_, renderer_.sample_count(), seconds, convergence_.error(), first_error_);
         std::string text = fmt::format("{} samples", renderer_.sample_count());
         if (first_error_ > 0.0) text += ", error " + percent(convergence_.error());
         if (rule_.error) text += " of " + percent(*rule_.error);
@@ -75,6 +79,7 @@ private:
 
     render::Renderer& renderer_;
     const StopRule& rule_;
+    bool knows_error_;
     render::Convergence convergence_;
     Progress progress_{"rendering"};
     Stopwatch watch_;
@@ -96,8 +101,7 @@ const char* name_of(StoppedBy reason) {
 
 Stop add_samples(render::Renderer& renderer, const StopRule& rule, const Interruption& interruption) {
     Sampling sampling(renderer, rule);
-    const StoppedBy by = sampling.run(interruption);
-    return {by, sampling.last_error()};
+    return sampling.stopped(sampling.run(interruption));
 }
 
 bool add_again(render::Renderer& renderer, int count, const Interruption& interruption,

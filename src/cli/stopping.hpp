@@ -17,7 +17,6 @@ struct StopRule {
     std::optional<double> seconds; // of drawing
     std::optional<double> error;   // √relMSE, 0.005 for half a percent
 
-    /// Whether the picture has to know its error, that is, takes its samples from two sequences.
     bool asks_for_error() const { return seconds || error; }
 };
 
@@ -26,14 +25,17 @@ const char* name_of(StoppedBy reason);
 
 struct Stop {
     StoppedBy by = StoppedBy::samples;
-    std::optional<double> error; // the estimate that counted in the end; absent if nobody asked or could tell
+    std::optional<double>
+        error; // what counted in the end; absent if the renderer does not know or cannot tell
+    std::optional<render::ErrorEstimate> estimate; // in the end, whatever was seen before
 };
 
-/// Adds samples until the rule or the interruption ends it, with a bar on stderr. At least one is taken.
+/// Adds samples until the rule or the interruption ends it, with a bar on stderr. At least one is taken. The
+/// renderer knows its error if the rule asks for it.
 Stop add_samples(render::Renderer& renderer, const StopRule& rule, const Interruption& interruption);
 
-/// Adds the samples again that the renderer had before repeat(): `count` of them. @return whether all were added,
-/// and no interruption came.
+/// Adds the samples again that the renderer had before repeat(): `count` of them. @return whether all were
+/// added, and no interruption came.
 bool add_again(render::Renderer& renderer, int count, const Interruption& interruption,
                const std::string& what);
 

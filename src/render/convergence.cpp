@@ -9,8 +9,8 @@ namespace {
 
 constexpr int first_look = 8;
 
-/// The part of a target's square that a pixel's surroundings must be under to rest. Those that rest early are not
-/// the ones that matter; without it, too many would end just under the target.
+/// The part of a target's square that a pixel's surroundings must be under to rest. Those that rest early are
+/// not the ones that matter; without it, too many would end just under the target.
 constexpr float resting_share = 0.5f;
 
 /// The side of the blocks of pixels that rest together: enough to tell an error by, few enough to follow a
@@ -76,8 +76,8 @@ bool is_time_to_look(int samples) {
 void Convergence::look(Renderer& renderer) {
     const int samples = renderer.sample_count();
     seen_ = renderer.error_estimate();
-    // Independent halves can agree by chance. Variance falls at least as fast as samples grow, so what was seen
-    // before is a bound as well, and one chance has to follow another to deceive.
+    // Independent halves can agree by chance. Variance falls at least as fast as samples grow, so what was
+    // seen before is a bound as well, and one chance has to follow another to deceive.
     const double ratio = samples_ > 0 ? static_cast<double>(samples_) / samples : 0.0;
     error_ = std::max(seen_->error, samples_ > 0 ? last_error_ * std::sqrt(ratio) : 0.0);
     last_error_ = seen_->error;

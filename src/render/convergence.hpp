@@ -14,13 +14,14 @@ public:
     /// `target`: √relMSE that the picture shall keep under; 0: no pixel ever rests.
     explicit Convergence(double target) : target_(target) {}
 
-    /// Looks at the renderer's error and sends the pixels that need no more samples to rest. The renderer has two
-    /// samples at least.
+    /// Looks at the renderer's error and sends the pixels that need no more samples to rest. The renderer has
+    /// two samples at least.
     void look(Renderer& renderer);
 
     /// What was seen last; absent before the first look.
     const std::optional<ErrorEstimate>& seen() const { return seen_; }
-    /// The estimate that counts: what was seen, but no less than the look before lets expect. Infinite at first.
+    /// The estimate that counts: what was seen, but no less than the look before lets expect. Infinite at
+    /// first.
     double error() const { return error_; }
     /// Never after one look alone.
     bool is_reached() const { return is_confirmed_ && error_ <= target_; }

@@ -18,8 +18,9 @@ double floor_of(const image::Image& mean) {
     return image::relative_floor(std::move(colors));
 }
 
-/// The square of a value that has two independent estimates, without the square of their errors: their product. Of
-/// halves that know nothing of each other it says too little, so it is not less than a part of the mean's square.
+/// The square of a value that has two independent estimates, without the square of their errors: their
+/// product. Of halves that know nothing of each other it says too little, so it is not less than a part of
+/// the mean's square.
 double square_of_value(double first, double second, double mean) {
     constexpr double least = 1.0 / 16.0;
     return std::max(first * second, least * mean * mean);

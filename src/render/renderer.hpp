@@ -79,6 +79,7 @@ public:
     /// How many samples each pixel has, rows from top to bottom.
     std::vector<int> pixel_samples() const;
 
+    bool knows_error() const { return options_.knows_error; }
     /// How far the film is from what it converges to, as far as two halves of its samples tell; absent before
     /// both have one. Reads the film back. Only with RenderOptions::knows_error.
     std::optional<ErrorEstimate> error_estimate() const;

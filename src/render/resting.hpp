@@ -12,8 +12,8 @@ namespace sr::render {
 /// One byte a pixel, rows from top to bottom; not 0: it is meant.
 using PixelMask = std::vector<std::uint8_t>;
 
-/// Which pixels rest, and since when. A pixel that rests stays at rest, so its samples are the first ones of its
-/// sequence, whatever the others have.
+/// Which pixels rest, and since when. A pixel that rests stays at rest, so its samples are the first ones of
+/// its sequence, whatever the others have.
 class Resting {
 public:
     Resting(int width, int height) : width_(width), height_(height) {}
@@ -30,8 +30,8 @@ public:
     /// What holds all pixels that sample number `sample` is for; nothing is in it if all rest.
     Window working(int sample) const;
 
-    /// Binds a texture that is not 0 where pixels rest in sample number `sample`; rows as GL counts them. Only
-    /// if any() do.
+    /// Binds a texture that is not 0 where pixels rest in sample number `sample`; rows as GL counts them.
+    /// Only if any() do.
     void bind(int sample, GLuint unit);
 
 private:

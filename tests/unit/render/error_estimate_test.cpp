@@ -13,8 +13,8 @@ using namespace sr::testing;
 
 namespace {
 
-/// The means of a picture of value 2 and coverage 1, and of its first half, where each sample has the standard
-/// deviation `noise`.
+/// The means of a picture of value 2 and coverage 1, and of its first half, where each sample has the
+/// standard deviation `noise`.
 struct Noisy {
     image::Image mean{64, 64, 4};
     image::Image first{64, 64, 4};
@@ -30,8 +30,8 @@ Noisy noisy(int samples, float noise) {
         const bool is_color = i % 4 < 3;
         const float a = is_color ? 2 + first(random) : 1, b = is_color ? 2 + second(random) : 1;
         picture.first.pixels[i] = a;
-        picture.mean.pixels[i] =
-            (static_cast<float>(n_first) * a + static_cast<float>(n_second) * b) / static_cast<float>(samples);
+        picture.mean.pixels[i] = (static_cast<float>(n_first) * a + static_cast<float>(n_second) * b)
+                                 / static_cast<float>(samples);
     }
     return picture;
 }
@@ -75,8 +75,8 @@ render::PixelMask left_half(int size) {
     return mask;
 }
 
-// A pixel that rests has the very samples that a shorter rendering has, one that works those of a longer one; and
-// repeat() takes all of them again. With shadows, so that the rays' bands follow.
+// A pixel that rests has the very samples that a shorter rendering has, one that works those of a longer one;
+// and repeat() takes all of them again. With shadows, so that the rays' bands follow.
 const Test rest("unit.render.resting.pixels_keep_their_samples", [] {
     context();
     constexpr int size = 32;
@@ -86,7 +86,8 @@ const Test rest("unit.render.resting.pixels_keep_their_samples", [] {
     render::RenderOptions options;
     options.width = options.height = size;
     options.knows_error = true;
-    render::Renderer whole(scene, camera_from_above(1.0f), options), other(scene, camera_from_above(1.0f), options);
+    render::Renderer whole(scene, camera_from_above(1.0f), options),
+        other(scene, camera_from_above(1.0f), options);
     const auto add = [](render::Renderer& renderer, int count) {
         for (int i = 0; i < count; ++i) renderer.add_sample();
         return renderer.film();
