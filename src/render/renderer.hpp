@@ -64,6 +64,12 @@ public:
     /// Looks from here, with an empty film.
     void look_from(const scene::Camera& camera);
 
+    /// Starts over with another size and number of samples; its programs stay. Also to be called when the
+    /// scene has got other lights (GpuScene::relight). @throws Error if the driver does not take the size.
+    void resize(int width, int height, int samples);
+    int width() const { return options_.width; }
+    int height() const { return options_.height; }
+
     /// Renders one frame, one sample of every pixel, and adds it to the film.
     void add_sample();
     int sample_count() const { return sample_count_; }
@@ -79,6 +85,7 @@ public:
     const RayAnswers* ray_answers() const { return ray_answers_ ? &*ray_answers_ : nullptr; }
 
 private:
+    void ask_for_rays();
     View begin_frame();
     void keep_to_window() const;
     VisibilityTerm opaque_visibility() const;
