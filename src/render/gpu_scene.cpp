@@ -98,7 +98,8 @@ vec3 center_of(const scene::Mesh& mesh, const mat4& world_from_object) {
 
 } // namespace
 
-GpuScene::GpuScene(const scene::Scene& scene, std::span<const scene::Light> lights, Visibility visibility) {
+GpuScene::GpuScene(const scene::Scene& scene, std::span<const scene::Light> lights, Visibility visibility)
+    : visibility_(visibility) {
     meshes_.reserve(scene.meshes.size());
     for (const scene::Mesh& mesh : scene.meshes) meshes_.emplace_back(mesh);
     upload_textures(scene);
@@ -106,9 +107,25 @@ GpuScene::GpuScene(const scene::Scene& scene, std::span<const scene::Light> ligh
     upload_materials(scene);
     upload_lights(scene, lights);
     list_draws(scene, lights);
-    rays_per_light_ = light_features(lights).rays_per_light;
-    if (visibility != Visibility::none && !lights.empty())
-        occluders_ = std::make_unique<Occluders>(scene, lights, visibility, !blended_.empty());
+    cast_shadows(scene, lights);
+}
+
+void GpuScene::cast_shadows(const scene::Scene& scene, std::span<const scene::Light> lights) {
+    occluders_.reset();
+    if (visibility_ != Visibility::none && !lights.empty())
+        occluders_ = std::make_unique<Occluders>(scene, lights, visibility_, !blended_.empty());
+}
+
+void GpuScene::relight(const scene::Scene& scene, std::span<const scene::Light> lights,
+                       std::size_t first_mesh, bool casters_change) {
+    meshes_.erase(meshes_.begin() + static_cast<std::ptrdiff_t>(std::min(first_mesh, meshes_.size())),
+                  meshes_.end());
+    for (std::size_t i = meshes_.size(); i < scene.meshes.size(); ++i) meshes_.emplace_back(scene.meshes[i]);
+    upload_objects(scene);
+    upload_materials(scene);
+    upload_lights(scene, lights);
+    list_draws(scene, lights);
+    if (casters_change) cast_shadows(scene, lights);
 }
 
 void GpuScene::upload_textures(const scene::Scene& scene) {
@@ -152,6 +169,7 @@ void GpuScene::upload_objects(const scene::Scene& scene) {
 
 void GpuScene::upload_materials(const scene::Scene& scene) {
     std::vector<MaterialBlock> blocks;
+    textures_of_material_.clear();
     for (const scene::Material& material : scene.materials) {
         blocks.push_back(packed_material(material));
         std::array<int, slot_count> textures{};
@@ -168,6 +186,7 @@ void GpuScene::upload_lights(const scene::Scene& scene, std::span<const scene::L
     light_table_.upload(pack_lights(scene, lights, maps), "use fewer emissive triangles");
     emission_texels_.upload(maps.texels(), "use smaller emissive textures");
     light_count_ = static_cast<int>(lights.size());
+    rays_per_light_ = light_features(lights).rays_per_light;
 }
 
 void GpuScene::bind_lights() const {
@@ -180,6 +199,8 @@ void GpuScene::bind_lights() const {
 
 void GpuScene::list_draws(const scene::Scene& scene, std::span<const scene::Light> lights) {
     const Features lit = light_features(lights);
+    opaque_.clear();
+    blended_.clear();
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {
         const scene::Instance& instance = scene.instances[i];
         const scene::Mesh& mesh = scene.meshes[instance.mesh];

@@ -49,8 +49,28 @@ Renderer::Renderer(const GpuScene& scene, const scene::Camera& camera, const Ren
       film_("film", options.width, options.height, false),
       resting_(options.width, options.height) {
     if (options.knows_error) first_half_.emplace("first half", options.width, options.height, false);
-    if (scene.occluders() && scene.occluders()->occlusion())
-        ray_answers_.emplace(scene, frame_, options.width, options.height, options.most_answers);
+    ask_for_rays();
+    clear();
+}
+
+void Renderer::ask_for_rays() {
+    ray_answers_.reset();
+    if (scene_.occluders() && scene_.occluders()->occlusion())
+        ray_answers_.emplace(scene_, frame_, options_.width, options_.height, options_.most_answers);
+}
+
+void Renderer::resize(int width, int height, int samples) {
+    ray_answers_.reset(); // its framebuffer holds on to the frame's depth
+    if (width != options_.width || height != options_.height) {
+        frame_ = Target("frame", width, height, true);
+        film_ = Target("film", width, height, false);
+        if (first_half_) first_half_.emplace("first half", width, height, false);
+    }
+    options_.width = width;
+    options_.height = height;
+    options_.samples = samples;
+    use_lights(0, scene_.light_count());
+    ask_for_rays();
     clear();
 }
 

@@ -63,6 +63,12 @@ public:
     /// Looks from here, with an empty film.
     void look_from(const scene::Camera& camera);
 
+    /// Starts over with another size and number of samples; its programs stay. Also to be called when the
+    /// scene has got other lights (GpuScene::relight). @throws Error if the driver does not take the size.
+    void resize(int width, int height, int samples);
+    int width() const { return options_.width; }
+    int height() const { return options_.height; }
+
     /// Starts over with an empty film, in which every pixel will rest when it did: after as many samples as
     /// before, the film has the very same ones.
     void repeat();
@@ -96,6 +102,7 @@ public:
     const RayAnswers* ray_answers() const { return ray_answers_ ? &*ray_answers_ : nullptr; }
 
 private:
+    void ask_for_rays();
     View begin_frame();
     Window window() const; // what this frame draws
     void keep_to(const Window& window) const;
