@@ -29,6 +29,12 @@ public:
     GpuScene(const scene::Scene& scene, std::span<const scene::Light> lights,
              Visibility visibility = Visibility::ray);
 
+    /// Takes over other lights of the same scene, and what shows them: the meshes from `first_mesh` on, all
+    /// instances and all materials. Textures and the meshes before stay as they are. Shadows are made anew if
+    /// `casters_change`. @throws Error
+    void relight(const scene::Scene& scene, std::span<const scene::Light> lights, std::size_t first_mesh,
+                 bool casters_change);
+
     int light_count() const { return light_count_; }
     int rays_per_light() const { return rays_per_light_; } // that a point of a surface sends
     /// What casts shadows; null if nothing does.
@@ -48,8 +54,10 @@ private:
     void upload_materials(const scene::Scene& scene);
     void upload_lights(const scene::Scene& scene, std::span<const scene::Light> lights);
     void list_draws(const scene::Scene& scene, std::span<const scene::Light> lights);
+    void cast_shadows(const scene::Scene& scene, std::span<const scene::Light> lights);
     void bind_material(int material) const;
 
+    Visibility visibility_;
     std::vector<GpuMesh> meshes_;
     std::vector<gl::Texture> images_; // one per (image, colour space) in use
     std::vector<gl::Sampler> samplers_;
