@@ -1,6 +1,7 @@
 // What one point on a light sends to x, whatever x makes of it: the light's own sample of reflected.glsl.
 //
 //   E = L_i/p · V · cosθ_i          [lx]
+#include "integrator/cosine.glsl"
 #include "integrator/random_point.glsl"
 #include "integrator/rays.glsl"
 #include "light/sample_light.glsl"
@@ -15,7 +16,7 @@ struct Arriving {
 
 Arriving arriving_from(int k, Surface x) {
     LightSample light = sample_light(k, x.position, random_point(uint(k) + 1u));
-    float cos_i = dot(x.n, light.wi);
+    float cos_i = cosine(x, light.wi);
     if (!(cos_i > 0.0)) return Arriving(light, vec3(0.0), vec3(0.0));
     vec3 E = light.Li_over_p * cos_i;
     return Arriving(light, E * visibility(x, light.wi, light.distance, k, towards_light), E);

@@ -10,11 +10,13 @@
 namespace sr::gltf {
 namespace {
 
-constexpr std::array<std::string_view, 9> supported{
-    "EXT_lights_area",       "EXT_lights_ies",
-    "KHR_lights_punctual",   "KHR_materials_emissive_strength",
-    "KHR_materials_ior",     "KHR_materials_specular",
-    "KHR_materials_unlit",   "KHR_mesh_quantization",
+constexpr std::array<std::string_view, 13> supported{
+    "EXT_lights_area",         "EXT_lights_ies",
+    "KHR_lights_punctual",     "KHR_materials_anisotropy",
+    "KHR_materials_clearcoat", "KHR_materials_emissive_strength",
+    "KHR_materials_ior",       "KHR_materials_iridescence",
+    "KHR_materials_sheen",     "KHR_materials_specular",
+    "KHR_materials_unlit",     "KHR_mesh_quantization",
     "KHR_texture_transform",
 };
 

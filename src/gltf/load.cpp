@@ -84,6 +84,7 @@ Loaded load(const std::filesystem::path& file, const LoadOptions& options) {
     MaterialTable materials(document, warnings);
     UsedMeshes used(document, placed, materials);
     scene.materials = materials.materials();
+    scene.measured = materials.measured();
     LightTable lights(document, materials.textures());
     for (const PlacedNode& here : placed) lights.append(here);
     scene.lights = lights.lights();

@@ -56,6 +56,8 @@ private:
     std::vector<int> image_of_texture_;
     std::vector<int> sampler_of_texture_;
     std::vector<std::array<int, slot_count>> textures_of_material_; // -1: none
+    std::vector<int> measured_of_material_;                         // index into measured_; -1: none
+    std::vector<gl::Texture> measured_;
     gl::Buffer objects_{"objects"};
     gl::Buffer materials_{"materials"};
     GLsizeiptr object_stride_ = 0;
