@@ -34,9 +34,9 @@ void check_properties(const Document& document, const Value& stated, std::option
         if (model && std::ranges::find(owned.owners, *model) != owned.owners.end()) continue;
         std::vector<std::string_view> names;
         for (const Model owner : owned.owners) names.push_back(scene::name_of(owner));
-        document.fail(fmt::format("{} has {}", title, owned.property),
-                      fmt::format("that belongs to the brdf {}: say so, or leave it out",
-                                  fmt::join(names, " or ")));
+        document.fail(
+            fmt::format("{} has {}", title, owned.property),
+            fmt::format("that belongs to the brdf {}: say so, or leave it out", fmt::join(names, " or ")));
     }
 }
 
@@ -85,8 +85,7 @@ int MaterialTable::measured(const std::string& uri, const std::string& title) {
         document_.fail(fmt::format("{} is measured, and its file is not named", title),
                        R"(name one beside the glTF, as in "file": "gold-paint.binary")");
     const std::vector<std::uint8_t> bytes = read_uri(uri, document_.folder, {document_.name, title});
-    measured_.push_back(
-        scene::read_merl(std::as_bytes(std::span(bytes)), (document_.folder / uri).string()));
+    measured_.push_back(scene::read_merl(std::as_bytes(std::span(bytes)), (document_.folder / uri).string()));
     return entry->second;
 }
 
@@ -110,9 +109,9 @@ void MaterialTable::read_brdf(const tinygltf::Material& from, scene::Material& t
                                          "specular_color", from.name);
         for (int i = 0; i < 3; ++i)
             if (to.base_color[i] + to.specular_color[i] > 1.0f)
-                return warnings_.add(fmt::format("{}: its base colour and specular_color add up to more than 1",
-                                                 title),
-                                     "it reflects more light than arrives");
+                return warnings_.add(
+                    fmt::format("{}: its base colour and specular_color add up to more than 1", title),
+                    "it reflects more light than arrives");
     }
     if (to.model == Model::conductor) to.conductor = ior_in(document_, *stated, title);
     if (to.model == Model::merl)

@@ -13,7 +13,8 @@ using tinygltf::Value;
 void MaterialTable::read_anisotropy(const tinygltf::Material& from, scene::Material& to) {
     const Value* anisotropy = extension(from.extensions, "KHR_materials_anisotropy");
     if (!anisotropy) return;
-    to.anisotropy = fraction(number_in(*anisotropy, "anisotropyStrength", 0.0), "anisotropyStrength", from.name);
+    to.anisotropy =
+        fraction(number_in(*anisotropy, "anisotropyStrength", 0.0), "anisotropyStrength", from.name);
     to.anisotropy_rotation = static_cast<float>(number_in(*anisotropy, "anisotropyRotation", 0.0));
     if (anisotropy->Has("anisotropyTexture"))
         to.anisotropy_texture = slot(anisotropy->Get("anisotropyTexture"), ColorSpace::linear);

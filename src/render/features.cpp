@@ -79,6 +79,12 @@ constexpr std::array other_flags{Flag{"has_vertex_colors", &Features::has_vertex
                                  Flag{"is_blended", &Features::is_blended},
                                  Flag{"is_unlit", &Features::is_unlit}};
 
+/// Whether a model has GGX microfacets, which lose energy.
+bool takes_compensation(scene::Model model) {
+    return model == scene::Model::metallic_roughness || model == scene::Model::ggx
+           || model == scene::Model::conductor;
+}
+
 /// What the layers of glTF's own model take of this mesh.
 void ask_for_layers(Features& f, const scene::Material& m, bool has_tangents) {
     f.has_anisotropy = m.is_anisotropic() && has_tangents;
@@ -88,6 +94,7 @@ void ask_for_layers(Features& f, const scene::Material& m, bool has_tangents) {
     f.has_clearcoat_roughness_texture = f.has_clearcoat && m.clearcoat_roughness_texture.is_present();
     f.has_clearcoat_normal_texture =
         f.has_clearcoat && m.clearcoat_normal_texture.is_present() && has_tangents;
+    f.has_energy_compensation &= takes_compensation(m.model);
     f.has_sheen = m.has_sheen();
     f.has_sheen_color_texture = f.has_sheen && m.sheen_color_texture.is_present();
     f.has_sheen_roughness_texture = f.has_sheen && m.sheen_roughness_texture.is_present();

@@ -97,15 +97,18 @@ vec3 center_of(const scene::Mesh& mesh, const mat4& world_from_object) {
 
 } // namespace
 
-GpuScene::GpuScene(const scene::Scene& scene, std::span<const scene::Light> lights, Visibility visibility) {
+GpuScene::GpuScene(const scene::Scene& scene, std::span<const scene::Light> lights, Visibility visibility,
+                   bool has_energy_compensation) {
     meshes_.reserve(scene.meshes.size());
     for (const scene::Mesh& mesh : scene.meshes) meshes_.emplace_back(mesh);
     upload_textures(scene);
     upload_objects(scene);
     upload_materials(scene);
     upload_lights(scene, lights);
-    list_draws(scene, lights);
-    rays_per_light_ = light_features(lights).rays_per_light;
+    Features lit = light_features(lights);
+    lit.has_energy_compensation = has_energy_compensation;
+    list_draws(scene, lit);
+    rays_per_light_ = lit.rays_per_light;
     if (visibility != Visibility::none && !lights.empty())
         occluders_ = std::make_unique<Occluders>(scene, lights, visibility, !blended_.empty());
 }
@@ -178,8 +181,7 @@ void GpuScene::bind_lights() const {
     if (occluders_) occluders_->bind();
 }
 
-void GpuScene::list_draws(const scene::Scene& scene, std::span<const scene::Light> lights) {
-    const Features lit = light_features(lights);
+void GpuScene::list_draws(const scene::Scene& scene, Features lit) {
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {
         const scene::Instance& instance = scene.instances[i];
         const scene::Mesh& mesh = scene.meshes[instance.mesh];

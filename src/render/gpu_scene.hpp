@@ -26,8 +26,10 @@ class GpuScene {
 public:
     /// Uploads `scene`, lit by `lights` (not by scene.lights). @throws Error for a texture beyond the
     /// driver's limits.
+    /// `has_energy_compensation`: GGX gives back what its microfacets block
+    /// (shaders/brdf/energy_compensation.glsl).
     GpuScene(const scene::Scene& scene, std::span<const scene::Light> lights,
-             Visibility visibility = Visibility::ray);
+             Visibility visibility = Visibility::ray, bool has_energy_compensation = false);
 
     int light_count() const { return light_count_; }
     int rays_per_light() const { return rays_per_light_; } // that a point of a surface sends
@@ -47,7 +49,7 @@ private:
     void upload_objects(const scene::Scene& scene);
     void upload_materials(const scene::Scene& scene);
     void upload_lights(const scene::Scene& scene, std::span<const scene::Light> lights);
-    void list_draws(const scene::Scene& scene, std::span<const scene::Light> lights);
+    void list_draws(const scene::Scene& scene, Features lit);
     void bind_material(int material) const;
 
     std::vector<GpuMesh> meshes_;

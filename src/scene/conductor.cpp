@@ -1,8 +1,9 @@
 // n and k of metals, measured on films at room temperature, from 381 to 821 nm. The columns are those of
 //
-//   gold, silver, copper: Johnson & Christy 1972, "Optical constants of the noble metals", Phys. Rev. B 6, table I
-//   chromium, iron, titanium: Johnson & Christy 1974, "Optical constants of transition metals", Phys. Rev. B 9, table I
-//   aluminium: McPeak et al. 2015, "Plasmonic films can easily be better", ACS Photonics 2, supplement, every 20 nm
+//   gold, silver, copper: Johnson & Christy 1972, "Optical constants of the noble metals", Phys. Rev. B 6,
+//   table I chromium, iron, titanium: Johnson & Christy 1974, "Optical constants of transition metals", Phys.
+//   Rev. B 9, table I aluminium: McPeak et al. 2015, "Plasmonic films can easily be better", ACS Photonics 2,
+//   supplement, every 20 nm
 //
 // as refractiveindex.info has them (public domain, CC0).
 #include "scene/conductor.hpp"
@@ -86,8 +87,14 @@ std::pair<double, double> nearest_ior(double n, double k, const std::array<doubl
     double best = misfit(n, k, wanted);
     for (double step = 0.5; step > 1e-5;) {
         const double old = best;
-        for (const auto& [dn, dk] : {std::pair(step, 0.0), {-step, 0.0}, {0.0, step}, {0.0, -step},
-                                     {step, step}, {-step, -step}, {step, -step}, {-step, step}}) {
+        for (const auto& [dn, dk] : {std::pair(step, 0.0),
+                                     {-step, 0.0},
+                                     {0.0, step},
+                                     {0.0, -step},
+                                     {step, step},
+                                     {-step, -step},
+                                     {step, -step},
+                                     {-step, step}}) {
             const double n1 = std::clamp(n + dn, smallest, largest), k1 = std::clamp(k + dk, 0.0, largest);
             const double now = misfit(n1, k1, wanted);
             if (now < best) best = now, n = n1, k = k1;
@@ -116,7 +123,8 @@ double fresnel_conductor(double c, double n, double k) {
     const double ab = std::sqrt(t * t + 4.0 * n * n * k * k); // a² + b²
     const double a = std::sqrt(std::max(0.5 * (ab + t), 0.0));
     const double Rs = (ab - 2.0 * a * c + c * c) / (ab + 2.0 * a * c + c * c);
-    const double Rp = Rs * (c * c * ab - 2.0 * a * c * s2 + s2 * s2) / (c * c * ab + 2.0 * a * c * s2 + s2 * s2);
+    const double Rp =
+        Rs * (c * c * ab - 2.0 * a * c * s2 + s2 * s2) / (c * c * ab + 2.0 * a * c * s2 + s2 * s2);
     return 0.5 * (Rs + Rp);
 }
 

@@ -32,8 +32,8 @@ double fresnel_conductor(double cos_theta, double n, double k);
 /// observer, S being a black body of 6504 K (white, D65's colour temperature), no more than 1.
 glm::dvec3 reflectance_of(const IorSpectrum& spectrum, double cos_theta);
 
-/// The n + ik for each channel whose reflectance comes nearest to reflectance_of over all angles (least squares
-/// over 16 cosines).
+/// The n + ik for each channel whose reflectance comes nearest to reflectance_of over all angles (least
+/// squares over 16 cosines).
 ComplexIor fitted_ior(const IorSpectrum& spectrum);
 
 } // namespace sr::scene

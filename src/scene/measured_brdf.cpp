@@ -14,7 +14,8 @@
 namespace sr::scene {
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "MERL files are little-endian, and read as they are");
+static_assert(std::endian::native == std::endian::little,
+              "MERL files are little-endian, and read as they are");
 
 // The database's own reader (BRDFRead.cpp, 2006).
 constexpr std::array<double, 3> scales{1.0 / 1500.0, 1.15 / 1500.0, 1.66 / 1500.0};
@@ -39,6 +40,23 @@ float fitted_alpha(const std::vector<vec3>& values) {
 }
 
 } // namespace
+
+std::pair<vec3, vec3> merl_directions(std::size_t cell) {
+    constexpr double pi = glm::pi<double>();
+    const double phi_d = pi * (static_cast<double>(cell % merl_azimuths) + 0.5) / merl_azimuths;
+    const std::size_t row = cell / merl_azimuths;
+    const double theta_d =
+        0.5 * pi * (static_cast<double>(row % merl_difference_angles) + 0.5) / merl_difference_angles;
+    const double theta_h = half_angle(static_cast<double>(row / merl_difference_angles) + 0.5);
+    // Around h, then h around y, away from n (Rusinkiewicz 1998, section 3).
+    const glm::dvec3 d(std::sin(theta_d) * std::cos(phi_d), std::sin(theta_d) * std::sin(phi_d),
+                       std::cos(theta_d));
+    const auto tilted = [&](glm::dvec3 v) {
+        return vec3(std::cos(theta_h) * v.x + std::sin(theta_h) * v.z, v.y,
+                    std::cos(theta_h) * v.z - std::sin(theta_h) * v.x);
+    };
+    return {tilted(d), tilted(glm::dvec3(-d.x, -d.y, d.z))};
+}
 
 MeasuredBrdf read_merl(std::span<const std::byte> file, const std::string& name) {
     constexpr auto remedy = "give a file of the MERL BRDF database: 90 × 90 × 180 cells";

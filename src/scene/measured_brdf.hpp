@@ -9,13 +9,14 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace sr::scene {
 
-inline constexpr int merl_half_angles = 90;        // θh = (π/2) (i / 90)²
-inline constexpr int merl_difference_angles = 90;  // θd = (π/2) i / 90
-inline constexpr int merl_azimuths = 180;          // φd = π i / 180
+inline constexpr int merl_half_angles = 90;       // θh = (π/2) (i / 90)²
+inline constexpr int merl_difference_angles = 90; // θd = (π/2) i / 90
+inline constexpr int merl_azimuths = 180;         // φd = π i / 180
 inline constexpr std::size_t merl_cells =
     std::size_t{merl_half_angles} * merl_difference_angles * merl_azimuths;
 
@@ -27,6 +28,9 @@ struct MeasuredBrdf {
     /// by.
     float alpha = 1.0f;
 };
+
+/// wi and wo at the middle of a cell of MeasuredBrdf::values, in a frame where z is the normal.
+std::pair<vec3, vec3> merl_directions(std::size_t cell);
 
 /// Reads a file of the database: three 32-bit counts, then all of red, green and blue as 64-bit floats, to be
 /// scaled by 1/1500, 1.15/1500 and 1.66/1500. Cells without a measurement (negative) become 0.

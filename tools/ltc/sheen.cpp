@@ -1,5 +1,5 @@
-// The albedo of sheen (KHR_materials_sheen: Charlie), in doubles and with none of the shaders' code. Printed as
-// assets/lut/charlie_albedo.inc has it: 32 rows of roughness, in each 32 views, √cosθ_o.
+// The albedo of sheen (KHR_materials_sheen: Charlie), in doubles and with none of the shaders' code. Printed
+// as assets/lut/charlie_albedo.inc has it: 32 rows of roughness, in each 32 views, √cosθ_o.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -15,7 +15,8 @@ double lambda(double c, double alpha) {
     const double t = (1.0 - alpha) * (1.0 - alpha);
     const auto mixed = [t](double a, double b) { return a + (b - a) * t; };
     const auto log_lambda = [&](double x) {
-        return mixed(21.5473, 25.3245) / (1.0 + mixed(3.82987, 3.32435) * std::pow(x, mixed(0.19823, 0.16801)))
+        return mixed(21.5473, 25.3245)
+                   / (1.0 + mixed(3.82987, 3.32435) * std::pow(x, mixed(0.19823, 0.16801)))
                + mixed(-1.97760, -1.27393) * x + mixed(-4.32054, -4.85967);
     };
     return c < 0.5 ? std::exp(log_lambda(c)) : std::exp(2.0 * log_lambda(0.5) - log_lambda(1.0 - c));
@@ -45,7 +46,8 @@ double albedo(double cos_o, double alpha) {
 } // namespace
 
 int main() {
-    std::printf("// Made by fit_sheen (tools/ltc/). Albedo of Charlie sheen: %d rows of roughness from 0 to 1, in each %d\n"
+    std::printf("// Made by fit_sheen (tools/ltc/). Albedo of Charlie sheen: %d rows of roughness from 0 to "
+                "1, in each %d\n"
                 "// views, √cosθ_o from 0 to 1.\n",
                 grid, grid);
     for (int row = 0; row < grid; ++row) {
