@@ -74,6 +74,7 @@ render::RenderOptions render_options(const RenderCommand& command, Size size) {
     options.shader_path = shader_path(command.shaders);
     options.estimator = command.estimator;
     options.analytic_points = command.analytic_points;
+    if (command.view) options.shader = command.view->shader;
     return options;
 }
 

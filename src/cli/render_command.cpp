@@ -28,7 +28,7 @@ ordered_json summary(const RenderCommand& command, const scene::Stage& stage, co
             {"height", size.height},
             {"estimator", name_of(command.estimator)},
             {"seed", command.seed},
-            {"unit", scene::radiance_unit(stage.scene.units)},
+            {"unit", unit_of(command, stage.scene.units)},
             {"camera", stage.camera.name},
             {"lights", stage.lights.size()},
             {"triangles", scene::triangle_count(stage.scene)},
@@ -67,6 +67,17 @@ ordered_json seconds(const PhaseTimes& times) {
     for (const auto& [phase, duration] : times.phases()) json[phase] = duration;
     json["total"] = times.total();
     return json;
+}
+
+/// Refuses what a view is no picture of.
+void check_view(const RenderCommand& command) {
+    if (!command.view) return;
+    if (command.light_layers || command.asks_for_error())
+        throw CLI::ValidationError(
+            "--view", "only pictures of radiance have --layers, --error, --time and --aov error");
+    if (command.estimator != render::Estimator::sampled && command.view->kind != ViewKind::luminance)
+        throw CLI::ValidationError("--view",
+                                   "this one takes points on the lights: leave --estimator at sampled");
 }
 
 /// Refuses what cannot be written before any work is done.
@@ -118,6 +129,7 @@ Picture draw(const Work& work) {
     picture.samples = counted(samples);
     work.times.end("draw");
     picture.film = work.renderer.film();
+    if (work.command.view) picture.film = numbers_of(*work.command.view, picture.film);
     work.times.end("read");
     const std::vector<Plane> planes = further_planes(work, picture, samples);
     if (!planes.empty()) picture.layers = with_planes(picture.film, planes);
@@ -141,6 +153,7 @@ void remark_on_stop(const Picture& picture, const RenderCommand& command) {
 
 ExitStatus render(const RenderCommand& command) {
     PhaseTimes times;
+    check_view(command);
     check_outputs(command);
     const OpenScene open = open_scene(command, times);
     const auto& [context, stage, size] = open;

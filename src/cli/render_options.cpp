@@ -50,6 +50,13 @@ std::optional<std::optional<float>> parsed_exposure(const std::string& text) {
     return value;
 }
 
+std::string view_help() {
+    std::string text = "one term of the equation instead of radiance, as numbers in .exr and .hdr:";
+    for (const View& view : all_views()) text += std::string(" ") + view.name + " (" + view.what + "),";
+    text.back() = '.';
+    return text;
+}
+
 void declare_picture(CLI::App& command, RenderCommand& o) {
     parsed(command, "--size", "size of the picture (default: 720 rows in the camera's aspect ratio, or 16:9)",
            "WIDTHxHEIGHT", parsed_size, [&o](Size size) { o.size = size; });
@@ -120,6 +127,13 @@ void declare_output(CLI::App& command, RenderCommand& o) {
            "irradiance, "
            "object, material, samples, error; separated by commas",
            "NAME,NAME...", parsed_aovs, [&o](std::vector<Aov> aovs) { o.aovs = std::move(aovs); });
+    parsed(
+        command, "--view", view_help().c_str(), "NAME",
+        [](const std::string& name) -> std::optional<const View*> {
+            const View* view = view_named(name);
+            return view ? std::optional(view) : std::nullopt;
+        },
+        [&o](const View* view) { o.view = view; });
     command.add_flag("--json", o.json, "print a summary as JSON: times by phase, triangles, samples, …");
 }
 
@@ -171,6 +185,7 @@ void declare(CLI::App& command, RenderCommand& options) {
         "  steradian render scene.glb -o converged.exr --error 0.5%\n"
         "  steradian render scene.glb -o quick.png --time 2s --error 2%    (whichever comes first)\n"
         "  steradian render scene.glb -o layers.exr --layers lights --aov depth,normal,object\n"
+        "  steradian render scene.glb -o luminance.png --view luminance\n"
         "  steradian render scene.glb -o front.png --camera auto --exposure 9.5 --tone-curve agx\n"
         "  steradian render scene.glb -o mine.png --shaders my_shaders    (my_shaders/brdf/f_r.glsl wins)");
 }

@@ -3,6 +3,7 @@
 #include "cli/aovs.hpp"
 #include "cli/arguments.hpp"
 #include "cli/stopping.hpp"
+#include "cli/views.hpp"
 #include "gl/context.hpp"
 #include "image/display.hpp"
 #include "image/file.hpp"
@@ -32,8 +33,9 @@ struct RenderCommand {
     bool hide_emitters = false;
     std::optional<float> ev100; // absent: automatic
     image::ToneCurve tone_curve = image::ToneCurve::neutral;
-    bool light_layers = false; // in .exr: a layer a light
-    std::vector<Aov> aovs;     // in .exr: further channels
+    bool light_layers = false;  // in .exr: a layer a light
+    std::vector<Aov> aovs;      // in .exr: further channels
+    const View* view = nullptr; // one term instead of radiance
 
     /// Whether the picture has to know its error, that is, takes its samples from two sequences.
     bool asks_for_error() const;
