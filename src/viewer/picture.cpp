@@ -18,17 +18,26 @@ int scaled(int side, float scale) {
     return std::max(1, static_cast<int>(std::lround(static_cast<float>(side) * scale)));
 }
 
+/// A picture begins as if it had moved: coarse, and there at once.
+render::RenderOptions first_options(render::RenderOptions options, float scale) {
+    options.width = scaled(options.width, scale);
+    options.height = scaled(options.height, scale);
+    options.samples = moving_samples;
+    return options;
+}
+
 } // namespace
 
 Picture::Picture(const render::GpuScene& scene, const scene::Camera& camera,
                  const render::RenderOptions& options)
-    : renderer_(scene, camera, options),
+    : resolution_(moving_budget),
+      renderer_(scene, camera, first_options(options, resolution_.scale())),
       camera_(camera),
       width_(options.width),
       height_(options.height),
-      samples_(options.samples),
-      resolution_(moving_budget) {
+      samples_(options.samples) {
     renderer_.compile();
+    moved_ = Clock::now();
 }
 
 void Picture::resize(int width, int height) {

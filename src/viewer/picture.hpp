@@ -43,15 +43,15 @@ private:
     void stand();
     double timed_sample();
 
+    Resolution resolution_;
     gl::Framebuffer reading_{"reading a pixel"};
     render::Renderer renderer_;
     scene::Camera camera_;
     int width_;
     int height_;
     int samples_;
-    bool is_moving_ = false;
+    bool is_moving_ = true;
     Clock::time_point moved_{};
-    Resolution resolution_;
     double seconds_ = 0.0;
 };
 
