@@ -1,8 +1,7 @@
 #include "cli/commands.hpp"
-#include "cli/interruption.hpp"
 #include "cli/layers.hpp"
 #include "cli/open_scene.hpp"
-#include "cli/progress.hpp"
+#include "cli/outputs.hpp"
 #include "cli/render_options.hpp"
 #include "cli/summary.hpp"
 #include "core/error.hpp"
@@ -19,78 +18,6 @@
 namespace sr::cli {
 namespace {
 
-/// @return whether all samples were taken; false if Ctrl-C was pressed.
-bool add_samples(render::Renderer& renderer, int count, const std::string& what = "rendering") {
-    const Interruption interruption;
-    Progress progress(what, count);
-    while (renderer.sample_count() < count && !interruption.has_come()) {
-        renderer.add_sample();
-        glFinish(); // so that Ctrl-C and the progress bar mean what they say
-        progress.update(renderer.sample_count());
-    }
-    return renderer.sample_count() == count;
-}
-
-const char* name_of(render::Estimator estimator) {
-    return estimator == render::Estimator::analytic ? "analytic" : "sampled";
-}
-
-void describe(image::Image& film, const RenderCommand& command, const scene::Stage& stage,
-              const gl::ContextInfo& gl) {
-    film.channel_names = {"R", "G", "B", "A"};
-    film.attributes = {{"steradian:version", STERADIAN_VERSION},
-                       {"steradian:unit", std::string(scene::radiance_unit(stage.scene.units))},
-                       {"steradian:estimator", name_of(command.estimator)},
-                       {"steradian:visibility", std::string(render::name_of(command.visibility))},
-                       {"steradian:samples", std::to_string(command.samples)},
-                       {"steradian:seed", std::to_string(command.seed)},
-                       {"steradian:camera", stage.camera.name},
-                       {"steradian:GL_RENDERER", gl.renderer},
-                       {"steradian:GL_VERSION", gl.version}};
-    if (command.estimator == render::Estimator::analytic)
-        film.attributes.push_back({"steradian:analytic_points", std::to_string(command.analytic_points)});
-}
-
-/// Says why a picture is black, and if it has holes.
-void remark_on(const image::Image& film, const RenderCommand& command, const scene::Stage& stage) {
-    std::size_t covered = 0, lit = 0, broken = 0;
-    for (std::size_t i = 0; i < film.pixels.size(); i += 4) {
-        const vec3 L(film.pixels[i], film.pixels[i + 1], film.pixels[i + 2]);
-        covered += film.pixels[i + 3] > 0.0f;
-        lit += L.r > 0.0f || L.g > 0.0f || L.b > 0.0f;
-        broken += !std::isfinite(L.r + L.g + L.b);
-    }
-    const auto& file = command.scene;
-    if (broken > 0)
-        fmt::print(stderr, "{}: {} pixels are not finite: they are magenta in .png and .jpg\n", file, broken);
-    if (stage.scene.instances.empty()) return; // the loader has said so
-    if (covered == 0)
-        fmt::print(stderr, "{}: camera '{}' sees no surface: --camera auto frames the scene\n", file,
-                   stage.camera.name);
-    else if (lit == 0)
-        fmt::print(stderr, "{}: no light reaches what camera '{}' sees: the picture is black\n", file,
-                   stage.camera.name);
-}
-
-bool holds_layers(const std::string& output) { return output.ends_with(".exr") || output.ends_with(".EXR"); }
-
-/// Writes the film in the form that each file's extension asks for. @return the EV100 in use, if any was.
-std::optional<float> write_outputs(const image::Image& film, const std::optional<image::Image>& layers,
-                                   const RenderCommand& command) {
-    std::optional<float> ev100;
-    for (const std::string& output : command.outputs) {
-        if (image::is_scene_referred(output)) {
-            image::write(layers && holds_layers(output) ? *layers : film, output, command.exr_type);
-            continue;
-        }
-        if (!ev100) ev100 = command.ev100 ? *command.ev100 : image::auto_ev100(film);
-        image::Image picture = image::displayed(film, *ev100, command.tone_curve);
-        picture.attributes = film.attributes;
-        image::write(picture, output, image::SampleType::integer8);
-    }
-    return ev100;
-}
-
 using nlohmann::ordered_json;
 
 ordered_json summary(const RenderCommand& command, const scene::Stage& stage, const gl::Context& context,
@@ -100,7 +27,6 @@ ordered_json summary(const RenderCommand& command, const scene::Stage& stage, co
             {"width", size.width},
             {"height", size.height},
             {"estimator", name_of(command.estimator)},
-            {"samples", command.samples},
             {"seed", command.seed},
             {"unit", scene::radiance_unit(stage.scene.units)},
             {"camera", stage.camera.name},
@@ -109,6 +35,15 @@ ordered_json summary(const RenderCommand& command, const scene::Stage& stage, co
             {"backend", context.info().backend},
             {"GL_RENDERER", context.info().renderer},
             {"GL_VERSION", context.info().version}};
+}
+
+ordered_json stopping(const Picture& picture) {
+    ordered_json json{{"samples", picture.samples.most},
+                      {"samples_mean", picture.samples.mean},
+                      {"samples_min", picture.samples.least},
+                      {"stopped_by", name_of(picture.stop.by)}};
+    if (picture.stop.error) json["error"] = *picture.stop.error;
+    return json;
 }
 
 /// How V was found; null where nothing casts shadows.
@@ -134,48 +69,105 @@ ordered_json seconds(const PhaseTimes& times) {
     return json;
 }
 
+/// Refuses what cannot be written before any work is done.
+void check_outputs(const RenderCommand& command) {
+    for (const std::string& output : command.outputs) image::is_scene_referred(output);
+    if (std::ranges::find(command.aovs, Aov::error) != command.aovs.end() && command.stop.samples < 2)
+        throw CLI::ValidationError("--aov", "error takes --samples 2 at least");
+    if (std::ranges::any_of(command.outputs, holds_layers)) return;
+    for (const auto& [is_asked, option] :
+         {std::pair(command.light_layers, "--layers"), std::pair(!command.aovs.empty(), "--aov")})
+        if (is_asked) throw CLI::ValidationError(option, "only .exr files hold layers: name one with -o");
+}
+
+/// A rendering at work.
+struct Work {
+    const RenderCommand& command;
+    const scene::Stage& stage;
+    const render::GpuScene& scene;
+    const render::RenderOptions& options;
+    render::Renderer& renderer;
+    const Interruption& interruption;
+    PhaseTimes& times;
+};
+
+/// The channels beside the film that were asked for; those of an interrupted step are left out.
+std::vector<Plane> further_planes(const Work& work, const Picture& picture, const std::vector<int>& samples) {
+    std::vector<Plane> planes;
+    const auto goes_on = [&] { return !work.interruption.has_come(); };
+    if (work.command.light_layers && goes_on()) {
+        planes = light_layers(
+            layer_names(work.stage.lights, aov_names()), work.renderer, [&](const std::string& layer) {
+                return add_again(work.renderer, picture.samples.most, work.interruption, layer);
+            });
+        work.times.end("layers");
+    }
+    if (!work.command.aovs.empty() && goes_on()) {
+        const AovSource source{work.scene, work.stage.camera, work.options, samples, picture.stop.estimate};
+        std::ranges::move(aov_planes(work.command.aovs, source, goes_on), std::back_inserter(planes));
+        work.times.end("aovs");
+    }
+    return planes;
+}
+
+/// Takes the samples, and what else was asked for; after an interruption, what there is.
+Picture draw(const Work& work) {
+    Picture picture;
+    picture.stop = add_samples(work.renderer, work.command.stop, work.interruption);
+    const std::vector<int> samples = work.renderer.pixel_samples();
+    picture.samples = counted(samples);
+    work.times.end("draw");
+    picture.film = work.renderer.film();
+    work.times.end("read");
+    const std::vector<Plane> planes = further_planes(work, picture, samples);
+    if (!planes.empty()) picture.layers = with_planes(picture.film, planes);
+    if (work.interruption.has_come()) picture.stop.by = StoppedBy::interruption;
+    return picture;
+}
+
+/// Says why a picture is not what was asked for.
+void remark_on_stop(const Picture& picture, const RenderCommand& command) {
+    const int samples = picture.samples.most;
+    if (picture.stop.by == StoppedBy::interruption)
+        fmt::print(stderr, "interrupted after {} of {} samples: what there is was written{}\n", samples,
+                   command.stop.samples,
+                   command.light_layers || !command.aovs.empty() ? ", not all layers" : "");
+    else if (command.stop.error && picture.stop.by != StoppedBy::error)
+        fmt::print(stderr,
+                   "{}: stopped by {} after {} samples with an estimated error of {:.3g} %, not {:.3g} %\n",
+                   command.scene, name_of(picture.stop.by), samples,
+                   100.0 * picture.stop.error.value_or(INFINITY), 100.0 * *command.stop.error);
+}
+
 ExitStatus render(const RenderCommand& command) {
     PhaseTimes times;
-    for (const std::string& output : command.outputs)
-        image::is_scene_referred(output); // refuses unknown formats
-    if (command.light_layers && std::ranges::none_of(command.outputs, holds_layers))
-        throw CLI::ValidationError("--layers", "only .exr files hold layers: name one with -o");
+    check_outputs(command);
     const OpenScene open = open_scene(command, times);
     const auto& [context, stage, size] = open;
     const render::GpuScene gpu_scene(stage.scene, stage.lights, command.visibility);
     glFinish();
     times.end("upload");
     if (gpu_scene.occluders()) times.add("bvh (in upload)", gpu_scene.occluders()->build_seconds());
-    render::Renderer renderer(gpu_scene, stage.camera, render_options(command, size));
+    const render::RenderOptions options = render_options(command, size);
+    render::Renderer renderer(gpu_scene, stage.camera, options);
     renderer.compile();
     times.end("compile");
-    if (!add_samples(renderer, command.samples)) {
-        fmt::print(stderr, "interrupted after {} of {} samples: nothing was written\n",
-                   renderer.sample_count(), command.samples);
+    const Interruption interruption;
+    Picture picture = draw({command, stage, gpu_scene, options, renderer, interruption, times});
+    if (interruption.asks_to_leave()) {
+        fmt::print(stderr, "asked to leave after {} samples: nothing was written\n", renderer.sample_count());
         return interrupted;
     }
-    times.end("draw");
-    image::Image film = renderer.film();
     context->require_silence();
-    times.end("read");
-    remark_on(film, command, stage);
-    describe(film, command, stage, context->info());
-    std::optional<image::Image> layers;
-    if (command.light_layers) {
-        layers = with_layers(film, layer_names(stage.lights), renderer, [&](const std::string& layer) {
-            return add_samples(renderer, command.samples, layer);
-        });
-        if (!layers) {
-            fmt::print(stderr, "interrupted: nothing was written\n");
-            return interrupted;
-        }
-        times.end("layers");
-    }
-    const auto ev100 = write_outputs(film, layers, command);
+    remark_on(picture.film, command, stage);
+    describe(picture, command, stage, context->info());
+    const auto ev100 = write_outputs(picture, command);
     times.end("write");
+    remark_on_stop(picture, command);
 
     if (command.json) {
         ordered_json json = summary(command, stage, *context, size);
+        json.update(stopping(picture));
         json["draw_calls"] = gpu_scene.opaque_draws().size() * 2 + gpu_scene.blended_draws().size();
         json["programs"] = renderer.program_count();
         json["shadows"] = shadows(gpu_scene, renderer);
@@ -183,7 +175,7 @@ ExitStatus render(const RenderCommand& command) {
         json["seconds"] = seconds(times);
         fmt::print("{}\n", json.dump(2, ' ', false, ordered_json::error_handler_t::replace));
     }
-    return done;
+    return picture.stop.by == StoppedBy::interruption ? interrupted : done;
 }
 
 } // namespace
@@ -192,7 +184,9 @@ void add_render_command(CLI::App& app) {
     const auto options = std::make_shared<RenderCommand>();
     CLI::App* command = app.add_subcommand("render", "render a glTF scene offscreen, lit by its own lights");
     declare(*command, *options);
-    command->callback([options] {
+    command->callback([options, command] {
+        if (command->count("--samples") == 0 && options->stop.asks_for_error())
+            options->stop.samples = most_samples;
         const ExitStatus status = render(*options);
         if (status != done) throw CLI::RuntimeError(status);
     });

@@ -1,6 +1,8 @@
 #pragma once
 // The options of `steradian render`, one struct with the defaults.
+#include "cli/aovs.hpp"
 #include "cli/arguments.hpp"
+#include "cli/stopping.hpp"
 #include "gl/context.hpp"
 #include "image/display.hpp"
 #include "image/file.hpp"
@@ -20,7 +22,7 @@ struct RenderCommand {
     std::optional<Size> size;         // absent: 720 rows in the camera's aspect ratio, 16:9 if it has none
     std::string camera;
     std::optional<int> scene_index;
-    int samples = 16;
+    StopRule stop;
     render::Visibility visibility = render::Visibility::ray;
     std::uint32_t seed = 0;
     render::Estimator estimator = render::Estimator::sampled;
@@ -31,6 +33,10 @@ struct RenderCommand {
     std::optional<float> ev100; // absent: automatic
     image::ToneCurve tone_curve = image::ToneCurve::neutral;
     bool light_layers = false; // in .exr: a layer a light
+    std::vector<Aov> aovs;     // in .exr: further channels
+
+    /// Whether the picture has to know its error, that is, takes its samples from two sequences.
+    bool asks_for_error() const;
     image::SampleType exr_type = image::SampleType::floating;
     gl::Backend backend = gl::Backend::automatic;
     bool gl_debug = false;

@@ -29,7 +29,7 @@ viewer::Options viewer_options(const ViewCommand& command) {
     options.rig = r.rig;
     options.hide_emitters = r.hide_emitters;
     options.visibility = r.visibility;
-    options.rendering.samples = r.samples;
+    options.rendering.samples = r.stop.samples;
     options.rendering.seed = r.seed;
     options.rendering.background = r.background;
     options.rendering.estimator = r.estimator;
@@ -75,7 +75,7 @@ void view(const ViewCommand& command) {
 
 void add_view_command(CLI::App& app) {
     const auto options = std::make_shared<ViewCommand>();
-    options->rendering.samples = 256;
+    options->rendering.stop.samples = 256;
     CLI::App* command = app.add_subcommand("view", "look around in a scene, in a window");
     declare_rendering(*command, options->rendering);
     declare_display(*command, options->rendering);

@@ -178,7 +178,7 @@ void Session::draw() {
     if (show_ && show_->picture().sample_count() > 0) {
         look_.ev100 = exposure_.ev100();
         const Picture& picture = show_->picture();
-        screen_.draw({&picture.film_sum(), picture.sample_count()}, {}, look_, width_, height_);
+        screen_.draw(picture.shown(), {}, look_, width_, height_);
     } else {
         glBindFramebuffer(GL_FRAMEBUFFER, 0);
         glClearColor(0.1f, 0.1f, 0.1f, 1.0f);
@@ -209,9 +209,10 @@ void Session::draw_panels() {
     status_line({picture.sample_count(), picture.samples(), picture.is_moving(), picture.scale(),
                  picture.seconds_per_sample(), under_pointer(), message_});
     ImGui::SetNextWindowPos({10.0f, 10.0f}, ImGuiCond_FirstUseEver);
-    ImGui::SetNextWindowSize({300.0f * ui_.scale(), 0.0f}, ImGuiCond_FirstUseEver);
-    if (ImGui::Begin("Steradian")) {
-        ImGui::PushItemWidth(-110.0f * ui_.scale()); // the rest is for labels
+    ImGui::SetNextWindowSizeConstraints({0.0f, 0.0f}, {1e4f, 0.92f * window_size().y});
+    if (ImGui::Begin("Steradian", nullptr, ImGuiWindowFlags_AlwaysAutoResize)) {
+        ImGui::PushItemWidth(170.0f * ui_.scale());
+        ImGui::PushTextWrapPos(280.0f * ui_.scale());
         const scene::Scene& scene = show_->scene().stage.scene;
         const CameraWish wish = camera_panel(*eye_, scene.cameras);
         if (wish.command) obey(*wish.command);
@@ -221,6 +222,7 @@ void Session::draw_panels() {
         draw_lights();
         picture_panel(exposure_, look_, scene::radiance_unit(scene.units));
         ImGui::TextDisabled("F1 or ? shows all keys");
+        ImGui::PopTextWrapPos();
         ImGui::PopItemWidth();
     }
     ImGui::End();
@@ -234,7 +236,7 @@ std::string Session::under_pointer() const {
     if (!(place.x >= 0.0f && place.x < 1.0f && place.y >= 0.0f && place.y < 1.0f)) return {};
     const int column = static_cast<int>(place.x * static_cast<float>(width_));
     const int row = static_cast<int>(place.y * static_cast<float>(height_));
-    const vec3 L = picture.pixel(column, row);
+    const vec3 L = picture.pixel(place);
     return fmt::format("{},{}: L {:.4g} {:.4g} {:.4g}, luminance {:.4g} {}", column, row, L.r, L.g, L.b,
                        image::luminance(L), scene::radiance_unit(show_->scene().stage.scene.units));
 }
