@@ -97,7 +97,7 @@ void Renderer::clear() {
 }
 
 void Renderer::repeat() {
-    sample_count_ = 0;
+    sample_count_ = rows_done_ = 0;
     glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
     for (const Target* target : {&film_, first_half_ ? &*first_half_ : nullptr}) {
         if (!target) continue;
@@ -114,6 +114,26 @@ void Renderer::look_from(const scene::Camera& camera) {
 void Renderer::add_sample() {
     const Window part = window();
     require(!part.is_empty(), "a pixel works");
+    require(rows_done_ == 0, "a sample that was begun by rows is ended by rows");
+    draw(part);
+    ++sample_count_;
+}
+
+bool Renderer::add_rows(int count) {
+    const Window whole = window();
+    require(!whole.is_empty() && count > 0, "a pixel works");
+    Window part = whole;
+    part.row += rows_done_;
+    part.height = std::min(count, whole.height - rows_done_);
+    draw(part);
+    rows_done_ += part.height;
+    if (rows_done_ < whole.height) return false;
+    rows_done_ = 0;
+    ++sample_count_;
+    return true;
+}
+
+void Renderer::draw(const Window& part) {
     keep_to(part);
     const View view = begin_frame();
     depth_pass(frame_, scene_, shaders_, options_.background);
@@ -127,7 +147,6 @@ void Renderer::add_sample() {
     blend_pass(frame_, scene_, shaders_, options_.shader, view.eye);
     accumulate();
     glDisable(GL_SCISSOR_TEST);
-    ++sample_count_;
 }
 
 void Renderer::accumulate() {

@@ -75,6 +75,9 @@ public:
 
     /// Renders one frame, one sample of every pixel that does not rest, and adds it to the film.
     void add_sample();
+    /// The same by parts, the next `count` rows at a time, so that others can work in between. The film is to
+    /// be read only when the sample is complete, or starts over before. @return whether it is complete
+    bool add_rows(int count);
     /// The samples of the pixels that do not rest.
     int sample_count() const { return sample_count_; }
 
@@ -105,6 +108,7 @@ private:
     void ask_for_rays();
     View begin_frame();
     Window window() const; // what this frame draws
+    void draw(const Window& part);
     void keep_to(const Window& window) const;
     VisibilityTerm opaque_visibility() const;
     void shade_opaque(const Window& window);
@@ -125,6 +129,7 @@ private:
     std::optional<RayAnswers> ray_answers_;
     gl::VertexArray no_vertices_{"no vertices"}; // core profile draws need one bound
     int sample_count_ = 0;
+    int rows_done_ = 0; // of the next sample
 };
 
 } // namespace sr::render
