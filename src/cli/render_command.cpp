@@ -47,6 +47,7 @@ void describe(image::Image& film, const RenderCommand& command, const scene::Sta
                        {"steradian:camera", stage.camera.name},
                        {"steradian:GL_RENDERER", gl.renderer},
                        {"steradian:GL_VERSION", gl.version}};
+    if (command.at) film.attributes.push_back({"steradian:time", fmt::format("{:.9g} s", *command.at)});
     if (command.estimator == render::Estimator::analytic)
         film.attributes.push_back({"steradian:analytic_points", std::to_string(command.analytic_points)});
 }
@@ -128,54 +129,107 @@ ordered_json shadows(const render::GpuScene& scene, const render::Renderer& rend
 }
 
 ordered_json seconds(const PhaseTimes& times) {
-    ordered_json json;
-    for (const auto& [phase, duration] : times.phases()) json[phase] = duration;
+    ordered_json json = ordered_json::object();
+    for (const auto& [phase, duration] : times.phases()) json[phase] = json.value(phase, 0.0) + duration;
     json["total"] = times.total();
     return json;
 }
 
-ExitStatus render(const RenderCommand& command) {
-    PhaseTimes times;
-    for (const std::string& output : command.outputs)
-        image::is_scene_referred(output); // refuses unknown formats
-    if (command.light_layers && std::ranges::none_of(command.outputs, holds_layers))
-        throw CLI::ValidationError("--layers", "only .exr files hold layers: name one with -o");
-    const OpenScene open = open_scene(command, times);
-    const auto& [context, stage, size] = open;
-    const render::GpuScene gpu_scene(stage.scene, stage.lights, command.visibility);
-    glFinish();
-    times.end("upload");
-    if (gpu_scene.occluders()) times.add("bvh (in upload)", gpu_scene.occluders()->build_seconds());
-    render::Renderer renderer(gpu_scene, stage.camera, render_options(command, size));
-    renderer.compile();
-    times.end("compile");
-    if (!add_samples(renderer, command.samples)) {
-        fmt::print(stderr, "interrupted after {} of {} samples: nothing was written\n",
-                   renderer.sample_count(), command.samples);
-        return interrupted;
-    }
+/// Takes the samples and writes the files. @return absent if Ctrl-C was pressed: then nothing was written;
+/// else the EV100 in use, if any was
+std::optional<std::optional<float>> make_picture(const RenderCommand& command, const OpenScene& open,
+                                                 render::Renderer& renderer, const std::string& what,
+                                                 PhaseTimes& times) {
+    const auto interrupted_at = [&](const std::string& when) {
+        fmt::print(stderr, "interrupted{}: nothing was written\n", when);
+        return std::nullopt;
+    };
+    if (!add_samples(renderer, command.samples, what))
+        return interrupted_at(
+            fmt::format(" after {} of {} samples", renderer.sample_count(), command.samples));
     times.end("draw");
     image::Image film = renderer.film();
-    context->require_silence();
+    open.context->require_silence();
     times.end("read");
-    remark_on(film, command, stage);
-    describe(film, command, stage, context->info());
+    remark_on(film, command, open.stage);
+    describe(film, command, open.stage, open.context->info());
     std::optional<image::Image> layers;
     if (command.light_layers) {
-        layers = with_layers(film, layer_names(stage.lights), renderer, [&](const std::string& layer) {
+        layers = with_layers(film, layer_names(open.stage.lights), renderer, [&](const std::string& layer) {
             return add_samples(renderer, command.samples, layer);
         });
-        if (!layers) {
-            fmt::print(stderr, "interrupted: nothing was written\n");
-            return interrupted;
-        }
+        if (!layers) return interrupted_at("");
         times.end("layers");
     }
     const auto ev100 = write_outputs(film, layers, command);
     times.end("write");
+    return ev100;
+}
+
+/// Writes every frame; automatic exposure is that of the first. @return the files, fewer if Ctrl-C was
+/// pressed
+std::vector<std::string> make_frames(const RenderCommand& command, OpenScene& open,
+                                     render::GpuScene& gpu_scene, render::Renderer& renderer,
+                                     PhaseTimes& times) {
+    std::vector<std::string> written;
+    RenderCommand picture = command;
+    for (const int frame : open.frames) {
+        if (frame != open.frames.front()) {
+            show_frame(open, command, frame);
+            times.end("pose");
+            gpu_scene.update(open.stage.scene, open.stage.lights);
+            renderer.restart(open.stage.camera);
+            times.end("update");
+        }
+        picture.at = seconds_of(frame, command);
+        for (std::size_t i = 0; i < command.outputs.size(); ++i)
+            picture.outputs[i] = *numbered(command.outputs[i], frame);
+        const auto what = fmt::format("frame {} of {}", frame - open.frames.front() + 1, open.frames.size());
+        const auto ev100 = make_picture(picture, open, renderer, what, times);
+        if (!ev100) break;
+        if (*ev100) picture.ev100 = *ev100;
+        written.insert(written.end(), picture.outputs.begin(), picture.outputs.end());
+    }
+    return written;
+}
+
+void check_outputs(const RenderCommand& command) {
+    for (const std::string& output : command.outputs) {
+        image::is_scene_referred(output); // refuses unknown formats
+        if (command.frames && !numbered(output, 0))
+            throw CLI::ValidationError("-o", fmt::format("'{}' has no place for the frame's number: name it "
+                                                         "like frame.####.png",
+                                                         output));
+    }
+    if (command.light_layers && std::ranges::none_of(command.outputs, holds_layers))
+        throw CLI::ValidationError("--layers", "only .exr files hold layers: name one with -o");
+}
+
+ExitStatus render(const RenderCommand& command) {
+    PhaseTimes times;
+    check_outputs(command);
+    OpenScene open = open_scene(command, times);
+    render::GpuScene gpu_scene(open.stage.scene, open.stage.lights, command.visibility);
+    glFinish();
+    times.end("upload");
+    if (gpu_scene.occluders()) times.add("bvh (in upload)", gpu_scene.occluders()->build_seconds());
+    render::Renderer renderer(gpu_scene, open.stage.camera, render_options(command, open.size));
+    renderer.compile();
+    times.end("compile");
+    std::optional<float> ev100;
+    std::vector<std::string> written = command.outputs;
+    if (command.frames) {
+        written = make_frames(command, open, gpu_scene, renderer, times);
+        if (written.size() < open.frames.size() * command.outputs.size()) return interrupted;
+    } else {
+        const auto picture = make_picture(command, open, renderer, "rendering", times);
+        if (!picture) return interrupted;
+        ev100 = *picture;
+    }
 
     if (command.json) {
-        ordered_json json = summary(command, stage, *context, size);
+        ordered_json json = summary(command, open.stage, *open.context, open.size);
+        json["outputs"] = written;
         json["draw_calls"] = gpu_scene.opaque_draws().size() * 2 + gpu_scene.blended_draws().size();
         json["programs"] = renderer.program_count();
         json["shadows"] = shadows(gpu_scene, renderer);

@@ -1,6 +1,7 @@
 #pragma once
 // The options of `steradian render`, one struct with the defaults.
 #include "cli/arguments.hpp"
+#include "cli/frame_names.hpp"
 #include "gl/context.hpp"
 #include "image/display.hpp"
 #include "image/file.hpp"
@@ -20,6 +21,11 @@ struct RenderCommand {
     std::optional<Size> size;         // absent: 720 rows in the camera's aspect ratio, 16:9 if it has none
     std::string camera;
     std::optional<int> scene_index;
+    std::string variant;              // of KHR_materials_variants; empty: none
+    std::string animation;            // by name, by index, or "all"; empty: the first
+    std::optional<double> at;         // [s]; absent: the file's rest pose
+    std::optional<FrameRange> frames; // a sequence of pictures instead of one
+    double fps = 24.0;
     int samples = 16;
     render::Visibility visibility = render::Visibility::ray;
     std::uint32_t seed = 0;

@@ -1,5 +1,6 @@
 #include "render/gpu_scene.hpp"
 
+#include "core/error.hpp"
 #include "render/gpu_texture.hpp"
 #include "render/light_table.hpp"
 
@@ -93,17 +94,28 @@ vec3 center_of(const scene::Mesh& mesh, const mat4& world_from_object) {
 
 } // namespace
 
-GpuScene::GpuScene(const scene::Scene& scene, std::span<const scene::Light> lights, Visibility visibility) {
+GpuScene::GpuScene(const scene::Scene& scene, std::span<const scene::Light> lights, Visibility visibility)
+    : visibility_(visibility) {
+    upload_textures(scene);
+    update(scene, lights);
+}
+
+void GpuScene::update(const scene::Scene& scene, std::span<const scene::Light> lights) {
+    require(image_of_texture_.size() == scene.textures.size(), "a scene keeps its textures");
+    meshes_.clear();
+    textures_of_material_.clear();
+    opaque_.clear();
+    blended_.clear();
+    occluders_.reset();
     meshes_.reserve(scene.meshes.size());
     for (const scene::Mesh& mesh : scene.meshes) meshes_.emplace_back(mesh);
-    upload_textures(scene);
     upload_objects(scene);
     upload_materials(scene);
     upload_lights(scene, lights);
     list_draws(scene, lights);
     rays_per_light_ = light_features(lights).rays_per_light;
-    if (visibility != Visibility::none && !lights.empty())
-        occluders_ = std::make_unique<Occluders>(scene, lights, visibility, !blended_.empty());
+    if (visibility_ != Visibility::none && !lights.empty())
+        occluders_ = std::make_unique<Occluders>(scene, lights, visibility_, !blended_.empty());
 }
 
 void GpuScene::upload_textures(const scene::Scene& scene) {

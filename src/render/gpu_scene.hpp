@@ -29,6 +29,10 @@ public:
     GpuScene(const scene::Scene& scene, std::span<const scene::Light> lights,
              Visibility visibility = Visibility::ray);
 
+    /// The same scene at another moment: everything is uploaded anew but the images and textures, which must
+    /// be the same. Renderers of this scene must restart().
+    void update(const scene::Scene& scene, std::span<const scene::Light> lights);
+
     int light_count() const { return light_count_; }
     int rays_per_light() const { return rays_per_light_; } // that a point of a surface sends
     /// What casts shadows; null if nothing does.
@@ -50,6 +54,7 @@ private:
     void list_draws(const scene::Scene& scene, std::span<const scene::Light> lights);
     void bind_material(int material) const;
 
+    Visibility visibility_;
     std::vector<GpuMesh> meshes_;
     std::vector<gl::Texture> images_; // one per (image, colour space) in use
     std::vector<gl::Sampler> samplers_;

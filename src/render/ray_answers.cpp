@@ -165,9 +165,9 @@ std::size_t RayAnswers::answer_row(std::size_t first, std::size_t end) {
         if (ray.w == 0.0f) continue;
         const vec4 receiver = receivers_[pixel];
         const int number = static_cast<int>(std::abs(ray.w)) - 1;
-        const std::size_t place =
-            static_cast<std::size_t>(number - planes_.first_ray) * planes_.size + pixel;
-        if (!is_finite(ray) || !is_finite(receiver)) { // a user's shader may ask this, Embree may not be asked
+        const std::size_t place = static_cast<std::size_t>(number - planes_.first_ray) * planes_.size + pixel;
+        if (!is_finite(ray)
+            || !is_finite(receiver)) { // a user's shader may ask this, Embree may not be asked
             values_[place] = std::numeric_limits<float>::quiet_NaN();
             ++broken;
             continue;

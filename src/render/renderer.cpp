@@ -47,9 +47,18 @@ Renderer::Renderer(const GpuScene& scene, const scene::Camera& camera, const Ren
       shaders_(shader_path(options)),
       frame_("frame", options.width, options.height, true),
       film_("film", options.width, options.height, false) {
-    if (scene.occluders() && scene.occluders()->occlusion())
-        ray_answers_.emplace(scene, frame_, options.width, options.height, options.most_answers);
+    prepare_answers();
     clear();
+}
+
+void Renderer::prepare_answers() {
+    const bool is_asked = scene_.occluders() && scene_.occluders()->occlusion();
+    const int rays_per_point = scene_.light_count() * scene_.rays_per_light();
+    if (is_asked == ray_answers_.has_value() && rays_per_point == rays_per_point_) return;
+    ray_answers_.reset();
+    rays_per_point_ = rays_per_point;
+    if (is_asked)
+        ray_answers_.emplace(scene_, frame_, options_.width, options_.height, options_.most_answers);
 }
 
 void Renderer::compile() {
@@ -79,6 +88,12 @@ void Renderer::clear() {
 void Renderer::look_from(const scene::Camera& camera) {
     camera_ = camera;
     clear();
+}
+
+void Renderer::restart(const scene::Camera& camera) {
+    prepare_answers();
+    use_lights(0, scene_.light_count());
+    look_from(camera);
 }
 
 void Renderer::add_sample() {

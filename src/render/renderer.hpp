@@ -64,6 +64,9 @@ public:
     /// Looks from here, with an empty film.
     void look_from(const scene::Camera& camera);
 
+    /// Starts over from here, with all lights: the scene was updated.
+    void restart(const scene::Camera& camera);
+
     /// Renders one frame, one sample of every pixel, and adds it to the film.
     void add_sample();
     int sample_count() const { return sample_count_; }
@@ -79,6 +82,7 @@ public:
     const RayAnswers* ray_answers() const { return ray_answers_ ? &*ray_answers_ : nullptr; }
 
 private:
+    void prepare_answers();
     View begin_frame();
     void keep_to_window() const;
     VisibilityTerm opaque_visibility() const;
@@ -94,6 +98,7 @@ private:
     Target film_;
     FrameData frame_data_;
     std::optional<RayAnswers> ray_answers_;
+    int rays_per_point_ = 0;                     // that ray_answers_ was made for
     gl::VertexArray no_vertices_{"no vertices"}; // core profile draws need one bound
     int sample_count_ = 0;
 };
