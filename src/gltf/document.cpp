@@ -1,6 +1,7 @@
 #include "gltf/document.hpp"
 
 #include "core/error.hpp"
+#include "gltf/compression.hpp"
 #include "gltf/container.hpp"
 #include "gltf/extensions.hpp"
 #include "gltf/json.hpp"
@@ -132,6 +133,8 @@ Document read_document(const std::filesystem::path& file) {
     if (root.contains("extensionsRequired"))
         document.extensions_required = root["extensionsRequired"].get<std::vector<std::string>>();
     document.model = model_of(std::move(root), document.name);
+    unpack_meshopt(document);
+    unpack_draco(document);
     return document;
 }
 

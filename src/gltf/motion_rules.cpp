@@ -9,7 +9,10 @@ using Kind = Rule::Kind;
 struct Rules {
     Rule boolean{.kind = Kind::boolean};
     Rule text{.kind = Kind::text};
-    Rule whole{.kind = Kind::whole};
+    Rule whole{.kind = Kind::whole, .largest = 0x7FFFFFFF}; // where tinygltf stores an int
+    Rule buffer{.kind = Kind::index, .pool = "/buffers"};
+    Rule packed_mode{.kind = Kind::text, .words = {"ATTRIBUTES", "TRIANGLES", "INDICES"}};
+    Rule packed_filter{.kind = Kind::text, .words = {"NONE", "OCTAHEDRAL", "QUATERNION", "EXPONENTIAL"}};
     Rule accessor{.kind = Kind::index, .pool = "/accessors"};
     Rule view{.kind = Kind::index, .pool = "/bufferViews"};
     Rule node_index{.kind = Kind::index, .pool = "/nodes"};
@@ -48,6 +51,10 @@ struct Rules {
     Rule mapping_list{.kind = Kind::list, .element = &mapping};
     Rule mappings{.kind = Kind::record, .properties = {{"mappings", &mapping_list, true}}};
     Rule draco{.kind = Kind::record, .properties = {{"bufferView", &view, true}, {"attributes", &attribute_ids, true}}};
+    Rule meshopt{.kind = Kind::record, .properties = {
+        {"buffer", &buffer, true}, {"byteOffset", &whole}, {"byteLength", &whole, true}, {"byteStride", &whole, true},
+        {"count", &whole, true}, {"mode", &packed_mode, true}, {"filter", &packed_filter}}};
+    Rule view_extensions{.kind = Kind::record, .properties = {{"EXT_meshopt_compression", &meshopt}}};
     Rule primitive_extensions{.kind = Kind::record, .properties = {
         {"KHR_materials_variants", &mappings}, {"KHR_draco_mesh_compression", &draco}}};
     // clang-format on
@@ -69,6 +76,7 @@ const Rule& animation_rule() { return rules().animation; }
 const Rule& visibility_rule() { return rules().visibility; }
 const Rule& instancing_rule() { return rules().instancing; }
 const Rule& variants_rule() { return rules().variants; }
+const Rule& view_extensions_rule() { return rules().view_extensions; }
 const Rule& primitive_extensions_rule() { return rules().primitive_extensions; }
 
 } // namespace sr::gltf

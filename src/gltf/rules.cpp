@@ -60,7 +60,7 @@ const Rule buffer_view = record({{"buffer", &buffer_index, true},
                                  {"byteStride", &whole},
                                  {"target", &whole},
                                  {"name", &text},
-                                 {"extensions", &object}});
+                                 {"extensions", &view_extensions_rule()}});
 // BYTE, UNSIGNED_BYTE, SHORT, UNSIGNED_SHORT, UNSIGNED_INT, FLOAT
 const Rule component_type = number_out_of({5120, 5121, 5122, 5123, 5125, 5126});
 const Rule index_component_type = number_out_of({5121, 5123, 5125});
