@@ -1,6 +1,7 @@
 #include "cli/render_options.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 
 namespace sr::cli {
@@ -14,9 +15,9 @@ CLI::Option* parsed(CLI::App& command, const char* name, const char* help, const
         .add_option_function<std::string>(
             name,
             [=](const std::string& text) {
-                const auto value = parse(text);
+                auto value = parse(text);
                 if (!value) throw CLI::ValidationError(name, "'" + text + "' is not " + expected);
-                take(*value);
+                take(std::move(*value));
             },
             help)
         ->type_name(expected);
@@ -58,7 +59,8 @@ void declare_picture(CLI::App& command, RenderCommand& o) {
     command.add_option("--scene", o.scene_index, "which of the file's scenes (default: the file's choice)")
         ->check(CLI::NonNegativeNumber);
     command
-        .add_option("--samples", o.samples, "samples a pixel: sub-pixel positions and points on each emitter")
+        .add_option("--samples", o.stop.samples,
+                    "samples a pixel: sub-pixel positions and points on each emitter")
         ->check(CLI::Range(1, 1 << 24))
         ->capture_default_str();
     command.add_option("--seed", o.seed, "another seed is another, equally good set of samples")
@@ -103,6 +105,18 @@ void declare_sequence(CLI::App& command, RenderCommand& o) {
         ->capture_default_str();
 }
 
+void declare_stopping(CLI::App& command, RenderCommand& o) {
+    parsed(command, "--error",
+           "stop when the picture is this near to what it converges to: √rel_mse of `steradian compare`, "
+           "estimated "
+           "from two independent halves of the samples; pixels that are near enough stop earlier. Then "
+           "--samples is "
+           "65536 by default",
+           "PERCENT%", parsed_percentage, [&o](double error) { o.stop.error = error; });
+    parsed(command, "--time", "stop after this long; loading and --layers are not counted", "SECONDS|2s|5min",
+           parsed_duration, [&o](double seconds) { o.stop.seconds = seconds; });
+}
+
 void declare_estimator(CLI::App& command, RenderCommand& o) {
     parsed(
         command, "--estimator",
@@ -131,6 +145,11 @@ void declare_output(CLI::App& command, RenderCommand& o) {
             "lights: .exr files get a layer for each light and one for emission, whose sum is the picture")
         ->check(CLI::IsMember({"lights"}))
         ->type_name("lights");
+    parsed(command, "--aov",
+           "further channels of .exr files, named in src/cli/README.md: depth, normal, albedo, visibility, "
+           "irradiance, "
+           "object, material, samples, error; separated by commas",
+           "NAME,NAME...", parsed_aovs, [&o](std::vector<Aov> aovs) { o.aovs = std::move(aovs); });
     command.add_flag("--json", o.json, "print a summary as JSON: times by phase, triangles, samples, …");
 }
 
@@ -144,6 +163,10 @@ void declare_machine(CLI::App& command, RenderCommand& o) {
 }
 
 } // namespace
+
+bool RenderCommand::asks_for_error() const {
+    return stop.asks_for_error() || std::ranges::find(aovs, Aov::error) != aovs.end();
+}
 
 void declare_rendering(CLI::App& command, RenderCommand& options) {
     command.add_option("SCENE", options.scene, "a .gltf or .glb file")->required();
@@ -162,11 +185,15 @@ void declare(CLI::App& command, RenderCommand& options) {
         ->allow_extra_args(false) // one a flag: what follows may be the scene
         ->required();
     declare_sequence(command, options);
+    declare_stopping(command, options);
     declare_output(command, options);
     command.footer(
         "Examples:\n"
         "  steradian render scene.glb -o picture.png\n"
         "  steradian render scene.glb -o radiance.exr -o picture.png --samples 256 --size 1920x1080\n"
+        "  steradian render scene.glb -o converged.exr --error 0.5%\n"
+        "  steradian render scene.glb -o quick.png --time 2s --error 2%    (whichever comes first)\n"
+        "  steradian render scene.glb -o layers.exr --layers lights --aov depth,normal,object\n"
         "  steradian render scene.glb -o front.png --camera auto --exposure 9.5 --tone-curve agx\n"
         "  steradian render dancer.glb -o pose.png --animation Walk --at 0.5\n"
         "  steradian render dancer.glb -o walk.####.png --frames 0:47 --fps 24\n"

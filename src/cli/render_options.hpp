@@ -1,7 +1,9 @@
 #pragma once
 // The options of `steradian render`, one struct with the defaults.
+#include "cli/aovs.hpp"
 #include "cli/arguments.hpp"
 #include "cli/frame_names.hpp"
+#include "cli/stopping.hpp"
 #include "gl/context.hpp"
 #include "image/display.hpp"
 #include "image/file.hpp"
@@ -26,7 +28,7 @@ struct RenderCommand {
     std::optional<double> at;         // [s]; absent: the file's rest pose
     std::optional<FrameRange> frames; // a sequence of pictures instead of one
     double fps = 24.0;
-    int samples = 16;
+    StopRule stop;
     render::Visibility visibility = render::Visibility::ray;
     std::uint32_t seed = 0;
     render::Estimator estimator = render::Estimator::sampled;
@@ -37,6 +39,10 @@ struct RenderCommand {
     std::optional<float> ev100; // absent: automatic
     image::ToneCurve tone_curve = image::ToneCurve::neutral;
     bool light_layers = false; // in .exr: a layer a light
+    std::vector<Aov> aovs;     // in .exr: further channels
+
+    /// Whether the picture has to know its error, that is, takes its samples from two sequences.
+    bool asks_for_error() const;
     image::SampleType exr_type = image::SampleType::floating;
     gl::Backend backend = gl::Backend::automatic;
     bool gl_debug = false;

@@ -25,7 +25,9 @@ struct ObjectBlock {
     mat4 world_from_normal;
     vec4 handedness;
     std::int32_t first_triangle;
-    std::array<std::int32_t, 3> padding{};
+    std::int32_t object;
+    std::int32_t material;
+    std::int32_t padding = 0;
 };
 
 struct RaysBlock {

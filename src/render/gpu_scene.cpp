@@ -32,10 +32,15 @@ GLsizeiptr upload_blocks(const gl::Buffer& buffer, const std::vector<BlockType>&
 
 bool mirrors(const mat4& m) { return glm::determinant(mat3(m)) < 0.0f; }
 
-ObjectBlock packed_object(const scene::Instance& instance, std::size_t first_triangle) {
+ObjectBlock packed_object(const scene::Instance& instance, std::size_t first_triangle, std::size_t object,
+                          int material) {
     const mat4& m = instance.world_from_object;
-    return {m, mat4(glm::inverseTranspose(mat3(m))), vec4(mirrors(m) ? -1.0f : 1.0f, 0.0f, 0.0f, 0.0f),
-            static_cast<std::int32_t>(first_triangle)};
+    return {m,
+            mat4(glm::inverseTranspose(mat3(m))),
+            vec4(mirrors(m) ? -1.0f : 1.0f, 0.0f, 0.0f, 0.0f),
+            static_cast<std::int32_t>(first_triangle),
+            static_cast<std::int32_t>(object),
+            material};
 }
 
 std::array<const scene::TextureSlot*, slot_count> slots_of(const scene::Material& m) {
@@ -150,7 +155,8 @@ void GpuScene::upload_objects(const scene::Scene& scene) {
     std::vector<ObjectBlock> blocks;
     std::size_t triangles = 0; // so far, as shadow::Casters counts them
     for (const scene::Instance& instance : scene.instances) {
-        blocks.push_back(packed_object(instance, triangles));
+        blocks.push_back(
+            packed_object(instance, triangles, blocks.size(), scene.meshes[instance.mesh].material));
         triangles += scene.meshes[instance.mesh].indices.size() / 3;
     }
     object_stride_ = upload_blocks(objects_, blocks);

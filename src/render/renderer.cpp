@@ -46,7 +46,9 @@ Renderer::Renderer(const GpuScene& scene, const scene::Camera& camera, const Ren
       end_light_(scene.light_count()),
       shaders_(shader_path(options)),
       frame_("frame", options.width, options.height, true),
-      film_("film", options.width, options.height, false) {
+      film_("film", options.width, options.height, false),
+      resting_(options.width, options.height) {
+    if (options.knows_error) first_half_.emplace("first half", options.width, options.height, false);
     prepare_answers();
     clear();
 }
@@ -79,10 +81,18 @@ void Renderer::use_lights(int first, int end) {
 }
 
 void Renderer::clear() {
+    resting_ = Resting(options_.width, options_.height);
+    repeat();
+}
+
+void Renderer::repeat() {
     sample_count_ = 0;
-    film_.bind();
     glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
-    glClear(GL_COLOR_BUFFER_BIT);
+    for (const Target* target : {&film_, first_half_ ? &*first_half_ : nullptr}) {
+        if (!target) continue;
+        target->bind();
+        glClear(GL_COLOR_BUFFER_BIT);
+    }
 }
 
 void Renderer::look_from(const scene::Camera& camera) {
@@ -97,30 +107,50 @@ void Renderer::restart(const scene::Camera& camera) {
 }
 
 void Renderer::add_sample() {
-    keep_to_window();
+    const Window part = window();
+    require(!part.is_empty(), "a pixel works");
+    keep_to(part);
     const View view = begin_frame();
     depth_pass(frame_, scene_, shaders_, options_.background);
-    shade_opaque();
-    keep_to_window();
-    blend_pass(frame_, scene_, shaders_, options_.shader, view.eye);
     glBindVertexArray(no_vertices_.id());
-    accumulate_pass(film_, frame_, shaders_);
+    if (resting_.any(sample_count_)) {
+        resting_.bind(sample_count_, 0);
+        rest_pass(frame_, shaders_);
+    }
+    shade_opaque(part);
+    keep_to(part);
+    blend_pass(frame_, scene_, shaders_, options_.shader, view.eye);
+    accumulate();
     glDisable(GL_SCISSOR_TEST);
     ++sample_count_;
 }
 
-void Renderer::keep_to_window() const {
-    if (!options_.window) return;
-    const Window& w = *options_.window;
+void Renderer::accumulate() {
+    glBindVertexArray(no_vertices_.id());
+    accumulate_pass(film_, frame_, shaders_);
+    if (first_half_ && half_of(sample_count_) == 0) accumulate_pass(*first_half_, frame_, shaders_);
+}
+
+Window Renderer::window() const {
+    const Window working = resting_.working(sample_count_);
+    return options_.window ? common_part(*options_.window, working) : working;
+}
+
+void Renderer::keep_to(const Window& window) const {
+    if (window.width == options_.width && window.height == options_.height) return glDisable(GL_SCISSOR_TEST);
     glEnable(GL_SCISSOR_TEST);
-    glScissor(w.column, options_.height - w.row - w.height, w.width, w.height); // GL counts rows from below
+    glScissor(window.column, options_.height - window.row - window.height, window.width,
+              window.height); // GL counts rows from below
 }
 
 View Renderer::begin_frame() {
-    const vec2 offset = sub_pixel(sample_count_, options_.samples, options_.seed);
-    const View view = view_of(camera_, options_.width, options_.height, offset);
-    frame_data_.upload({view.clip_from_world, view.eye, static_cast<std::uint32_t>(sample_count_),
-                        options_.seed, first_light_, end_light_});
+    const bool halves = options_.knows_error;
+    const int index = halves ? sample_count_ / 2 : sample_count_;
+    const std::uint32_t seed = halves ? half_seed(half_of(sample_count_), options_.seed) : options_.seed;
+    const View view =
+        view_of(camera_, options_.width, options_.height, sub_pixel(index, options_.samples, seed));
+    frame_data_.upload(
+        {view.clip_from_world, view.eye, static_cast<std::uint32_t>(index), seed, first_light_, end_light_});
     return view;
 }
 
@@ -129,30 +159,48 @@ VisibilityTerm Renderer::opaque_visibility() const {
     return ray_answers_ ? VisibilityTerm::answered : VisibilityTerm::ray;
 }
 
-void Renderer::shade_opaque() {
+void Renderer::shade_opaque(const Window& window) {
     if (!ray_answers_ || first_light_ == end_light_) {
         forward_pass(frame_, scene_, shaders_, options_.shader, opaque_visibility());
         return;
     }
-    const Window all{0, 0, options_.width, options_.height};
-    const Window& w = options_.window ? *options_.window : all;
-    const Band rows{options_.height - w.row - w.height, w.height};
+    const Band rows{options_.height - window.row - window.height, window.height};
     const std::vector<Band> bands = ray_answers_->bands(rows, end_light_ - first_light_);
     glEnable(GL_SCISSOR_TEST);
     for (const Band& band : bands) {
-        glScissor(w.column, band.first, w.width, band.count);
+        glScissor(window.column, band.first, window.width, band.count);
         ray_answers_->find(band, first_light_, end_light_, frame_data_, shaders_);
         forward_pass(frame_, scene_, shaders_, options_.shader, VisibilityTerm::answered);
     }
     glDisable(GL_SCISSOR_TEST);
 }
 
+std::vector<int> Renderer::pixel_samples() const {
+    std::vector<int> samples(static_cast<std::size_t>(options_.width)
+                             * static_cast<std::size_t>(options_.height));
+    for (std::size_t i = 0; i < samples.size(); ++i) samples[i] = resting_.samples_of(i, sample_count_);
+    return samples;
+}
+
+image::Image Renderer::mean_of(const Target& sum, const std::vector<int>& samples) const {
+    image::Image image = sum.read();
+    for (std::size_t i = 0; i < image.pixels.size(); ++i)
+        image.pixels[i] *= 1.0f / static_cast<float>(samples[i / 4]);
+    return image;
+}
+
 image::Image Renderer::film() const {
     require(sample_count_ > 0, "the film has samples");
-    image::Image image = film_.read();
-    const float weight = 1.0f / static_cast<float>(sample_count_);
-    for (float& value : image.pixels) value *= weight;
-    return image;
+    return mean_of(film_, pixel_samples());
+}
+
+std::optional<ErrorEstimate> Renderer::error_estimate() const {
+    require(first_half_.has_value(), "the renderer knows its error");
+    if (sample_count_ < 2) return std::nullopt;
+    const std::vector<int> samples = pixel_samples();
+    std::vector<int> first = samples;
+    for (int& count : first) count = samples_of_half(0, count);
+    return estimated_error(mean_of(film_, samples), mean_of(*first_half_, first), samples);
 }
 
 } // namespace sr::render
