@@ -87,6 +87,32 @@ void declare_picture(CLI::App& command, RenderCommand& o) {
         "emitters light the scene and are not seen: lights vanish, emissive surfaces only reflect");
 }
 
+void declare_moment(CLI::App& command, RenderCommand& o) {
+    command
+        .add_option("--at", o.at,
+                    "show the animation at this time (default: the file's rest pose, without its animations)")
+        ->type_name("SECONDS")
+        ->check(CLI::NonNegativeNumber);
+    command
+        .add_option("--animation", o.animation,
+                    "which one --at and --frames show: by name or index, or all at once (default: the first)")
+        ->type_name("NAME|INDEX|all");
+    command.add_option("--variant", o.variant, "which of the file's material variants (default: none)")
+        ->type_name("NAME");
+}
+
+void declare_sequence(CLI::App& command, RenderCommand& o) {
+    CLI::Option* frames = parsed(
+        command, "--frames",
+        "render frames A to B of the animation, or from A to its end; OUT has #### or %04d in its name",
+        "A:B|A:", parsed_frames, [&o](FrameRange range) { o.frames = range; });
+    frames->excludes(command.get_option("--at"));
+    command.add_option("--fps", o.fps, "frames a second: frame n is at n / fps seconds")
+        ->check(CLI::Range(1e-3, 1e6))
+        ->needs(frames)
+        ->capture_default_str();
+}
+
 void declare_stopping(CLI::App& command, RenderCommand& o) {
     parsed(command, "--error",
            "stop when the picture is this near to what it converges to: √rel_mse of `steradian compare`, "
@@ -155,6 +181,7 @@ bool RenderCommand::asks_for_error() const {
 void declare_rendering(CLI::App& command, RenderCommand& options) {
     command.add_option("SCENE", options.scene, "a .gltf or .glb file")->required();
     declare_picture(command, options);
+    declare_moment(command, options);
     declare_estimator(command, options);
     declare_machine(command, options);
 }
@@ -176,6 +203,7 @@ void declare(CLI::App& command, RenderCommand& options) {
         ->type_name("OUT")
         ->allow_extra_args(false) // one a flag: what follows may be the scene
         ->required();
+    declare_sequence(command, options);
     declare_stopping(command, options);
     declare_output(command, options);
     command.footer(
@@ -187,6 +215,8 @@ void declare(CLI::App& command, RenderCommand& options) {
         "  steradian render scene.glb -o layers.exr --layers lights --aov depth,normal,object\n"
         "  steradian render scene.glb -o luminance.png --view luminance\n"
         "  steradian render scene.glb -o front.png --camera auto --exposure 9.5 --tone-curve agx\n"
+        "  steradian render dancer.glb -o pose.png --animation Walk --at 0.5\n"
+        "  steradian render dancer.glb -o walk.####.png --frames 0:47 --fps 24\n"
         "  steradian render scene.glb -o mine.png --shaders my_shaders    (my_shaders/brdf/f_r.glsl wins)");
 }
 

@@ -49,14 +49,8 @@ Renderer::Renderer(const GpuScene& scene, const scene::Camera& camera, const Ren
       film_("film", options.width, options.height, false),
       resting_(options.width, options.height) {
     if (options.knows_error) first_half_.emplace("first half", options.width, options.height, false);
-    ask_for_rays();
+    prepare_answers();
     clear();
-}
-
-void Renderer::ask_for_rays() {
-    ray_answers_.reset();
-    if (scene_.occluders() && scene_.occluders()->occlusion())
-        ray_answers_.emplace(scene_, frame_, options_.width, options_.height, options_.most_answers);
 }
 
 void Renderer::resize(int width, int height, int samples) {
@@ -70,8 +64,18 @@ void Renderer::resize(int width, int height, int samples) {
     options_.height = height;
     options_.samples = samples;
     use_lights(0, scene_.light_count());
-    ask_for_rays();
+    prepare_answers();
     clear();
+}
+
+void Renderer::prepare_answers() {
+    const bool is_asked = scene_.occluders() && scene_.occluders()->occlusion();
+    const int rays_per_point = scene_.light_count() * scene_.rays_per_light();
+    if (is_asked == ray_answers_.has_value() && rays_per_point == rays_per_point_) return;
+    ray_answers_.reset();
+    rays_per_point_ = rays_per_point;
+    if (is_asked)
+        ray_answers_.emplace(scene_, frame_, options_.width, options_.height, options_.most_answers);
 }
 
 void Renderer::compile() {
@@ -109,6 +113,12 @@ void Renderer::repeat() {
 void Renderer::look_from(const scene::Camera& camera) {
     camera_ = camera;
     clear();
+}
+
+void Renderer::restart(const scene::Camera& camera) {
+    prepare_answers();
+    use_lights(0, scene_.light_count());
+    look_from(camera);
 }
 
 void Renderer::add_sample() {

@@ -69,6 +69,9 @@ public:
     int width() const { return options_.width; }
     int height() const { return options_.height; }
 
+    /// Starts over from here, with all lights: the scene was updated.
+    void restart(const scene::Camera& camera);
+
     /// Starts over with an empty film, in which every pixel will rest when it did: after as many samples as
     /// before, the film has the very same ones.
     void repeat();
@@ -105,7 +108,7 @@ public:
     const RayAnswers* ray_answers() const { return ray_answers_ ? &*ray_answers_ : nullptr; }
 
 private:
-    void ask_for_rays();
+    void prepare_answers();
     View begin_frame();
     Window window() const; // what this frame draws
     void draw(const Window& part);
@@ -127,6 +130,7 @@ private:
     Resting resting_;
     FrameData frame_data_;
     std::optional<RayAnswers> ray_answers_;
+    int rays_per_point_ = 0;                     // that ray_answers_ was made for
     gl::VertexArray no_vertices_{"no vertices"}; // core profile draws need one bound
     int sample_count_ = 0;
     int rows_done_ = 0; // of the next sample
