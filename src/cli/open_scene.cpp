@@ -143,6 +143,7 @@ render::RenderOptions render_options(const RenderCommand& command, Size size) {
     options.estimator = command.estimator;
     options.analytic_points = command.analytic_points;
     if (command.view) options.shader = command.view->shader;
+    options.maps = command.maps;
     return options;
 }
 

@@ -50,6 +50,8 @@ ordered_json stopping(const Picture& picture) {
 ordered_json shadows(const render::GpuScene& scene, const render::Renderer& renderer) {
     const render::Occluders* occluders = scene.occluders();
     if (!occluders) return nullptr;
+    if (const render::DepthMaps* maps = renderer.depth_maps())
+        return {{"by", "maps"}, {"maps_a_sample", maps->map_count()}, {"map_size", maps->size()}};
     const render::RayAnswers* answers = renderer.ray_answers();
     ordered_json json{{"by", answers ? "cpu" : "glsl"},
                       {"bvh_triangles", occluders->triangle_count()},

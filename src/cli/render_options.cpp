@@ -73,11 +73,24 @@ void declare_picture(CLI::App& command, RenderCommand& o) {
         ->capture_default_str();
     command.add_option("--seed", o.seed, "another seed is another, equally good set of samples")
         ->capture_default_str();
-    parsed(
-        command, "--visibility",
-        "shadows: a ray to each sample, on the CPU in software GL, in GLSL elsewhere; or none (default: ray)",
-        "ray|ray-cpu|ray-glsl|none", render::visibility_named,
-        [&o](render::Visibility visibility) { o.visibility = visibility; });
+    parsed(command, "--visibility",
+           "shadows: a ray to each sample, on the CPU in software GL, in GLSL elsewhere; depth maps from "
+           "points on "
+           "the emitters; or none (default: ray)",
+           "ray|ray-cpu|ray-glsl|map|none", render::visibility_named,
+           [&o](render::Visibility visibility) { o.visibility = visibility; });
+    command
+        .add_option(
+            "--map-points", o.maps.points,
+            "with --visibility map: points on each emitter that a sample has, each with its depth maps")
+        ->check(CLI::Range(1, 32))
+        ->capture_default_str();
+    command
+        .add_option(
+            "--map-size", o.maps.size,
+            "with --visibility map: texels on a map's side; halved until a sample's maps fit into 256 MiB")
+        ->check(CLI::Range(16, 8192))
+        ->capture_default_str();
     parsed(command, "--background", "radiance where there is no surface [cd/m²] (default: 0)", "L or R,G,B",
            parsed_color, [&o](vec3 color) { o.background = color; });
     parsed(command, "--rig", "what lights a file without a lamp; glowing details are none (default: studio)",

@@ -31,6 +31,7 @@ struct RenderCommand {
     double fps = 24.0;
     StopRule stop;
     render::Visibility visibility = render::Visibility::ray;
+    render::MapOptions maps;
     std::uint32_t seed = 0;
     render::Estimator estimator = render::Estimator::sampled;
     int analytic_points = render::default_analytic_points;

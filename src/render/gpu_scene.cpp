@@ -120,7 +120,8 @@ void GpuScene::relight(const scene::Scene& scene, std::span<const scene::Light> 
     upload_materials(scene);
     upload_lights(scene, lights);
     list_draws(scene, lights);
-    if (casters_change) cast_shadows(scene, lights);
+    if (casters_change || visibility_ == Visibility::map)
+        cast_shadows(scene, lights); // maps know where lights are
 }
 
 void GpuScene::cast_shadows(const scene::Scene& scene, std::span<const scene::Light> lights) {
@@ -199,7 +200,8 @@ void GpuScene::bind_lights() const {
 }
 
 void GpuScene::list_draws(const scene::Scene& scene, std::span<const scene::Light> lights) {
-    const Features lit = light_features(lights);
+    Features lit = light_features(lights);
+    lit.has_transparent_casters = has_transparent_casters(scene);
     opaque_.clear();
     blended_.clear();
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {

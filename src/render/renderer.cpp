@@ -49,7 +49,7 @@ Renderer::Renderer(const GpuScene& scene, const scene::Camera& camera, const Ren
       film_("film", options.width, options.height, false),
       resting_(options.width, options.height) {
     if (options.knows_error) first_half_.emplace("first half", options.width, options.height, false);
-    prepare_answers();
+    ask_for_shadows();
     clear();
 }
 
@@ -64,11 +64,13 @@ void Renderer::resize(int width, int height, int samples) {
     options_.height = height;
     options_.samples = samples;
     use_lights(0, scene_.light_count());
-    prepare_answers();
+    ask_for_shadows();
     clear();
 }
 
-void Renderer::prepare_answers() {
+void Renderer::ask_for_shadows() {
+    depth_maps_.reset();
+    if (scene_.occluders() && scene_.occluders()->map_stage()) depth_maps_.emplace(scene_, options_.maps);
     const bool is_asked = scene_.occluders() && scene_.occluders()->occlusion();
     const int rays_per_point = scene_.light_count() * scene_.rays_per_light();
     if (is_asked == ray_answers_.has_value() && rays_per_point == rays_per_point_) return;
@@ -79,6 +81,7 @@ void Renderer::prepare_answers() {
 }
 
 void Renderer::compile() {
+    if (depth_maps_) depth_maps_->compile(shaders_);
     for (const Draw& draw : scene_.opaque_draws()) {
         shaders_.mesh_program("depth.frag", depth_features(draw.features));
         shaders_.mesh_program(options_.shader, draw.features, opaque_visibility());
@@ -116,7 +119,7 @@ void Renderer::look_from(const scene::Camera& camera) {
 }
 
 void Renderer::restart(const scene::Camera& camera) {
-    prepare_answers();
+    ask_for_shadows();
     use_lights(0, scene_.light_count());
     look_from(camera);
 }
@@ -144,8 +147,8 @@ bool Renderer::add_rows(int count) {
 }
 
 void Renderer::draw(const Window& part) {
-    keep_to(part);
     const View view = begin_frame();
+    keep_to(part);
     depth_pass(frame_, scene_, shaders_, options_.background);
     glBindVertexArray(no_vertices_.id());
     if (resting_.any(sample_count_)) {
@@ -183,6 +186,8 @@ View Renderer::begin_frame() {
     const std::uint32_t seed = halves ? half_seed(half_of(sample_count_), options_.seed) : options_.seed;
     const View view =
         view_of(camera_, options_.width, options_.height, sub_pixel(index, options_.samples, seed));
+    if (depth_maps_)
+        depth_maps_->draw(static_cast<std::uint32_t>(index), seed, first_light_, end_light_, shaders_);
     frame_data_.upload(
         {view.clip_from_world, view.eye, static_cast<std::uint32_t>(index), seed, first_light_, end_light_});
     return view;
@@ -190,7 +195,7 @@ View Renderer::begin_frame() {
 
 VisibilityTerm Renderer::opaque_visibility() const {
     if (!scene_.occluders()) return VisibilityTerm::none;
-    return ray_answers_ ? VisibilityTerm::answered : VisibilityTerm::ray;
+    return ray_answers_ ? VisibilityTerm::answered : blended_visibility(scene_);
 }
 
 void Renderer::shade_opaque(const Window& window) {
