@@ -55,7 +55,8 @@ void declare_picture(CLI::App& command, RenderCommand& o) {
            "WIDTHxHEIGHT", parsed_size, [&o](Size size) { o.size = size; });
     command.add_option(
         "--camera", o.camera,
-        "camera by name or index, or auto, which frames the scene (default: the first, or auto)");
+        "camera by name or index; auto, which frames the scene; or a view, eye=X,Y,Z;target=X,Y,Z with "
+        "up=X,Y,Z fov=DEGREES near= far= if wanted, as the viewer copies it (default: the first, or auto)");
     command.add_option("--scene", o.scene_index, "which of the file's scenes (default: the file's choice)")
         ->check(CLI::NonNegativeNumber);
     command
@@ -131,12 +132,7 @@ void declare_estimator(CLI::App& command, RenderCommand& o) {
 }
 
 void declare_output(CLI::App& command, RenderCommand& o) {
-    parsed(command, "--exposure",
-           "EV100 for .png and .jpg (default: auto, the log-average becomes middle grey)", "EV|auto",
-           parsed_exposure, [&o](std::optional<float> ev) { o.ev100 = ev; });
-    parsed(command, "--tone-curve", "tone curve for .png and .jpg (default: neutral)",
-           "linear|aces|neutral|agx", image::tone_curve_named,
-           [&o](image::ToneCurve curve) { o.tone_curve = curve; });
+    declare_display(command, o);
     parsed(command, "--exr-type", "how .exr stores numbers (default: float)", "half|float", exr_type_named,
            [&o](image::SampleType type) { o.exr_type = type; });
     command
@@ -174,6 +170,15 @@ void declare_rendering(CLI::App& command, RenderCommand& options) {
     declare_moment(command, options);
     declare_estimator(command, options);
     declare_machine(command, options);
+}
+
+void declare_display(CLI::App& command, RenderCommand& o) {
+    parsed(command, "--exposure",
+           "EV100 for .png, .jpg and windows (default: auto, the log-average becomes middle grey)", "EV|auto",
+           parsed_exposure, [&o](std::optional<float> ev) { o.ev100 = ev; });
+    parsed(command, "--tone-curve", "tone curve for .png, .jpg and windows (default: neutral)",
+           "linear|aces|neutral|agx", image::tone_curve_named,
+           [&o](image::ToneCurve curve) { o.tone_curve = curve; });
 }
 
 void declare(CLI::App& command, RenderCommand& options) {

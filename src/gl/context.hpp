@@ -34,7 +34,7 @@ struct ContextInfo {
     bool is_software() const;
 };
 
-/// A current OpenGL 4.1 core context without a visible surface. One at a time: opening one makes it current
+/// A current OpenGL 4.1 core context; only window.hpp gives it a visible surface. One at a time: opening one makes it current
 /// on this thread and loads the GL functions for it.
 class Context {
 public:

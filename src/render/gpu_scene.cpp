@@ -1,6 +1,5 @@
 #include "render/gpu_scene.hpp"
 
-#include "core/error.hpp"
 #include "render/gpu_texture.hpp"
 #include "render/light_table.hpp"
 
@@ -101,26 +100,32 @@ vec3 center_of(const scene::Mesh& mesh, const mat4& world_from_object) {
 
 GpuScene::GpuScene(const scene::Scene& scene, std::span<const scene::Light> lights, Visibility visibility)
     : visibility_(visibility) {
-    upload_textures(scene);
-    update(scene, lights);
-}
-
-void GpuScene::update(const scene::Scene& scene, std::span<const scene::Light> lights) {
-    require(image_of_texture_.size() == scene.textures.size(), "a scene keeps its textures");
-    meshes_.clear();
-    textures_of_material_.clear();
-    opaque_.clear();
-    blended_.clear();
-    occluders_.reset();
     meshes_.reserve(scene.meshes.size());
     for (const scene::Mesh& mesh : scene.meshes) meshes_.emplace_back(mesh);
+    upload_textures(scene);
     upload_objects(scene);
     upload_materials(scene);
     upload_lights(scene, lights);
     list_draws(scene, lights);
-    rays_per_light_ = light_features(lights).rays_per_light;
+    cast_shadows(scene, lights);
+}
+
+void GpuScene::cast_shadows(const scene::Scene& scene, std::span<const scene::Light> lights) {
+    occluders_.reset();
     if (visibility_ != Visibility::none && !lights.empty())
         occluders_ = std::make_unique<Occluders>(scene, lights, visibility_, !blended_.empty());
+}
+
+void GpuScene::relight(const scene::Scene& scene, std::span<const scene::Light> lights,
+                       std::size_t first_mesh, bool casters_change) {
+    meshes_.erase(meshes_.begin() + static_cast<std::ptrdiff_t>(std::min(first_mesh, meshes_.size())),
+                  meshes_.end());
+    for (std::size_t i = meshes_.size(); i < scene.meshes.size(); ++i) meshes_.emplace_back(scene.meshes[i]);
+    upload_objects(scene);
+    upload_materials(scene);
+    upload_lights(scene, lights);
+    list_draws(scene, lights);
+    if (casters_change) cast_shadows(scene, lights);
 }
 
 void GpuScene::upload_textures(const scene::Scene& scene) {
@@ -164,6 +169,7 @@ void GpuScene::upload_objects(const scene::Scene& scene) {
 
 void GpuScene::upload_materials(const scene::Scene& scene) {
     std::vector<MaterialBlock> blocks;
+    textures_of_material_.clear();
     for (const scene::Material& material : scene.materials) {
         blocks.push_back(packed_material(material));
         std::array<int, slot_count> textures{};
@@ -180,6 +186,7 @@ void GpuScene::upload_lights(const scene::Scene& scene, std::span<const scene::L
     light_table_.upload(pack_lights(scene, lights, maps), "use fewer emissive triangles");
     emission_texels_.upload(maps.texels(), "use smaller emissive textures");
     light_count_ = static_cast<int>(lights.size());
+    rays_per_light_ = light_features(lights).rays_per_light;
 }
 
 void GpuScene::bind_lights() const {
@@ -192,6 +199,8 @@ void GpuScene::bind_lights() const {
 
 void GpuScene::list_draws(const scene::Scene& scene, std::span<const scene::Light> lights) {
     const Features lit = light_features(lights);
+    opaque_.clear();
+    blended_.clear();
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {
         const scene::Instance& instance = scene.instances[i];
         const scene::Mesh& mesh = scene.meshes[instance.mesh];

@@ -29,9 +29,11 @@ public:
     GpuScene(const scene::Scene& scene, std::span<const scene::Light> lights,
              Visibility visibility = Visibility::ray);
 
-    /// The same scene at another moment: everything is uploaded anew but the images and textures, which must
-    /// be the same. Renderers of this scene must restart().
-    void update(const scene::Scene& scene, std::span<const scene::Light> lights);
+    /// Takes over other lights of the same scene, and what shows them: the meshes from `first_mesh` on, all
+    /// instances and all materials. Textures and the meshes before stay as they are. Shadows are made anew if
+    /// `casters_change`. @throws Error
+    void relight(const scene::Scene& scene, std::span<const scene::Light> lights, std::size_t first_mesh,
+                 bool casters_change);
 
     int light_count() const { return light_count_; }
     int rays_per_light() const { return rays_per_light_; } // that a point of a surface sends
@@ -52,6 +54,7 @@ private:
     void upload_materials(const scene::Scene& scene);
     void upload_lights(const scene::Scene& scene, std::span<const scene::Light> lights);
     void list_draws(const scene::Scene& scene, std::span<const scene::Light> lights);
+    void cast_shadows(const scene::Scene& scene, std::span<const scene::Light> lights);
     void bind_material(int material) const;
 
     Visibility visibility_;

@@ -49,18 +49,29 @@ Renderer::Renderer(const GpuScene& scene, const scene::Camera& camera, const Ren
       film_("film", options.width, options.height, false),
       resting_(options.width, options.height) {
     if (options.knows_error) first_half_.emplace("first half", options.width, options.height, false);
-    prepare_answers();
+    ask_for_rays();
     clear();
 }
 
-void Renderer::prepare_answers() {
-    const bool is_asked = scene_.occluders() && scene_.occluders()->occlusion();
-    const int rays_per_point = scene_.light_count() * scene_.rays_per_light();
-    if (is_asked == ray_answers_.has_value() && rays_per_point == rays_per_point_) return;
+void Renderer::ask_for_rays() {
     ray_answers_.reset();
-    rays_per_point_ = rays_per_point;
-    if (is_asked)
+    if (scene_.occluders() && scene_.occluders()->occlusion())
         ray_answers_.emplace(scene_, frame_, options_.width, options_.height, options_.most_answers);
+}
+
+void Renderer::resize(int width, int height, int samples) {
+    ray_answers_.reset(); // its framebuffer holds on to the frame's depth
+    if (width != options_.width || height != options_.height) {
+        frame_ = Target("frame", width, height, true);
+        film_ = Target("film", width, height, false);
+        if (first_half_) first_half_.emplace("first half", width, height, false);
+    }
+    options_.width = width;
+    options_.height = height;
+    options_.samples = samples;
+    use_lights(0, scene_.light_count());
+    ask_for_rays();
+    clear();
 }
 
 void Renderer::compile() {
@@ -98,12 +109,6 @@ void Renderer::repeat() {
 void Renderer::look_from(const scene::Camera& camera) {
     camera_ = camera;
     clear();
-}
-
-void Renderer::restart(const scene::Camera& camera) {
-    prepare_answers();
-    use_lights(0, scene_.light_count());
-    look_from(camera);
 }
 
 void Renderer::add_sample() {

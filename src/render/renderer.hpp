@@ -63,8 +63,11 @@ public:
     /// Looks from here, with an empty film.
     void look_from(const scene::Camera& camera);
 
-    /// Starts over from here, with all lights: the scene was updated.
-    void restart(const scene::Camera& camera);
+    /// Starts over with another size and number of samples; its programs stay. Also to be called when the
+    /// scene has got other lights (GpuScene::relight). @throws Error if the driver does not take the size.
+    void resize(int width, int height, int samples);
+    int width() const { return options_.width; }
+    int height() const { return options_.height; }
 
     /// Starts over with an empty film, in which every pixel will rest when it did: after as many samples as
     /// before, the film has the very same ones.
@@ -99,7 +102,7 @@ public:
     const RayAnswers* ray_answers() const { return ray_answers_ ? &*ray_answers_ : nullptr; }
 
 private:
-    void prepare_answers();
+    void ask_for_rays();
     View begin_frame();
     Window window() const; // what this frame draws
     void keep_to(const Window& window) const;
@@ -120,7 +123,6 @@ private:
     Resting resting_;
     FrameData frame_data_;
     std::optional<RayAnswers> ray_answers_;
-    int rays_per_point_ = 0;                     // that ray_answers_ was made for
     gl::VertexArray no_vertices_{"no vertices"}; // core profile draws need one bound
     int sample_count_ = 0;
 };

@@ -4,6 +4,7 @@
 #include "scene/emitters.hpp"
 #include "scene/framing.hpp"
 #include "scene/light_surfaces.hpp"
+#include "scene/look_at.hpp"
 #include "scene/rig.hpp"
 
 #include <algorithm>
@@ -17,7 +18,7 @@ std::string cameras_of(const Scene& scene) {
     std::string names;
     for (std::size_t i = 0; i < scene.cameras.size(); ++i)
         names += fmt::format("{} '{}', ", i, scene.cameras[i].name);
-    return names + "auto";
+    return names + "auto, or a view: eye=X,Y,Z;target=X,Y,Z";
 }
 
 /// A scene of nothing but the corners of a box.
@@ -39,6 +40,7 @@ Camera chosen_camera(const Scene& scene, const std::string& file, const StageOpt
                    ? framing_camera(corners_of(*options.extent), options.aspect_ratio)
                    : framing_camera(scene, options.aspect_ratio);
     if (wanted.empty()) return scene.cameras.front();
+    if (is_look_at(wanted)) return camera_at(parsed_look_at(wanted), bounds_of(scene), options.aspect_ratio);
     for (const Camera& camera : scene.cameras)
         if (camera.name == wanted) return camera;
     std::size_t index = 0;

@@ -9,8 +9,8 @@ namespace sr::scene {
 enum class Rig { studio, none };
 
 struct StageOptions {
-    /// A camera of the scene by name or by index, or "auto" for one that frames the scene. Empty: the scene's
-    /// first camera, or "auto" if it has none.
+    /// A camera of the scene by name or by index, "auto" for one that frames the scene, or a view in words
+    /// (look_at.hpp). Empty: the scene's first camera, or "auto" if it has none.
     std::string camera;
     /// What lights a scene that has no lamp: no emitter but, perhaps, glowing details (textured emission).
     Rig rig = Rig::studio;
