@@ -204,8 +204,9 @@ bool make_frames(Rendering& rendering) {
         if (frame != open.frames.front()) {
             show_frame(open, command, frame);
             times.end("pose");
-            scene.update(open.stage.scene, open.stage.lights);
-            renderer.restart(open.stage.camera);
+            scene.relight(open.stage.scene, open.stage.lights, 0, true);
+            renderer.resize(open.size.width, open.size.height, command.stop.samples);
+            renderer.look_from(open.stage.camera);
             times.end("update");
         }
         picture.at = seconds_of(frame, command);
