@@ -7,7 +7,9 @@
 #include "brdf/phong.glsl"
 
 float blinn_power(vec3 n, vec3 wi, vec3 wo, float exponent) {
-    return pow(max(dot(n, normalize(wi + wo)), 0.0), exponent);
+    vec3 h = normalize(wi + wo);
+    vec3 s = cross(n, h);
+    return dot(n, h) > 0.0 ? power_of_cosine(dot(s, s), exponent) : 0.0;
 }
 
 float f_blinn_phong(vec3 n, vec3 wi, vec3 wo, float exponent) {

@@ -28,9 +28,7 @@ vec3 F_from_iors(vec3 a, vec3 b) {
 }
 
 // F0: of the base in air. thickness [nm].
-vec3 F_thin_film(vec3 F0, float film_ior, float thickness, float cos_h) {
-    // A film that thins out turns into air, so that nothing is left of it where it ends.
-    float ior = mix(1.0, film_ior, smoothstep(0.0, 0.03, thickness));
+vec3 F_thin_film(vec3 F0, float ior, float thickness, float cos_h) {
     float cos2 = sqrt(max(1.0 - (1.0 - cos_h * cos_h) / (ior * ior), 0.0));
     vec3 root = sqrt(clamp(F0, 0.0, 0.9999)); // 1 would be an infinite index of refraction
     vec3 base_ior = (1.0 + root) / (1.0 - root);
@@ -47,5 +45,6 @@ vec3 F_thin_film(vec3 F0, float film_ior, float thickness, float cos_h) {
         C *= sqrt(R123);
         F += C * 2.0 * film_sensitivity(float(m) * path, float(m) * phi);
     }
-    return clamp(F, 0.0, 1.0);
+    // Thinner than an atom a film is none; the model has its two faces still.
+    return mix(F_schlick(F0, cos_h), clamp(F, 0.0, 1.0), smoothstep(0.0, 0.03, thickness));
 }

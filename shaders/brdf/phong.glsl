@@ -7,8 +7,19 @@
 #include "base/constants.glsl"
 #include "base/frame_around.glsl"
 
+// cos^e by the sine squared, since near a narrow peak the cosine has lost its digits: e/2 log(1 - s²), by the series of the area
+// tangent where that is small.
+float power_of_cosine(float sin2, float exponent) {
+    float t = sin2 / (2.0 - sin2);
+    float t2 = t * t;
+    float log_cos2 = sin2 < 0.25 ? -2.0 * t * (1.0 + t2 * (1.0 / 3.0 + t2 * (1.0 / 5.0 + t2 / 7.0))) : log(1.0 - sin2);
+    return exp(0.5 * exponent * log_cos2);
+}
+
 float phong_power(vec3 n, vec3 wi, vec3 wo, float exponent) {
-    return pow(max(dot(reflect(-wo, n), wi), 0.0), exponent);
+    vec3 m = reflect(-wo, n);
+    vec3 s = cross(m, wi);
+    return dot(m, wi) > 0.0 ? power_of_cosine(dot(s, s), exponent) : 0.0;
 }
 
 float f_phong(vec3 n, vec3 wi, vec3 wo, float exponent) {

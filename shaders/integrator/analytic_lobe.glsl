@@ -10,6 +10,7 @@
 #include "brdf/warp.glsl"
 #include "integrator/cosine.glsl"
 #include "interface/estimator.glsl"
+#include "light/fan.glsl"
 #include "light/outlined.glsl"
 
 // One lobe of the BRDF and its warp.
@@ -17,6 +18,14 @@ struct WarpedLobe {
     bool is_specular;
     Warp warp;
 };
+
+bool has_lobe(Surface x, bool is_specular) { return is_specular ? has_specular_lobe(x) : has_diffuse_lobe(x); }
+
+WarpedLobe warped_lobe(Surface x, vec3 wo, bool is_specular) {
+    WarpedLobe lobe = WarpedLobe(is_specular, diffuse_warp(x, wo));
+    if (is_specular) lobe.warp = specular_warp(x, wo);
+    return lobe;
+}
 
 vec3 lobe_of(bool is_specular, Surface x, vec3 wi, vec3 wo) {
     Lobes f = lobes(x, wi, wo);
@@ -42,66 +51,47 @@ vec3 mean_ratio(vec3 center, WarpedLobe lobe, Light light, int part, Surface x, 
     return specular_albedo(x, terms.x, terms.y) * radiance_towards(light, part, x.position, wi);
 }
 
-// A direction chosen among all points of a light, each in proportion to what it adds, and moved at random within the
-// part of the emitter that it stands for: where to look for shadows. Chosen as the points come (Chao 1982).
-struct Chosen {
-    vec3 wi;
-    int part;
-    float total; // of what the points so far add
-    vec3 u;      // random: the choice, and the place within a step
-};
-
-void choose(inout Chosen chosen, vec3 wi, int part, float amount) {
-    chosen.total += amount;
-    float share = amount / chosen.total;
-    bool is_chosen = chosen.u.x < share;
-    chosen.wi = is_chosen ? wi : chosen.wi;
-    chosen.part = is_chosen ? part : chosen.part;
-    chosen.u.x = is_chosen ? chosen.u.x / share : (chosen.u.x - share) / (1.0 - share);
-}
-
 float brightness(vec3 color) { return color.r + color.g + color.b; }
 
-vec3 reflected_by_lobe(WarpedLobe lobe, Light light, int part, int points, Surface x, vec3 wo, inout Chosen chosen) {
+// What the points of one outline make of one lobe.
+struct Sum {
+    vec3 ratio;    // Σ w r / Σ w
+    float E;       // of the outline [sr]
+    float amount;  // Σ w brightness(r)
+};
+
+int points_of_a_lobe(int parts) { return (analytic_points == 0 ? 8 : analytic_points) / parts; }
+
+Sum sum_over_outline(WarpedLobe lobe, Light light, int part, int parts, Surface x, vec3 wo) {
     Outline outline = outline_of(light, part, x.position, lobe.warp.warped_from_world);
     VisibleOutline v = visible_part(outline);
-    if (v.E <= 0.0) return vec3(0.0);
+    if (v.E <= 0.0) return Sum(vec3(0.0), 0.0, 0.0);
     vec3 mean = analytic_points == 0 ? mean_ratio(v.center, lobe, light, part, x, wo) : vec3(0.0);
     vec3 sum = vec3(0.0);
     float weights = 0.0;
     for (int k = 0; k <= outline.count; ++k) { // the last is the horizon
-        Arc arc = v.closing;
-        if (k < outline.count) arc = piece_at(outline, k).arc;
-        int steps = steps_of(arc, v, points / points_a_step);
+        Arc arc = arc_of(outline, v, k);
+        int steps = steps_of(arc, v, points_of_a_lobe(parts) / points_a_step);
         for (int i = 0; i < steps; ++i) {
             FanStep fan = fan_step(arc, float(i) + 0.5, steps, v.center);
-            FanStep moved = fan_step(arc, float(i) + chosen.u.y, steps, v.center);
             for (int j = 0; j < points_a_step; ++j) {
                 vec3 q = fan_point(fan, fan_distance(j), v.center);
                 float weight = fan.weight * q.z;
-                vec3 r = analytic_points == 0 ? mean : ratio_at(q, lobe, light, part, x, wo);
-                sum += weight * r;
+                sum += weight * (analytic_points == 0 ? mean : ratio_at(q, lobe, light, part, x, wo));
                 weights += weight;
-                vec3 q_moved = fan_point(moved, (float(j) + chosen.u.z) / float(points_a_step), v.center);
-                vec3 wi = lobe.warp.world_from_warped * q_moved;
-                float amount = weight * brightness(r);
-                if (amount > 0.0) choose(chosen, wi, part, amount);
             }
         }
     }
-    return weights > 0.0 ? v.E / pi * sum / weights : vec3(0.0);
+    return Sum(weights > 0.0 ? sum / weights : vec3(0.0), v.E, brightness(sum));
 }
 
-// Both lobes over outline `part` of `parts` of the light, by about analytic_points / parts points each.
-vec3 reflected_from_outline(Light light, int part, int parts, Surface x, vec3 wo, inout Chosen chosen) {
-    vec3 L_r = vec3(0.0);
-    int points = analytic_points == 0 ? 8 : analytic_points; // without points these are for shadows alone
+// Both lobes over outline `part` of `parts` of the light. a: what its points add, see Sum.
+vec4 reflected_from_outline(Light light, int part, int parts, Surface x, vec3 wo) {
+    vec4 L_r = vec4(0.0);
     for (int i = 0; i < 2; ++i) { // one loop, since every call is another copy of all that it takes
-        bool is_specular = i == 1;
-        if (is_specular ? !has_specular_lobe(x) : !has_diffuse_lobe(x)) continue;
-        WarpedLobe lobe = WarpedLobe(is_specular, diffuse_warp(x, wo));
-        if (is_specular) lobe.warp = specular_warp(x, wo);
-        L_r += reflected_by_lobe(lobe, light, part, points / parts, x, wo, chosen);
+        if (!has_lobe(x, i == 1)) continue;
+        Sum sum = sum_over_outline(warped_lobe(x, wo, i == 1), light, part, parts, x, wo);
+        L_r += vec4(sum.E / pi * sum.ratio, sum.amount);
     }
     return L_r;
 }

@@ -5,6 +5,7 @@
 // exact for every emitter of some extent. Points, spots and parallel light have none: no direction meets them, and they are not seen.
 #include "integrator/cosine.glsl"
 #include "integrator/rays.glsl"
+#include "integrator/shadowed.glsl"
 #include "interface/frame.glsl"
 #include "light/mesh_along.glsl"
 #include "light/sample_light.glsl"
@@ -18,7 +19,8 @@ vec3 mirrored(Surface x, vec3 wo) {
         LightSample light = light_along(k, x.position, m);
         if (has_mesh_lights && light_at(k).kind == mesh_light) light = mesh_along(light_at(k), x.position, m);
         if (!(light.p > 0.0)) continue;
-        L += light.Li_over_p * light.p * visibility(x, m, light.distance, k, towards_light);
+        vec3 L_k = light.Li_over_p * light.p * visibility(x, m, light.distance, k, towards_light);
+        L += shadowed(L_k, k, x, wo);
     }
     return x.base_color * L;
 }

@@ -1,18 +1,25 @@
 // The reflection equation without noise, for interaction (--estimator analytic puts this file in the place of
 // reflected.glsl): every emitter that has an outline by integrator/analytic_lobe.glsl, points, spots and parallel light
 // as they are, and meshes of many triangles by samples.
-#include "integrator/analytic_lobe.glsl"
+#include "integrator/analytic_shadow.glsl"
 #include "integrator/sampled_light.glsl"
+#include "integrator/shadowed.glsl"
 
 // The whole of a light that is evaluated by its outlines, times V in one direction: in the mean over frames the ratio
 // of shadowed to unshadowed light (Heitz, Hill & McGuire 2018), so that only penumbrae are noisy.
 vec3 reflected_from_outlines(int k, Light light, int parts, Surface x, vec3 wo) {
-    vec2 place = random_point(uint(k) + 1u);
-    const uint choice = 0x10000u; // a purpose that is no light's
-    Chosen chosen = Chosen(vec3(0.0), 0, 0.0, vec3(random_point(uint(k) + choice).x, place));
-    vec3 L_r = vec3(0.0);
-    for (int part = 0; part < parts; ++part) L_r += reflected_from_outline(light, part, parts, x, wo, chosen);
-    if (!(chosen.total > 0.0)) return L_r;
+    vec4 sum = vec4(0.0);
+    for (int part = 0; part < parts; ++part) sum += reflected_from_outline(light, part, parts, x, wo);
+    vec3 L_r = sum.rgb;
+    float amount = sum.a;
+    if (!(amount > 0.0)) return L_r;
+    vec2 u = random_point(uint(k) + 1u);
+    Chosen chosen = Chosen(x.n, 0, u.x * amount, u.y, false);
+    for (int part = 0; part < parts; ++part) {
+        for (int i = 0; i < 2; ++i)
+            if (has_lobe(x, i == 1))
+                choose_in_outline(warped_lobe(x, wo, i == 1), light, part, parts, x, wo, chosen);
+    }
     vec3 wi = normalize(chosen.wi);
     return L_r * visibility(x, wi, distance_along(k, light, chosen.part, x.position, wi), k, towards_light);
 }
@@ -22,8 +29,8 @@ vec3 reflected(Surface x, vec3 wo) {
     for (int k = first_light; k < end_light; ++k) {
         Light light = light_at(k);
         int parts = outlines_of(light);
-        if (parts == 0) L_r += reflected_from_sample(k, x, wo);
-        else L_r += reflected_from_outlines(k, light, parts, x, wo);
+        vec3 L = parts == 0 ? reflected_from_sample(k, x, wo) : reflected_from_outlines(k, light, parts, x, wo);
+        L_r += shadowed(L, k, x, wo);
     }
     return L_r;
 }

@@ -38,6 +38,7 @@ const bool has_iridescence_texture = true;
 const bool has_film_thickness_texture = true;
 
 const int rays_per_light = 2; // that a point sends to each light
+const bool has_transparent_casters = true; // masked or blended surfaces cast shadows
 
 const bool is_masked = true;  // alphaMode MASK
 const bool is_blended = true; // alphaMode BLEND

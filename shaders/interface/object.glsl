@@ -4,4 +4,6 @@ layout(std140) uniform Object {
     mat4 world_from_normal; // inverse transpose of the upper 3×3
     vec4 handedness;        // x: the sign of the determinant, -1 where the transform mirrors
     int first_triangle;     // its first triangle's index among the shadow casters
+    int object;             // its own index, and its material's, in the scene
+    int material;
 };

@@ -7,7 +7,6 @@
 #include "light/sample_light.glsl"
 #include "light/visible_outline.glsl"
 
-
 // How many outlines a light has; 0 if it is to be sampled.
 int outlines_of(Light light) {
     if (!has_cones && !has_rectangle_lights && !has_polygon_lights && !has_mesh_lights) return 0;
@@ -38,11 +37,14 @@ vec3 radiance_towards(Light light, int part, vec3 x, vec3 wi) {
     return light.quantity * radiance_of(light, x, wi);
 }
 
+const float far_away = 1e15; // where nothing is [m]
+
 // How far that part is in the direction wi [m].
 float distance_along(int k, Light light, int part, vec3 x, vec3 wi) {
     if (!has_mesh_lights || light.kind != mesh_light) return light_along(k, x, wi).distance;
     int texel = light.data + texels_per_triangle * part;
     vec3 a = texelFetch(light_table, texel).xyz;
     vec3 normal = cross(texelFetch(light_table, texel + 1).xyz - a, texelFetch(light_table, texel + 2).xyz - a);
-    return dot(normal, a - x) / dot(normal, wi);
+    float distance = dot(normal, a - x) / dot(normal, wi);
+    return distance > 0.0 && distance < far_away ? distance : length(a - x); // edge-on, where rounding decides
 }

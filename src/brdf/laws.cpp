@@ -130,7 +130,8 @@ void check_sampling(Trial& trial, Law& normalisation, Law& sampling) {
     for (const vec3 wo : {views[1], views[2], views[4]}) {
         std::vector<double> expected(below + 1, 0.0);
         for (const Weighted& w : trial.densities(wo, density_directions))
-            if (w.wi.z > 0.0f) expected[cell_of(w.wi)] += static_cast<double>(w.weight) * count / density_directions;
+            if (w.wi.z > 0.0f)
+                expected[cell_of(w.wi)] += static_cast<double>(w.weight) * count / density_directions;
         double above = 0.0;
         for (const double e : expected) above += e;
         const double is_below = drawn(trial, wo, true)[below];
@@ -145,13 +146,15 @@ void check_sampling(Trial& trial, Law& normalisation, Law& sampling) {
 std::vector<vec3> viewing_directions() {
     std::vector<vec3> directions;
     int i = 0;
-    for (const float c : {0.05f, 0.2f, 0.5f, 0.8f, 0.999f}) directions.push_back(direction(c, 0.7f * static_cast<float>(i++)));
+    for (const float c : {0.05f, 0.2f, 0.5f, 0.8f, 0.999f})
+        directions.push_back(direction(c, 0.7f * static_cast<float>(i++)));
     return directions;
 }
 
 std::vector<Law> laws_of(Trial& trial) {
     Law reciprocity{"reciprocity", 0.0, 1e-4, {}, !trial.specimen().is_reciprocal()};
-    Law negativity{"negativity", 0.0, 0.0, {}}, energy{"energy", 0.0, 1.0 + 1e-3, {}, !trial.specimen().keeps_energy()};
+    Law negativity{"negativity", 0.0, 0.0, {}},
+        energy{"energy", 0.0, 1.0 + 1e-3, {}, !trial.specimen().keeps_energy()};
     check_values(trial, reciprocity, negativity);
     check_energy(trial, energy);
     std::vector<Law> laws{reciprocity, negativity, energy};

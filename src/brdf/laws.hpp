@@ -11,7 +11,7 @@ struct Law {
     std::string name;
     double worst = 0.0;
     double limit = 0.0;
-    std::string where; // the directions of the worst case
+    std::string where;      // the directions of the worst case
     bool is_waived = false; // the model breaks it by its definition
     bool holds() const { return worst <= limit; }
 };

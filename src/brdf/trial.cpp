@@ -26,7 +26,8 @@ float lobe_width(const Specimen& specimen) {
     return alpha_of(m.roughness);
 }
 
-/// What shaders/trial/subject.glsl makes a Surface of, as shaders/surface/at_fragment.glsl does of a Material.
+/// What shaders/trial/subject.glsl makes a Surface of, as shaders/surface/at_fragment.glsl does of a
+/// Material.
 std::array<vec4, 10> parameters_of(const Specimen& specimen) {
     const scene::Material& m = specimen.material;
     const float r = (m.ior - 1.0f) / (m.ior + 1.0f);
@@ -35,16 +36,17 @@ std::array<vec4, 10> parameters_of(const Specimen& specimen) {
     const bool is_stated = m.roughness_across >= 0.0f;
     const vec2 alphas{is_stated ? alpha : glm::mix(alpha, 1.0f, m.anisotropy * m.anisotropy),
                       is_stated ? alpha_of(m.roughness_across) : alpha};
-    return {vec4(vec3(m.base_color), m.metallic),
-            vec4(F0, m.specular),
-            vec4(alpha, m.roughness, alphas),
-            vec4(m.clearcoat, alpha_of(m.clearcoat > 0.0f ? m.clearcoat_roughness : 0.15f), m.exponent, alpha),
-            vec4(m.sheen_color, alpha_of(m.sheen_roughness)),
-            vec4(m.iridescence, m.film_ior, m.largest_film_thickness, 0.0f),
-            vec4(m.conductor.n, 0.0f),
-            vec4(m.conductor.k, 0.0f),
-            vec4(m.specular_color, 0.0f),
-            vec4(m.anisotropy_rotation, 0.0f, 0.0f, 0.0f)};
+    return {
+        vec4(vec3(m.base_color), m.metallic),
+        vec4(F0, m.specular),
+        vec4(alpha, m.roughness, alphas),
+        vec4(m.clearcoat, alpha_of(m.clearcoat > 0.0f ? m.clearcoat_roughness : 0.15f), m.exponent, alpha),
+        vec4(m.sheen_color, alpha_of(m.sheen_roughness)),
+        vec4(m.iridescence, m.film_ior, m.largest_film_thickness, 0.0f),
+        vec4(m.conductor.n, 0.0f),
+        vec4(m.conductor.k, 0.0f),
+        vec4(m.specular_color, 0.0f),
+        vec4(m.anisotropy_rotation, 0.0f, 0.0f, 0.0f)};
 }
 
 std::vector<Row> numbered_rows(vec3 wo, int count) {
@@ -100,7 +102,8 @@ std::vector<glm::dvec3> Trial::albedos(std::span<const vec3> wo, int count) {
     const std::vector<vec4> answers = asked(reflected_, "trial/reflected.frag", rows);
     std::vector<glm::dvec3> albedos(wo.size(), glm::dvec3(0.0));
     for (std::size_t i = 0; i < answers.size(); ++i)
-        albedos[i / static_cast<std::size_t>(count)] += glm::dvec3(vec3(answers[i])) / static_cast<double>(count);
+        albedos[i / static_cast<std::size_t>(count)] +=
+            glm::dvec3(vec3(answers[i])) / static_cast<double>(count);
     return albedos;
 }
 

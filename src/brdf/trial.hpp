@@ -1,6 +1,6 @@
 #pragma once
-// Asks the shaders of shaders/trial/ about a specimen. Directions are unit, in a frame where z is the normal and x
-// the tangent.
+// Asks the shaders of shaders/trial/ about a specimen. Directions are unit, in a frame where z is the normal
+// and x the tangent.
 #include "brdf/specimen.hpp"
 #include "render/glsl_table.hpp"
 

@@ -54,6 +54,21 @@ std::optional<vec3> parsed_color(const std::string& text) {
     return std::nullopt;
 }
 
+std::optional<double> parsed_percentage(const std::string& text) {
+    if (!text.ends_with('%')) return std::nullopt;
+    const auto number = parsed_number(text.substr(0, text.size() - 1));
+    if (!number || *number <= 0.0f || *number >= 100.0f) return std::nullopt;
+    return 0.01 * static_cast<double>(*number);
+}
+
+std::optional<double> parsed_duration(const std::string& text) {
+    const auto unit = std::min(text.find_first_of("sm"), text.size());
+    const auto number = parsed_number(text.substr(0, unit));
+    const std::string_view name = std::string_view(text).substr(unit);
+    if (!number || *number <= 0.0f || (!name.empty() && name != "s" && name != "min")) return std::nullopt;
+    return (name == "min" ? 60.0 : 1.0) * static_cast<double>(*number);
+}
+
 std::vector<glsl::Root> shader_path(const std::vector<std::string>& folders) {
     std::vector<glsl::Root> path;
     for (const std::string& folder : folders) path.push_back(glsl::Root::folder(folder));

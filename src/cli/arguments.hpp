@@ -24,6 +24,12 @@ std::optional<Size> parsed_size(const std::string& text);
 /// "0.1,0.2,0.3" or a single number for all three; absent if it is neither, or not finite.
 std::optional<vec3> parsed_color(const std::string& text);
 
+/// "0.5%" is 0.005; absent if it is not a percentage above 0 and below 100.
+std::optional<double> parsed_percentage(const std::string& text);
+
+/// "2", "2s", "1.5min" [s]; absent if it is not above 0.
+std::optional<double> parsed_duration(const std::string& text);
+
 /// The given folders in front of the built-in shaders. @throws Error if one is no folder.
 std::vector<glsl::Root> shader_path(const std::vector<std::string>& folders);
 

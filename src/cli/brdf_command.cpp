@@ -78,16 +78,18 @@ void write_outputs(const BrdfCommand& command, brdf::Trial& trial) {
     for (const std::string& output : command.outputs) {
         if (output.ends_with(".svg")) {
             const std::string svg = brdf::polar_plot(trial, command.name);
-            image::write_whole(output, std::span(reinterpret_cast<const std::uint8_t*>(svg.data()), svg.size()));
+            image::write_whole(output,
+                               std::span(reinterpret_cast<const std::uint8_t*>(svg.data()), svg.size()));
         } else if (output.ends_with(".binary")) {
             const std::vector<std::byte> file = scene::merl_file(tabulated(trial));
-            image::write_whole(output, std::span(reinterpret_cast<const std::uint8_t*>(file.data()), file.size()));
+            image::write_whole(output,
+                               std::span(reinterpret_cast<const std::uint8_t*>(file.data()), file.size()));
         } else {
             const image::Image film = brdf::lit_sphere(command.specimen, 256, command.samples);
             const bool is_linear = image::is_scene_referred(output);
-            image::write(is_linear ? film
-                                   : image::displayed(film, image::auto_ev100(film), image::ToneCurve::neutral),
-                         output, is_linear ? image::SampleType::floating : image::SampleType::integer8);
+            image::write(
+                is_linear ? film : image::displayed(film, image::auto_ev100(film), image::ToneCurve::neutral),
+                output, is_linear ? image::SampleType::floating : image::SampleType::integer8);
         }
     }
 }
@@ -123,13 +125,14 @@ void print(const ordered_json& json) {
     fmt::print("{}\n\n  albedo  ", json["brdf"].get<std::string>());
     for (const auto& row : json["albedo"])
         fmt::print("  cosθ {:.3g}: {:.4f} {:.4f} {:.4f}\n          ", row["cos_o"].get<double>(),
-                   row["albedo"][0].get<double>(), row["albedo"][1].get<double>(), row["albedo"][2].get<double>());
+                   row["albedo"][0].get<double>(), row["albedo"][1].get<double>(),
+                   row["albedo"][2].get<double>());
     fmt::print("\n");
     for (const auto& law : json["laws"]) {
         const char* verdict = law["holds"] ? "holds" : law["broken_by_definition"] ? "waived" : "BROKEN";
         fmt::print("  {:<14} {:<7} {:>11.4g}, limit {:g}, at {}\n", law["law"].get<std::string>(), verdict,
-                   law["worst"].is_number() ? law["worst"].get<double>() : INFINITY, law["limit"].get<double>(),
-                   law["where"].get<std::string>());
+                   law["worst"].is_number() ? law["worst"].get<double>() : INFINITY,
+                   law["limit"].get<double>(), law["where"].get<std::string>());
     }
 }
 
@@ -138,7 +141,8 @@ ExitStatus look_at(BrdfCommand& command) {
     check_outputs(command);
     const auto context = gl::open_context({command.backend, false});
     if (command.specimen.is_delta()) {
-        fmt::print(stderr, "{}: a delta has no values to check: it reflects its base colour from one direction\n",
+        fmt::print(stderr,
+                   "{}: a delta has no values to check: it reflects its base colour from one direction\n",
                    command.name);
         brdf::Trial trial(command.specimen);
         write_outputs(command, trial);
@@ -146,7 +150,8 @@ ExitStatus look_at(BrdfCommand& command) {
     }
     brdf::Trial trial(command.specimen);
     const std::vector<brdf::Law> laws = brdf::laws_of(trial);
-    const ordered_json json{{"brdf", command.name}, {"albedo", albedos_json(trial)}, {"laws", laws_json(laws)}};
+    const ordered_json json{
+        {"brdf", command.name}, {"albedo", albedos_json(trial)}, {"laws", laws_json(laws)}};
     write_outputs(command, trial);
     context->require_silence();
     if (command.json)
@@ -192,18 +197,25 @@ void declare_parameters(CLI::App& command, BrdfCommand& o) {
     color("--sheen-color", "of gltf (default: 0)", [&m](vec3 v) { m.sheen_color = v; });
     fraction("--sheen-roughness", m.sheen_roughness, "of gltf");
     fraction("--iridescence", m.iridescence, "of gltf: weight of a thin film");
-    command.add_option("--film-ior", m.film_ior, "of the thin film")->check(CLI::Range(1.0f, 10.0f))->capture_default_str();
+    command.add_option("--film-ior", m.film_ior, "of the thin film")
+        ->check(CLI::Range(1.0f, 10.0f))
+        ->capture_default_str();
     command.add_option("--film-thickness", m.largest_film_thickness, "of the thin film [nm]")
         ->check(CLI::NonNegativeNumber)
         ->capture_default_str();
     command.add_option("--roughness-across", m.roughness_across, "of ggx, conductor: across the tangent")
         ->check(CLI::Range(0.0f, 1.0f));
-    command.add_option("--exponent", m.exponent, "of phong, blinn_phong")->check(CLI::Range(0.0f, 1e6f))->capture_default_str();
-    color("--specular-color", "of phong, blinn_phong: albedo of the lobe; specular colour of gltf (default: 1)",
+    command.add_option("--exponent", m.exponent, "of phong, blinn_phong")
+        ->check(CLI::Range(0.0f, 1e6f))
+        ->capture_default_str();
+    color("--specular-color",
+          "of phong, blinn_phong: albedo of the lobe; specular colour of gltf (default: 1)",
           [&m](vec3 v) { m.specular_color = v; });
     std::vector<std::string> metals;
     for (const std::string_view name : scene::metal_names()) metals.emplace_back(name);
-    command.add_option("--metal", o.metal, "of conductor")->check(CLI::IsMember(metals))->capture_default_str();
+    command.add_option("--metal", o.metal, "of conductor")
+        ->check(CLI::IsMember(metals))
+        ->capture_default_str();
     command.add_flag("--energy-compensation", o.specimen.has_energy_compensation,
                      "gltf, ggx and conductor give back what bounces twice between microfacets");
 }
@@ -215,27 +227,33 @@ void add_brdf_command(CLI::App& app) {
     CLI::App* command = app.add_subcommand("brdf", "one BRDF by itself: its lobe, its albedo, its laws");
     command
         ->add_option("NAME", options->name,
-                     "gltf, lambert, oren_nayar, mirror, phong, blinn_phong, ggx, conductor; a .glsl file of your own that "
+                     "gltf, lambert, oren_nayar, mirror, phong, blinn_phong, ggx, conductor; a .glsl file of "
+                     "your own that "
                      "declares f_r; a .binary file of the MERL database")
         ->required();
     command
         ->add_option("-o,--output", options->outputs,
-                     ".svg: its lobe for four views; .png, .jpg, .exr, .hdr: a lit ball; .binary: the BRDF as a MERL file "
+                     ".svg: its lobe for four views; .png, .jpg, .exr, .hdr: a lit ball; .binary: the BRDF "
+                     "as a MERL file "
                      "(repeatable)")
         ->allow_extra_args(false);
     declare_parameters(*command, *options);
-    command->add_option("--samples", options->samples, "of the lit ball's pixels")->check(CLI::Range(1, 65536))->capture_default_str();
+    command->add_option("--samples", options->samples, "of the lit ball's pixels")
+        ->check(CLI::Range(1, 65536))
+        ->capture_default_str();
     command->add_flag("--json", options->json, "print JSON");
-    command->footer(
-        "Laws: reciprocity (f_r stays when wi and wo change places), negativity (none), energy (no view gets more\n"
-        "back than arrives), and of the sampling: normalisation (its density integrates to 1) and χ² (it draws\n"
-        "what its density says). Exit status 1 if one is broken.\n\n"
-        "Examples:\n"
-        "  steradian brdf ggx --roughness 0.3 -o lobe.svg -o ball.png\n"
-        "  steradian brdf gltf --metallic 1 --anisotropy 0.8 --roughness 0.2 --json\n"
-        "  steradian brdf conductor --metal copper --roughness 0.4 -o ball.png\n"
-        "  steradian brdf my_brdf.glsl -o lobe.svg          GLSL that declares vec3 f_r(Surface x, vec3 wi, vec3 wo)\n"
-        "  steradian brdf gold-paint.binary -o ball.png     a measured one");
+    command->footer("Laws: reciprocity (f_r stays when wi and wo change places), negativity (none), energy "
+                    "(no view gets more\n"
+                    "back than arrives), and of the sampling: normalisation (its density integrates to 1) "
+                    "and χ² (it draws\n"
+                    "what its density says). Exit status 1 if one is broken.\n\n"
+                    "Examples:\n"
+                    "  steradian brdf ggx --roughness 0.3 -o lobe.svg -o ball.png\n"
+                    "  steradian brdf gltf --metallic 1 --anisotropy 0.8 --roughness 0.2 --json\n"
+                    "  steradian brdf conductor --metal copper --roughness 0.4 -o ball.png\n"
+                    "  steradian brdf my_brdf.glsl -o lobe.svg          GLSL that declares vec3 f_r(Surface "
+                    "x, vec3 wi, vec3 wo)\n"
+                    "  steradian brdf gold-paint.binary -o ball.png     a measured one");
     command->callback([options] {
         const ExitStatus status = look_at(*options);
         if (status != done) throw CLI::RuntimeError(status);

@@ -13,6 +13,8 @@ public:
 
     /// Any thread may ask.
     bool has_come() const;
+    /// Whether it was SIGTERM, which asks to leave, whereas Ctrl-C asks for what there is.
+    bool asks_to_leave() const;
 
 private:
     void (*previous_int_)(int);

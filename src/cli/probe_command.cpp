@@ -91,7 +91,7 @@ ordered_json as_json(const ProbeCommand& command, const OpenScene& open, const r
             {"width", open.size.width},
             {"height", open.size.height},
             {"camera", open.stage.camera.name},
-            {"samples", command.rendering.samples},
+            {"samples", command.rendering.stop.samples},
             {"seed", command.rendering.seed},
             {"x [m]", triple(terms.x)},
             {"n", triple(terms.n)},
@@ -122,7 +122,7 @@ std::string row_of(int k, const scene::Light& light, const render::LightTerms& t
 void print(const ProbeCommand& command, const OpenScene& open, const render::PixelTerms& terms) {
     fmt::print("pixel {},{} of {}x{}, camera '{}', {} samples, seed {}\n\n", command.pixel.column,
                command.pixel.row, open.size.width, open.size.height, open.stage.camera.name,
-               command.rendering.samples, command.rendering.seed);
+               command.rendering.stop.samples, command.rendering.seed);
     fmt::print("  x   {} m\n  n   {}\n  wo  {}\n\n", cells(terms.x, 11), cells(terms.n, 11),
                cells(terms.wo, 11));
     fmt::print("  L_o = L_e + Σ E f_r; directions, cosθ, V and f_r are means over the light; f_r and E as "

@@ -8,18 +8,18 @@ namespace sr::cli {
 /// A bar that shows itself when the work has taken a second, and only on a terminal.
 class Progress {
 public:
-    Progress(std::string what, int total);
+    explicit Progress(std::string what);
     ~Progress();
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
-    void update(int done);
+    /// `share` of the work is done, 0 to 1; `state` says it in the work's own terms.
+    void update(double share, const std::string& state);
 
 private:
     using Clock = std::chrono::steady_clock;
 
     std::string what_;
-    int total_;
     bool is_terminal_;
     bool is_shown_ = false;
     Clock::time_point begin_ = Clock::now();

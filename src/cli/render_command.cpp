@@ -1,8 +1,7 @@
 #include "cli/commands.hpp"
-#include "cli/interruption.hpp"
 #include "cli/layers.hpp"
 #include "cli/open_scene.hpp"
-#include "cli/progress.hpp"
+#include "cli/outputs.hpp"
 #include "cli/render_options.hpp"
 #include "cli/summary.hpp"
 #include "core/error.hpp"
@@ -19,78 +18,6 @@
 namespace sr::cli {
 namespace {
 
-/// @return whether all samples were taken; false if Ctrl-C was pressed.
-bool add_samples(render::Renderer& renderer, int count, const std::string& what = "rendering") {
-    const Interruption interruption;
-    Progress progress(what, count);
-    while (renderer.sample_count() < count && !interruption.has_come()) {
-        renderer.add_sample();
-        glFinish(); // so that Ctrl-C and the progress bar mean what they say
-        progress.update(renderer.sample_count());
-    }
-    return renderer.sample_count() == count;
-}
-
-const char* name_of(render::Estimator estimator) {
-    return estimator == render::Estimator::analytic ? "analytic" : "sampled";
-}
-
-void describe(image::Image& film, const RenderCommand& command, const scene::Stage& stage,
-              const gl::ContextInfo& gl) {
-    film.channel_names = {"R", "G", "B", "A"};
-    film.attributes = {{"steradian:version", STERADIAN_VERSION},
-                       {"steradian:unit", std::string(scene::radiance_unit(stage.scene.units))},
-                       {"steradian:estimator", name_of(command.estimator)},
-                       {"steradian:visibility", std::string(render::name_of(command.visibility))},
-                       {"steradian:samples", std::to_string(command.samples)},
-                       {"steradian:seed", std::to_string(command.seed)},
-                       {"steradian:camera", stage.camera.name},
-                       {"steradian:GL_RENDERER", gl.renderer},
-                       {"steradian:GL_VERSION", gl.version}};
-    if (command.estimator == render::Estimator::analytic)
-        film.attributes.push_back({"steradian:analytic_points", std::to_string(command.analytic_points)});
-}
-
-/// Says why a picture is black, and if it has holes.
-void remark_on(const image::Image& film, const RenderCommand& command, const scene::Stage& stage) {
-    std::size_t covered = 0, lit = 0, broken = 0;
-    for (std::size_t i = 0; i < film.pixels.size(); i += 4) {
-        const vec3 L(film.pixels[i], film.pixels[i + 1], film.pixels[i + 2]);
-        covered += film.pixels[i + 3] > 0.0f;
-        lit += L.r > 0.0f || L.g > 0.0f || L.b > 0.0f;
-        broken += !std::isfinite(L.r + L.g + L.b);
-    }
-    const auto& file = command.scene;
-    if (broken > 0)
-        fmt::print(stderr, "{}: {} pixels are not finite: they are magenta in .png and .jpg\n", file, broken);
-    if (stage.scene.instances.empty()) return; // the loader has said so
-    if (covered == 0)
-        fmt::print(stderr, "{}: camera '{}' sees no surface: --camera auto frames the scene\n", file,
-                   stage.camera.name);
-    else if (lit == 0)
-        fmt::print(stderr, "{}: no light reaches what camera '{}' sees: the picture is black\n", file,
-                   stage.camera.name);
-}
-
-bool holds_layers(const std::string& output) { return output.ends_with(".exr") || output.ends_with(".EXR"); }
-
-/// Writes the film in the form that each file's extension asks for. @return the EV100 in use, if any was.
-std::optional<float> write_outputs(const image::Image& film, const std::optional<image::Image>& layers,
-                                   const RenderCommand& command) {
-    std::optional<float> ev100;
-    for (const std::string& output : command.outputs) {
-        if (image::is_scene_referred(output)) {
-            image::write(layers && holds_layers(output) ? *layers : film, output, command.exr_type);
-            continue;
-        }
-        if (!ev100) ev100 = command.ev100 ? *command.ev100 : image::auto_ev100(film);
-        image::Image picture = image::displayed(film, *ev100, command.tone_curve);
-        picture.attributes = film.attributes;
-        image::write(picture, output, image::SampleType::integer8);
-    }
-    return ev100;
-}
-
 using nlohmann::ordered_json;
 
 ordered_json summary(const RenderCommand& command, const scene::Stage& stage, const gl::Context& context,
@@ -100,9 +27,8 @@ ordered_json summary(const RenderCommand& command, const scene::Stage& stage, co
             {"width", size.width},
             {"height", size.height},
             {"estimator", name_of(command.estimator)},
-            {"samples", command.samples},
             {"seed", command.seed},
-            {"unit", scene::radiance_unit(stage.scene.units)},
+            {"unit", unit_of(command, stage.scene.units)},
             {"camera", stage.camera.name},
             {"lights", stage.lights.size()},
             {"triangles", scene::triangle_count(stage.scene)},
@@ -111,10 +37,21 @@ ordered_json summary(const RenderCommand& command, const scene::Stage& stage, co
             {"GL_VERSION", context.info().version}};
 }
 
+ordered_json stopping(const Picture& picture) {
+    ordered_json json{{"samples", picture.samples.most},
+                      {"samples_mean", picture.samples.mean},
+                      {"samples_min", picture.samples.least},
+                      {"stopped_by", name_of(picture.stop.by)}};
+    if (picture.stop.error) json["error"] = *picture.stop.error;
+    return json;
+}
+
 /// How V was found; null where nothing casts shadows.
 ordered_json shadows(const render::GpuScene& scene, const render::Renderer& renderer) {
     const render::Occluders* occluders = scene.occluders();
     if (!occluders) return nullptr;
+    if (const render::DepthMaps* maps = renderer.depth_maps())
+        return {{"by", "maps"}, {"maps_a_sample", maps->map_count()}, {"map_size", maps->size()}};
     const render::RayAnswers* answers = renderer.ray_answers();
     ordered_json json{{"by", answers ? "cpu" : "glsl"},
                       {"bvh_triangles", occluders->triangle_count()},
@@ -128,62 +65,208 @@ ordered_json shadows(const render::GpuScene& scene, const render::Renderer& rend
 }
 
 ordered_json seconds(const PhaseTimes& times) {
-    ordered_json json;
-    for (const auto& [phase, duration] : times.phases()) json[phase] = duration;
+    ordered_json json = ordered_json::object();
+    for (const auto& [phase, duration] : times.phases()) json[phase] = json.value(phase, 0.0) + duration;
     json["total"] = times.total();
     return json;
 }
 
+/// Refuses what a view is no picture of.
+void check_view(const RenderCommand& command) {
+    if (!command.view) return;
+    if (command.light_layers || command.asks_for_error())
+        throw CLI::ValidationError(
+            "--view", "only pictures of radiance have --layers, --error, --time and --aov error");
+    if (command.estimator != render::Estimator::sampled && command.view->kind != ViewKind::luminance)
+        throw CLI::ValidationError("--view",
+                                   "this one takes points on the lights: leave --estimator at sampled");
+}
+
+/// Refuses what cannot be written before any work is done.
+void check_outputs(const RenderCommand& command) {
+    for (const std::string& output : command.outputs) {
+        image::is_scene_referred(output);
+        if (command.frames && !numbered(output, 0))
+            throw CLI::ValidationError("-o", fmt::format("'{}' has no place for the frame's number: name it "
+                                                         "like frame.####.png",
+                                                         output));
+    }
+    if (std::ranges::find(command.aovs, Aov::error) != command.aovs.end() && command.stop.samples < 2)
+        throw CLI::ValidationError("--aov", "error takes --samples 2 at least");
+    if (std::ranges::any_of(command.outputs, holds_layers)) return;
+    for (const auto& [is_asked, option] :
+         {std::pair(command.light_layers, "--layers"), std::pair(!command.aovs.empty(), "--aov")})
+        if (is_asked) throw CLI::ValidationError(option, "only .exr files hold layers: name one with -o");
+}
+
+/// A rendering at work.
+struct Work {
+    const RenderCommand& command;
+    const scene::Stage& stage;
+    const render::GpuScene& scene;
+    const render::RenderOptions& options;
+    render::Renderer& renderer;
+    const Interruption& interruption;
+    PhaseTimes& times;
+    std::string what = "rendering";
+};
+
+/// The channels beside the film that were asked for; those of an interrupted step are left out.
+std::vector<Plane> further_planes(const Work& work, const Picture& picture, const std::vector<int>& samples) {
+    std::vector<Plane> planes;
+    const auto goes_on = [&] { return !work.interruption.has_come(); };
+    if (work.command.light_layers && goes_on()) {
+        planes = light_layers(
+            layer_names(work.stage.lights, aov_names()), work.renderer, [&](const std::string& layer) {
+                return add_again(work.renderer, picture.samples.most, work.interruption, layer);
+            });
+        work.times.end("layers");
+    }
+    if (!work.command.aovs.empty() && goes_on()) {
+        const AovSource source{work.scene, work.stage.camera, work.options, samples, picture.stop.estimate};
+        std::ranges::move(aov_planes(work.command.aovs, source, goes_on), std::back_inserter(planes));
+        work.times.end("aovs");
+    }
+    return planes;
+}
+
+/// Takes the samples, and what else was asked for; after an interruption, what there is.
+Picture draw(const Work& work) {
+    Picture picture;
+    picture.stop = add_samples(work.renderer, work.command.stop, work.interruption, work.what);
+    const std::vector<int> samples = work.renderer.pixel_samples();
+    picture.samples = counted(samples);
+    work.times.end("draw");
+    picture.film = work.renderer.film();
+    if (work.command.view) picture.film = numbers_of(*work.command.view, picture.film);
+    work.times.end("read");
+    const std::vector<Plane> planes = further_planes(work, picture, samples);
+    if (!planes.empty()) picture.layers = with_planes(picture.film, planes);
+    if (work.interruption.has_come()) picture.stop.by = StoppedBy::interruption;
+    return picture;
+}
+
+/// Says why a picture is not what was asked for.
+void remark_on_stop(const Picture& picture, const RenderCommand& command) {
+    const int samples = picture.samples.most;
+    if (picture.stop.by == StoppedBy::interruption)
+        fmt::print(stderr, "interrupted after {} of {} samples: what there is was written{}\n", samples,
+                   command.stop.samples,
+                   command.light_layers || !command.aovs.empty() ? ", not all layers" : "");
+    else if (command.stop.error && picture.stop.by != StoppedBy::error)
+        fmt::print(stderr,
+                   "{}: stopped by {} after {} samples with an estimated error of {:.3g} %, not {:.3g} %\n",
+                   command.scene, name_of(picture.stop.by), samples,
+                   100.0 * picture.stop.error.value_or(INFINITY), 100.0 * *command.stop.error);
+}
+
+/// Draws, and writes the files. @return absent if the program was asked to leave, and for a frame that was
+/// interrupted: then nothing was written
+std::optional<std::pair<Picture, std::optional<float>>> make_picture(const Work& work,
+                                                                     const gl::Context& context) {
+    Picture picture = draw(work);
+    if (work.interruption.asks_to_leave()) {
+        fmt::print(stderr, "asked to leave after {} samples: nothing was written\n",
+                   work.renderer.sample_count());
+        return std::nullopt;
+    }
+    if (work.command.frames && work.interruption.has_come()) {
+        fmt::print(stderr, "interrupted in {}: the frames before are written\n", work.what);
+        return std::nullopt;
+    }
+    context.require_silence();
+    remark_on(picture.film, work.command, work.stage);
+    describe(picture, work.command, work.stage, context.info());
+    const auto ev100 = write_outputs(picture, work.command);
+    work.times.end("write");
+    remark_on_stop(picture, work.command);
+    return std::pair(std::move(picture), ev100);
+}
+
+/// What a rendering works with, and what it wrote.
+struct Rendering {
+    const RenderCommand& command;
+    OpenScene& open;
+    render::GpuScene& scene;
+    render::RenderOptions options;
+    render::Renderer& renderer;
+    PhaseTimes& times;
+    std::vector<std::string> written{};
+    std::optional<float> ev100{}; // automatic, or as it was asked for
+    std::optional<Picture> last{};
+};
+
+/// @return whether everything was written; so far as it was it stands in `rendering`
+bool make_frames(Rendering& rendering) {
+    auto& [command, open, scene, options, renderer, times, written, ev100, last] = rendering;
+    const Interruption interruption;
+    RenderCommand picture = command;
+    for (const int frame : open.frames) {
+        if (frame != open.frames.front()) {
+            show_frame(open, command, frame);
+            times.end("pose");
+            scene.relight(open.stage.scene, open.stage.lights, 0, true);
+            renderer.resize(open.size.width, open.size.height, command.stop.samples);
+            renderer.look_from(open.stage.camera);
+            times.end("update");
+        }
+        picture.at = seconds_of(frame, command);
+        for (std::size_t i = 0; i < command.outputs.size(); ++i)
+            picture.outputs[i] = *numbered(command.outputs[i], frame);
+        const auto what =
+            fmt::format("frame {} ({} of {})", frame, frame - open.frames.front() + 1, open.frames.size());
+        auto made = make_picture({picture, open.stage, scene, options, renderer, interruption, times, what},
+                                 *open.context);
+        if (!made) return false;
+        if (made->second) picture.ev100 = ev100 = made->second; // that of the first frame for all of them
+        last = std::move(made->first);
+        written.insert(written.end(), picture.outputs.begin(), picture.outputs.end());
+    }
+    return true;
+}
+
+bool make_single(Rendering& rendering) {
+    const Interruption interruption;
+    auto made = make_picture({rendering.command, rendering.open.stage, rendering.scene, rendering.options,
+                              rendering.renderer, interruption, rendering.times},
+                             *rendering.open.context);
+    if (!made) return false;
+    rendering.written = rendering.command.outputs;
+    rendering.ev100 = made->second;
+    rendering.last = std::move(made->first);
+    return true;
+}
+
+void print_summary(const Rendering& rendering) {
+    ordered_json json =
+        summary(rendering.command, rendering.open.stage, *rendering.open.context, rendering.open.size);
+    json["outputs"] = rendering.written;
+    json.update(stopping(*rendering.last));
+    json["draw_calls"] = rendering.scene.opaque_draws().size() * 2 + rendering.scene.blended_draws().size();
+    json["programs"] = rendering.renderer.program_count();
+    json["shadows"] = shadows(rendering.scene, rendering.renderer);
+    if (rendering.ev100) json["ev100"] = *rendering.ev100;
+    json["seconds"] = seconds(rendering.times);
+    fmt::print("{}\n", json.dump(2, ' ', false, ordered_json::error_handler_t::replace));
+}
+
 ExitStatus render(const RenderCommand& command) {
     PhaseTimes times;
-    for (const std::string& output : command.outputs)
-        image::is_scene_referred(output); // refuses unknown formats
-    if (command.light_layers && std::ranges::none_of(command.outputs, holds_layers))
-        throw CLI::ValidationError("--layers", "only .exr files hold layers: name one with -o");
-    const OpenScene open = open_scene(command, times);
-    const auto& [context, stage, size] = open;
-    const render::GpuScene gpu_scene(stage.scene, stage.lights, command.visibility);
+    check_view(command);
+    check_outputs(command);
+    OpenScene open = open_scene(command, times);
+    render::GpuScene gpu_scene(open.stage.scene, open.stage.lights, command.visibility);
     glFinish();
     times.end("upload");
     if (gpu_scene.occluders()) times.add("bvh (in upload)", gpu_scene.occluders()->build_seconds());
-    render::Renderer renderer(gpu_scene, stage.camera, render_options(command, size));
+    const render::RenderOptions options = render_options(command, open.size);
+    render::Renderer renderer(gpu_scene, open.stage.camera, options);
     renderer.compile();
     times.end("compile");
-    if (!add_samples(renderer, command.samples)) {
-        fmt::print(stderr, "interrupted after {} of {} samples: nothing was written\n",
-                   renderer.sample_count(), command.samples);
-        return interrupted;
-    }
-    times.end("draw");
-    image::Image film = renderer.film();
-    context->require_silence();
-    times.end("read");
-    remark_on(film, command, stage);
-    describe(film, command, stage, context->info());
-    std::optional<image::Image> layers;
-    if (command.light_layers) {
-        layers = with_layers(film, layer_names(stage.lights), renderer, [&](const std::string& layer) {
-            return add_samples(renderer, command.samples, layer);
-        });
-        if (!layers) {
-            fmt::print(stderr, "interrupted: nothing was written\n");
-            return interrupted;
-        }
-        times.end("layers");
-    }
-    const auto ev100 = write_outputs(film, layers, command);
-    times.end("write");
-
-    if (command.json) {
-        ordered_json json = summary(command, stage, *context, size);
-        json["draw_calls"] = gpu_scene.opaque_draws().size() * 2 + gpu_scene.blended_draws().size();
-        json["programs"] = renderer.program_count();
-        json["shadows"] = shadows(gpu_scene, renderer);
-        if (ev100) json["ev100"] = *ev100;
-        json["seconds"] = seconds(times);
-        fmt::print("{}\n", json.dump(2, ' ', false, ordered_json::error_handler_t::replace));
-    }
-    return done;
+    Rendering rendering{command, open, gpu_scene, options, renderer, times};
+    if (!(command.frames ? make_frames(rendering) : make_single(rendering))) return interrupted;
+    if (command.json) print_summary(rendering);
+    return rendering.last->stop.by == StoppedBy::interruption ? interrupted : done;
 }
 
 } // namespace
@@ -192,7 +275,9 @@ void add_render_command(CLI::App& app) {
     const auto options = std::make_shared<RenderCommand>();
     CLI::App* command = app.add_subcommand("render", "render a glTF scene offscreen, lit by its own lights");
     declare(*command, *options);
-    command->callback([options] {
+    command->callback([options, command] {
+        if (command->count("--samples") == 0 && options->stop.asks_for_error())
+            options->stop.samples = most_samples;
         const ExitStatus status = render(*options);
         if (status != done) throw CLI::RuntimeError(status);
     });

@@ -1,6 +1,7 @@
 #include "cli/render_options.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 
 namespace sr::cli {
@@ -14,9 +15,9 @@ CLI::Option* parsed(CLI::App& command, const char* name, const char* help, const
         .add_option_function<std::string>(
             name,
             [=](const std::string& text) {
-                const auto value = parse(text);
+                auto value = parse(text);
                 if (!value) throw CLI::ValidationError(name, "'" + text + "' is not " + expected);
-                take(*value);
+                take(std::move(*value));
             },
             help)
         ->type_name(expected);
@@ -49,25 +50,47 @@ std::optional<std::optional<float>> parsed_exposure(const std::string& text) {
     return value;
 }
 
+std::string view_help() {
+    std::string text = "one term of the equation instead of radiance, as numbers in .exr and .hdr:";
+    for (const View& view : all_views()) text += std::string(" ") + view.name + " (" + view.what + "),";
+    text.back() = '.';
+    return text;
+}
+
 void declare_picture(CLI::App& command, RenderCommand& o) {
     parsed(command, "--size", "size of the picture (default: 720 rows in the camera's aspect ratio, or 16:9)",
            "WIDTHxHEIGHT", parsed_size, [&o](Size size) { o.size = size; });
     command.add_option(
         "--camera", o.camera,
-        "camera by name or index, or auto, which frames the scene (default: the first, or auto)");
+        "camera by name or index; auto, which frames the scene; or a view, eye=X,Y,Z;target=X,Y,Z with "
+        "up=X,Y,Z fov=DEGREES near= far= if wanted, as the viewer copies it (default: the first, or auto)");
     command.add_option("--scene", o.scene_index, "which of the file's scenes (default: the file's choice)")
         ->check(CLI::NonNegativeNumber);
     command
-        .add_option("--samples", o.samples, "samples a pixel: sub-pixel positions and points on each emitter")
+        .add_option("--samples", o.stop.samples,
+                    "samples a pixel: sub-pixel positions and points on each emitter")
         ->check(CLI::Range(1, 1 << 24))
         ->capture_default_str();
     command.add_option("--seed", o.seed, "another seed is another, equally good set of samples")
         ->capture_default_str();
-    parsed(
-        command, "--visibility",
-        "shadows: a ray to each sample, on the CPU in software GL, in GLSL elsewhere; or none (default: ray)",
-        "ray|ray-cpu|ray-glsl|none", render::visibility_named,
-        [&o](render::Visibility visibility) { o.visibility = visibility; });
+    parsed(command, "--visibility",
+           "shadows: a ray to each sample, on the CPU in software GL, in GLSL elsewhere; depth maps from "
+           "points on "
+           "the emitters; or none (default: ray)",
+           "ray|ray-cpu|ray-glsl|map|none", render::visibility_named,
+           [&o](render::Visibility visibility) { o.visibility = visibility; });
+    command
+        .add_option(
+            "--map-points", o.maps.points,
+            "with --visibility map: points on each emitter that a sample has, each with its depth maps")
+        ->check(CLI::Range(1, 32))
+        ->capture_default_str();
+    command
+        .add_option(
+            "--map-size", o.maps.size,
+            "with --visibility map: texels on a map's side; halved until a sample's maps fit into 256 MiB")
+        ->check(CLI::Range(16, 8192))
+        ->capture_default_str();
     parsed(command, "--background", "radiance where there is no surface [cd/m²] (default: 0)", "L or R,G,B",
            parsed_color, [&o](vec3 color) { o.background = color; });
     parsed(command, "--rig", "what lights a file without a lamp; glowing details are none (default: studio)",
@@ -75,6 +98,44 @@ void declare_picture(CLI::App& command, RenderCommand& o) {
     command.add_flag(
         "--hide-emitters", o.hide_emitters,
         "emitters light the scene and are not seen: lights vanish, emissive surfaces only reflect");
+}
+
+void declare_moment(CLI::App& command, RenderCommand& o) {
+    command
+        .add_option("--at", o.at,
+                    "show the animation at this time (default: the file's rest pose, without its animations)")
+        ->type_name("SECONDS")
+        ->check(CLI::NonNegativeNumber);
+    command
+        .add_option("--animation", o.animation,
+                    "which one --at and --frames show: by name or index, or all at once (default: the first)")
+        ->type_name("NAME|INDEX|all");
+    command.add_option("--variant", o.variant, "which of the file's material variants (default: none)")
+        ->type_name("NAME");
+}
+
+void declare_sequence(CLI::App& command, RenderCommand& o) {
+    CLI::Option* frames = parsed(
+        command, "--frames",
+        "render frames A to B of the animation, or from A to its end; OUT has #### or %04d in its name",
+        "A:B|A:", parsed_frames, [&o](FrameRange range) { o.frames = range; });
+    frames->excludes(command.get_option("--at"));
+    command.add_option("--fps", o.fps, "frames a second: frame n is at n / fps seconds")
+        ->check(CLI::Range(1e-3, 1e6))
+        ->needs(frames)
+        ->capture_default_str();
+}
+
+void declare_stopping(CLI::App& command, RenderCommand& o) {
+    parsed(command, "--error",
+           "stop when the picture is this near to what it converges to: √rel_mse of `steradian compare`, "
+           "estimated "
+           "from two independent halves of the samples; pixels that are near enough stop earlier. Then "
+           "--samples is "
+           "65536 by default",
+           "PERCENT%", parsed_percentage, [&o](double error) { o.stop.error = error; });
+    parsed(command, "--time", "stop after this long; loading and --layers are not counted", "SECONDS|2s|5min",
+           parsed_duration, [&o](double seconds) { o.stop.seconds = seconds; });
 }
 
 void declare_estimator(CLI::App& command, RenderCommand& o) {
@@ -91,12 +152,7 @@ void declare_estimator(CLI::App& command, RenderCommand& o) {
 }
 
 void declare_output(CLI::App& command, RenderCommand& o) {
-    parsed(command, "--exposure",
-           "EV100 for .png and .jpg (default: auto, the log-average becomes middle grey)", "EV|auto",
-           parsed_exposure, [&o](std::optional<float> ev) { o.ev100 = ev; });
-    parsed(command, "--tone-curve", "tone curve for .png and .jpg (default: neutral)",
-           "linear|aces|neutral|agx", image::tone_curve_named,
-           [&o](image::ToneCurve curve) { o.tone_curve = curve; });
+    declare_display(command, o);
     parsed(command, "--exr-type", "how .exr stores numbers (default: float)", "half|float", exr_type_named,
            [&o](image::SampleType type) { o.exr_type = type; });
     command
@@ -105,6 +161,18 @@ void declare_output(CLI::App& command, RenderCommand& o) {
             "lights: .exr files get a layer for each light and one for emission, whose sum is the picture")
         ->check(CLI::IsMember({"lights"}))
         ->type_name("lights");
+    parsed(command, "--aov",
+           "further channels of .exr files, named in src/cli/README.md: depth, normal, albedo, visibility, "
+           "irradiance, "
+           "object, material, samples, error; separated by commas",
+           "NAME,NAME...", parsed_aovs, [&o](std::vector<Aov> aovs) { o.aovs = std::move(aovs); });
+    parsed(
+        command, "--view", view_help().c_str(), "NAME",
+        [](const std::string& name) -> std::optional<const View*> {
+            const View* view = view_named(name);
+            return view ? std::optional(view) : std::nullopt;
+        },
+        [&o](const View* view) { o.view = view; });
     command.add_flag("--json", o.json, "print a summary as JSON: times by phase, triangles, samples, …");
 }
 
@@ -119,11 +187,25 @@ void declare_machine(CLI::App& command, RenderCommand& o) {
 
 } // namespace
 
+bool RenderCommand::asks_for_error() const {
+    return stop.asks_for_error() || std::ranges::find(aovs, Aov::error) != aovs.end();
+}
+
 void declare_rendering(CLI::App& command, RenderCommand& options) {
     command.add_option("SCENE", options.scene, "a .gltf or .glb file")->required();
     declare_picture(command, options);
+    declare_moment(command, options);
     declare_estimator(command, options);
     declare_machine(command, options);
+}
+
+void declare_display(CLI::App& command, RenderCommand& o) {
+    parsed(command, "--exposure",
+           "EV100 for .png, .jpg and windows (default: auto, the log-average becomes middle grey)", "EV|auto",
+           parsed_exposure, [&o](std::optional<float> ev) { o.ev100 = ev; });
+    parsed(command, "--tone-curve", "tone curve for .png, .jpg and windows (default: neutral)",
+           "linear|aces|neutral|agx", image::tone_curve_named,
+           [&o](image::ToneCurve curve) { o.tone_curve = curve; });
 }
 
 void declare(CLI::App& command, RenderCommand& options) {
@@ -134,12 +216,20 @@ void declare(CLI::App& command, RenderCommand& options) {
         ->type_name("OUT")
         ->allow_extra_args(false) // one a flag: what follows may be the scene
         ->required();
+    declare_sequence(command, options);
+    declare_stopping(command, options);
     declare_output(command, options);
     command.footer(
         "Examples:\n"
         "  steradian render scene.glb -o picture.png\n"
         "  steradian render scene.glb -o radiance.exr -o picture.png --samples 256 --size 1920x1080\n"
+        "  steradian render scene.glb -o converged.exr --error 0.5%\n"
+        "  steradian render scene.glb -o quick.png --time 2s --error 2%    (whichever comes first)\n"
+        "  steradian render scene.glb -o layers.exr --layers lights --aov depth,normal,object\n"
+        "  steradian render scene.glb -o luminance.png --view luminance\n"
         "  steradian render scene.glb -o front.png --camera auto --exposure 9.5 --tone-curve agx\n"
+        "  steradian render dancer.glb -o pose.png --animation Walk --at 0.5\n"
+        "  steradian render dancer.glb -o walk.####.png --frames 0:47 --fps 24\n"
         "  steradian render scene.glb -o mine.png --shaders my_shaders    (my_shaders/brdf/f_r.glsl wins)");
 }
 

@@ -1,5 +1,7 @@
 #include "golden/differences.hpp"
 
+#include "image/relative_error.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -31,7 +33,7 @@ Sums summed(const Pair& pair, std::size_t channel, double floor) {
         sums.abs += std::abs(d);
         sums.square += d * d;
         sums.rel += relative(d, is_color ? std::max(std::abs(r), floor) : 1.0);
-        if (d != 0.0) sums.relative_square += d * d / (is_color ? r * r + floor * floor : 1.0);
+        sums.relative_square += is_color ? image::relative_square(d, r, floor) : d * d;
     }
     return sums;
 }
@@ -44,14 +46,12 @@ double ratio(double test, double reference) {
 } // namespace
 
 double relative_floor(const Pair& pair) {
-    std::vector<float> lit;
-    for (const std::size_t i : pair.compared)
-        for (const float r : pair.reference_at(i).first(static_cast<std::size_t>(pair.colors)))
-            if (r != 0.0f) lit.push_back(std::abs(r));
-    if (lit.empty()) return 0.0;
-    const auto middle = lit.begin() + static_cast<std::ptrdiff_t>(lit.size() / 2);
-    std::ranges::nth_element(lit, middle);
-    return 0.01 * static_cast<double>(*middle);
+    std::vector<float> colors;
+    for (const std::size_t i : pair.compared) {
+        const auto r = pair.reference_at(i).first(static_cast<std::size_t>(pair.colors));
+        colors.insert(colors.end(), r.begin(), r.end());
+    }
+    return image::relative_floor(std::move(colors));
 }
 
 PixelValues absolute_differences(const Pair& pair) {

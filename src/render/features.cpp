@@ -75,6 +75,7 @@ constexpr std::array other_flags{Flag{"has_vertex_colors", &Features::has_vertex
                                  Flag{"has_sheen", &Features::has_sheen},
                                  Flag{"has_iridescence", &Features::has_iridescence},
                                  Flag{"has_energy_compensation", &Features::has_energy_compensation},
+                                 Flag{"has_transparent_casters", &Features::has_transparent_casters},
                                  Flag{"is_masked", &Features::is_masked},
                                  Flag{"is_blended", &Features::is_blended},
                                  Flag{"is_unlit", &Features::is_unlit}};
@@ -152,6 +153,14 @@ Features light_features(std::span<const scene::Light> lights) {
     return f;
 }
 
+bool has_transparent_casters(const scene::Scene& scene) {
+    return std::ranges::any_of(scene.instances, [&](const scene::Instance& instance) {
+        const auto material =
+            static_cast<std::size_t>(scene.meshes[static_cast<std::size_t>(instance.mesh)].material);
+        return scene.materials[material].alpha_mode != scene::AlphaMode::opaque;
+    });
+}
+
 Features shading_features(const scene::Scene& scene, const scene::Mesh& mesh, const Features& lights) {
     const scene::Material& material = scene.materials[mesh.material];
     Features f = lights;
@@ -171,9 +180,14 @@ Features shading_features(const scene::Scene& scene, const scene::Mesh& mesh, co
 }
 
 Features depth_features(const Features& shading) {
+    return shading.is_masked ? caster_features(shading) : Features{};
+}
+
+Features caster_features(const Features& shading) {
     Features f;
-    if (!shading.is_masked) return f;
-    f.is_masked = true;
+    if (!shading.is_masked && !shading.is_blended) return f;
+    f.is_masked = shading.is_masked;
+    f.is_blended = shading.is_blended;
     f.has_base_color_texture = shading.has_base_color_texture;
     f.has_vertex_colors = shading.has_vertex_colors;
     return f;

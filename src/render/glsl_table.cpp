@@ -35,7 +35,8 @@ std::vector<vec4> GlslTable::evaluate(std::span<const Row> rows) const {
 void GlslTable::append(std::span<const Row> rows, std::vector<vec4>& answers) const {
     const int count = static_cast<int>(rows.size());
     const int height = (count + columns - 1) / columns;
-    glActiveTexture(GL_TEXTURE0 + rows_unit); // what is made here must not take the place of the caller's textures
+    glActiveTexture(GL_TEXTURE0
+                    + rows_unit); // what is made here must not take the place of the caller's textures
     const Target target("table", columns, height, false);
     BufferTexture table("the rows of a table", GL_RGBA32F);
     table.upload(std::vector<Row>(rows.begin(), rows.end()), "evaluate fewer rows");

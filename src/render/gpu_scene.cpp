@@ -1,5 +1,6 @@
 #include "render/gpu_scene.hpp"
 
+#include "core/error.hpp"
 #include "render/gpu_texture.hpp"
 #include "render/light_table.hpp"
 
@@ -32,10 +33,15 @@ GLsizeiptr upload_blocks(const gl::Buffer& buffer, const std::vector<BlockType>&
 
 bool mirrors(const mat4& m) { return glm::determinant(mat3(m)) < 0.0f; }
 
-ObjectBlock packed_object(const scene::Instance& instance, std::size_t first_triangle) {
+ObjectBlock packed_object(const scene::Instance& instance, std::size_t first_triangle, std::size_t object,
+                          int material) {
     const mat4& m = instance.world_from_object;
-    return {m, mat4(glm::inverseTranspose(mat3(m))), vec4(mirrors(m) ? -1.0f : 1.0f, 0.0f, 0.0f, 0.0f),
-            static_cast<std::int32_t>(first_triangle)};
+    return {m,
+            mat4(glm::inverseTranspose(mat3(m))),
+            vec4(mirrors(m) ? -1.0f : 1.0f, 0.0f, 0.0f, 0.0f),
+            static_cast<std::int32_t>(first_triangle),
+            static_cast<std::int32_t>(object),
+            material};
 }
 
 MaterialBlock packed_material(const scene::Material& m, const scene::Scene& scene) {
@@ -98,19 +104,35 @@ vec3 center_of(const scene::Mesh& mesh, const mat4& world_from_object) {
 } // namespace
 
 GpuScene::GpuScene(const scene::Scene& scene, std::span<const scene::Light> lights, Visibility visibility,
-                   bool has_energy_compensation) {
-    meshes_.reserve(scene.meshes.size());
-    for (const scene::Mesh& mesh : scene.meshes) meshes_.emplace_back(mesh);
+                   bool has_energy_compensation)
+    : visibility_(visibility), has_energy_compensation_(has_energy_compensation) {
     upload_textures(scene);
+    update(scene, lights);
+}
+
+void GpuScene::update(const scene::Scene& scene, std::span<const scene::Light> lights) {
+    require(image_of_texture_.size() == scene.textures.size(), "a scene keeps its textures");
+    relight(scene, lights, 0, true);
+}
+
+void GpuScene::relight(const scene::Scene& scene, std::span<const scene::Light> lights,
+                       std::size_t first_mesh, bool casters_change) {
+    meshes_.erase(meshes_.begin() + static_cast<std::ptrdiff_t>(std::min(first_mesh, meshes_.size())),
+                  meshes_.end());
+    meshes_.reserve(scene.meshes.size());
+    for (std::size_t i = meshes_.size(); i < scene.meshes.size(); ++i) meshes_.emplace_back(scene.meshes[i]);
     upload_objects(scene);
     upload_materials(scene);
     upload_lights(scene, lights);
-    Features lit = light_features(lights);
-    lit.has_energy_compensation = has_energy_compensation;
-    list_draws(scene, lit);
-    rays_per_light_ = lit.rays_per_light;
-    if (visibility != Visibility::none && !lights.empty())
-        occluders_ = std::make_unique<Occluders>(scene, lights, visibility, !blended_.empty());
+    list_draws(scene, lights);
+    if (casters_change || visibility_ == Visibility::map)
+        cast_shadows(scene, lights); // maps know where lights are
+}
+
+void GpuScene::cast_shadows(const scene::Scene& scene, std::span<const scene::Light> lights) {
+    occluders_.reset();
+    if (visibility_ != Visibility::none && !lights.empty())
+        occluders_ = std::make_unique<Occluders>(scene, lights, visibility_, !blended_.empty());
 }
 
 void GpuScene::upload_textures(const scene::Scene& scene) {
@@ -139,13 +161,15 @@ void GpuScene::upload_textures(const scene::Scene& scene) {
         images_.push_back(upload(image.rounded ? *image.rounded : scene.images[uses[i].image],
                                  uses[i].color_space, image.levels));
     }
+    for (const scene::MeasuredBrdf& measured : scene.measured) measured_.push_back(upload(measured));
 }
 
 void GpuScene::upload_objects(const scene::Scene& scene) {
     std::vector<ObjectBlock> blocks;
     std::size_t triangles = 0; // so far, as shadow::Casters counts them
     for (const scene::Instance& instance : scene.instances) {
-        blocks.push_back(packed_object(instance, triangles));
+        blocks.push_back(
+            packed_object(instance, triangles, blocks.size(), scene.meshes[instance.mesh].material));
         triangles += scene.meshes[instance.mesh].indices.size() / 3;
     }
     object_stride_ = upload_blocks(objects_, blocks);
@@ -153,6 +177,8 @@ void GpuScene::upload_objects(const scene::Scene& scene) {
 
 void GpuScene::upload_materials(const scene::Scene& scene) {
     std::vector<MaterialBlock> blocks;
+    textures_of_material_.clear();
+    measured_of_material_.clear();
     for (const scene::Material& material : scene.materials) {
         blocks.push_back(packed_material(material, scene));
         measured_of_material_.push_back(material.measured);
@@ -163,7 +189,6 @@ void GpuScene::upload_materials(const scene::Scene& scene) {
         textures_of_material_.push_back(textures);
     }
     material_stride_ = upload_blocks(materials_, blocks);
-    for (const scene::MeasuredBrdf& measured : scene.measured) measured_.push_back(upload(measured));
 }
 
 void GpuScene::upload_lights(const scene::Scene& scene, std::span<const scene::Light> lights) {
@@ -171,6 +196,7 @@ void GpuScene::upload_lights(const scene::Scene& scene, std::span<const scene::L
     light_table_.upload(pack_lights(scene, lights, maps), "use fewer emissive triangles");
     emission_texels_.upload(maps.texels(), "use smaller emissive textures");
     light_count_ = static_cast<int>(lights.size());
+    rays_per_light_ = light_features(lights).rays_per_light;
 }
 
 void GpuScene::bind_lights() const {
@@ -181,7 +207,12 @@ void GpuScene::bind_lights() const {
     if (occluders_) occluders_->bind();
 }
 
-void GpuScene::list_draws(const scene::Scene& scene, Features lit) {
+void GpuScene::list_draws(const scene::Scene& scene, std::span<const scene::Light> lights) {
+    Features lit = light_features(lights);
+    lit.has_energy_compensation = has_energy_compensation_;
+    lit.has_transparent_casters = has_transparent_casters(scene);
+    opaque_.clear();
+    blended_.clear();
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {
         const scene::Instance& instance = scene.instances[i];
         const scene::Mesh& mesh = scene.meshes[instance.mesh];

@@ -31,6 +31,16 @@ public:
     GpuScene(const scene::Scene& scene, std::span<const scene::Light> lights,
              Visibility visibility = Visibility::ray, bool has_energy_compensation = false);
 
+    /// Takes over other lights of the same scene, and what shows them: the meshes from `first_mesh` on, all
+    /// instances and all materials. Textures and the meshes before stay as they are. Shadows are made anew if
+    /// `casters_change`. @throws Error
+    void relight(const scene::Scene& scene, std::span<const scene::Light> lights, std::size_t first_mesh,
+                 bool casters_change);
+
+    /// The same scene at another moment: everything is uploaded anew but the images and textures, which must
+    /// be the same. Renderers of this scene must restart().
+    void update(const scene::Scene& scene, std::span<const scene::Light> lights);
+
     int light_count() const { return light_count_; }
     int rays_per_light() const { return rays_per_light_; } // that a point of a surface sends
     /// What casts shadows; null if nothing does.
@@ -49,9 +59,12 @@ private:
     void upload_objects(const scene::Scene& scene);
     void upload_materials(const scene::Scene& scene);
     void upload_lights(const scene::Scene& scene, std::span<const scene::Light> lights);
-    void list_draws(const scene::Scene& scene, Features lit);
+    void list_draws(const scene::Scene& scene, std::span<const scene::Light> lights);
+    void cast_shadows(const scene::Scene& scene, std::span<const scene::Light> lights);
     void bind_material(int material) const;
 
+    Visibility visibility_;
+    bool has_energy_compensation_;
     std::vector<GpuMesh> meshes_;
     std::vector<gl::Texture> images_; // one per (image, colour space) in use
     std::vector<gl::Sampler> samplers_;

@@ -54,6 +54,18 @@ void depth_pass(const Target& frame, const GpuScene& scene, ShaderLibrary& shade
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
+void rest_pass(const Target& frame, ShaderLibrary& shaders) {
+    frame.bind();
+    glDisable(GL_BLEND);
+    glDisable(GL_CULL_FACE);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_ALWAYS);
+    glDepthMask(GL_TRUE);
+    glBindSampler(0, 0);
+    shaders.fullscreen_program("rest.frag").use();
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
 void record_pass(const GpuScene& scene, ShaderLibrary& shaders, int attachments) {
     constexpr float nothing[4]{0.0f, 0.0f, 0.0f, 0.0f}; // a ray without distance asks nothing
     glDisable(GL_SCISSOR_TEST);                         // what lies outside asks nothing, either
@@ -69,7 +81,8 @@ void forward_pass(const Target& frame, const GpuScene& scene, ShaderLibrary& sha
 }
 
 VisibilityTerm blended_visibility(const GpuScene& scene) {
-    return scene.occluders() ? VisibilityTerm::ray : VisibilityTerm::none;
+    if (!scene.occluders()) return VisibilityTerm::none;
+    return scene.occluders()->map_stage() ? VisibilityTerm::map : VisibilityTerm::ray;
 }
 
 void blend_pass(const Target& frame, const GpuScene& scene, ShaderLibrary& shaders, const std::string& shader,

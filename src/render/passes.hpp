@@ -11,6 +11,9 @@ namespace sr::render {
 /// surfaces.
 void depth_pass(const Target& frame, const GpuScene& scene, ShaderLibrary& shaders, vec3 background);
 
+/// Leaves the frame black, and closed to all passes that follow, where the texture of unit 0 is not 0.
+void rest_pass(const Target& frame, ShaderLibrary& shaders);
+
 /// Writes the rays that the forward pass will ask about within the scissor into the bound framebuffer, whose
 /// depth is the pre-pass's: to attachment 0 the receivers, to `attachments` - 1 others a ray each.
 void record_pass(const GpuScene& scene, ShaderLibrary& shaders, int attachments);

@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <fmt/format.h>
+#include <limits>
 #include <thread>
 
 namespace sr::render {
@@ -37,6 +39,8 @@ int rays_that_fit(int width, int height, int wanted) {
     const int fitting = static_cast<int>(std::min<std::size_t>(most_rays, target_memory / target));
     return std::clamp(std::min(fitting - 1, wanted), 1, most_rays);
 }
+
+bool is_finite(vec4 v) { return std::isfinite(v.x + v.y + v.z); }
 
 gl::Texture float_texture(const char* name, int width, int height) {
     gl::Texture texture(GL_TEXTURE_2D, name);
@@ -155,19 +159,27 @@ std::size_t RayAnswers::answer(Band band) {
 std::size_t RayAnswers::answer_row(std::size_t first, std::size_t end) {
     std::vector<shadow::Query> queries;
     std::vector<std::size_t> places;
+    std::size_t broken = 0;
     for (std::size_t pixel = first; pixel < end; ++pixel) {
         const vec4 ray = rays_[pixel];
         if (ray.w == 0.0f) continue;
         const vec4 receiver = receivers_[pixel];
         const int number = static_cast<int>(std::abs(ray.w)) - 1;
+        const std::size_t place = static_cast<std::size_t>(number - planes_.first_ray) * planes_.size + pixel;
+        if (!is_finite(ray)
+            || !is_finite(receiver)) { // a user's shader may ask this, Embree may not be asked
+            values_[place] = std::numeric_limits<float>::quiet_NaN();
+            ++broken;
+            continue;
+        }
         queries.push_back({vec3(receiver), static_cast<std::uint32_t>(receiver.w), vec3(ray), ray.w < 0.0f,
                            number / rays_per_light_});
-        places.push_back(static_cast<std::size_t>(number - planes_.first_ray) * planes_.size + pixel);
+        places.push_back(place);
     }
     std::vector<float> V(queries.size());
     scene_.occluders()->occlusion()->answer(queries, V);
     for (std::size_t i = 0; i < V.size(); ++i) values_[places[i]] = V[i];
-    return V.size();
+    return V.size() + broken;
 }
 
 void RayAnswers::upload_block(const RaysBlock& block) {

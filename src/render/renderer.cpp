@@ -48,13 +48,42 @@ Renderer::Renderer(const GpuScene& scene, const scene::Camera& camera, const Ren
       end_light_(scene.light_count()),
       shaders_(library(options)),
       frame_("frame", options.width, options.height, true),
-      film_("film", options.width, options.height, false) {
-    if (scene.occluders() && scene.occluders()->occlusion())
-        ray_answers_.emplace(scene, frame_, options.width, options.height, options.most_answers);
+      film_("film", options.width, options.height, false),
+      resting_(options.width, options.height) {
+    if (options.knows_error) first_half_.emplace("first half", options.width, options.height, false);
+    ask_for_shadows();
     clear();
 }
 
+void Renderer::resize(int width, int height, int samples) {
+    ray_answers_.reset(); // its framebuffer holds on to the frame's depth
+    if (width != options_.width || height != options_.height) {
+        frame_ = Target("frame", width, height, true);
+        film_ = Target("film", width, height, false);
+        if (first_half_) first_half_.emplace("first half", width, height, false);
+    }
+    options_.width = width;
+    options_.height = height;
+    options_.samples = samples;
+    use_lights(0, scene_.light_count());
+    ask_for_shadows();
+    clear();
+}
+
+void Renderer::ask_for_shadows() {
+    depth_maps_.reset();
+    if (scene_.occluders() && scene_.occluders()->map_stage()) depth_maps_.emplace(scene_, options_.maps);
+    const bool is_asked = scene_.occluders() && scene_.occluders()->occlusion();
+    const int rays_per_point = scene_.light_count() * scene_.rays_per_light();
+    if (is_asked == ray_answers_.has_value() && rays_per_point == rays_per_point_) return;
+    ray_answers_.reset();
+    rays_per_point_ = rays_per_point;
+    if (is_asked)
+        ray_answers_.emplace(scene_, frame_, options_.width, options_.height, options_.most_answers);
+}
+
 void Renderer::compile() {
+    if (depth_maps_) depth_maps_->compile(shaders_);
     for (const Draw& draw : scene_.opaque_draws()) {
         shaders_.mesh_program("depth.frag", depth_features(draw.features));
         shaders_.mesh_program(options_.shader, draw.features, opaque_visibility());
@@ -72,10 +101,18 @@ void Renderer::use_lights(int first, int end) {
 }
 
 void Renderer::clear() {
-    sample_count_ = 0;
-    film_.bind();
+    resting_ = Resting(options_.width, options_.height);
+    repeat();
+}
+
+void Renderer::repeat() {
+    sample_count_ = rows_done_ = 0;
     glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
-    glClear(GL_COLOR_BUFFER_BIT);
+    for (const Target* target : {&film_, first_half_ ? &*first_half_ : nullptr}) {
+        if (!target) continue;
+        target->bind();
+        glClear(GL_COLOR_BUFFER_BIT);
+    }
 }
 
 void Renderer::look_from(const scene::Camera& camera) {
@@ -83,63 +120,128 @@ void Renderer::look_from(const scene::Camera& camera) {
     clear();
 }
 
+void Renderer::restart(const scene::Camera& camera) {
+    ask_for_shadows();
+    use_lights(0, scene_.light_count());
+    look_from(camera);
+}
+
 void Renderer::add_sample() {
-    keep_to_window();
-    const View view = begin_frame();
-    depth_pass(frame_, scene_, shaders_, options_.background);
-    shade_opaque();
-    keep_to_window();
-    blend_pass(frame_, scene_, shaders_, options_.shader, view.eye);
-    glBindVertexArray(no_vertices_.id());
-    accumulate_pass(film_, frame_, shaders_);
-    glDisable(GL_SCISSOR_TEST);
+    const Window part = window();
+    require(!part.is_empty(), "a pixel works");
+    require(rows_done_ == 0, "a sample that was begun by rows is ended by rows");
+    draw(part);
     ++sample_count_;
 }
 
-void Renderer::keep_to_window() const {
-    if (!options_.window) return;
-    const Window& w = *options_.window;
+bool Renderer::add_rows(int count) {
+    const Window whole = window();
+    require(!whole.is_empty() && count > 0, "a pixel works");
+    Window part = whole;
+    part.row += rows_done_;
+    part.height = std::min(count, whole.height - rows_done_);
+    draw(part);
+    rows_done_ += part.height;
+    if (rows_done_ < whole.height) return false;
+    rows_done_ = 0;
+    ++sample_count_;
+    return true;
+}
+
+void Renderer::draw(const Window& part) {
+    const View view = begin_frame();
+    keep_to(part);
+    depth_pass(frame_, scene_, shaders_, options_.background);
+    glBindVertexArray(no_vertices_.id());
+    if (resting_.any(sample_count_)) {
+        resting_.bind(sample_count_, 0);
+        rest_pass(frame_, shaders_);
+    }
+    shade_opaque(part);
+    keep_to(part);
+    blend_pass(frame_, scene_, shaders_, options_.shader, view.eye);
+    accumulate();
+    glDisable(GL_SCISSOR_TEST);
+}
+
+void Renderer::accumulate() {
+    glBindVertexArray(no_vertices_.id());
+    accumulate_pass(film_, frame_, shaders_);
+    if (first_half_ && half_of(sample_count_) == 0) accumulate_pass(*first_half_, frame_, shaders_);
+}
+
+Window Renderer::window() const {
+    const Window working = resting_.working(sample_count_);
+    return options_.window ? common_part(*options_.window, working) : working;
+}
+
+void Renderer::keep_to(const Window& window) const {
+    if (window.width == options_.width && window.height == options_.height) return glDisable(GL_SCISSOR_TEST);
     glEnable(GL_SCISSOR_TEST);
-    glScissor(w.column, options_.height - w.row - w.height, w.width, w.height); // GL counts rows from below
+    glScissor(window.column, options_.height - window.row - window.height, window.width,
+              window.height); // GL counts rows from below
 }
 
 View Renderer::begin_frame() {
-    const vec2 offset = sub_pixel(sample_count_, options_.samples, options_.seed);
-    const View view = view_of(camera_, options_.width, options_.height, offset);
-    frame_data_.upload({view.clip_from_world, view.eye, static_cast<std::uint32_t>(sample_count_),
-                        options_.seed, first_light_, end_light_});
+    const bool halves = options_.knows_error;
+    const int index = halves ? sample_count_ / 2 : sample_count_;
+    const std::uint32_t seed = halves ? half_seed(half_of(sample_count_), options_.seed) : options_.seed;
+    const View view =
+        view_of(camera_, options_.width, options_.height, sub_pixel(index, options_.samples, seed));
+    if (depth_maps_)
+        depth_maps_->draw(static_cast<std::uint32_t>(index), seed, first_light_, end_light_, shaders_);
+    frame_data_.upload(
+        {view.clip_from_world, view.eye, static_cast<std::uint32_t>(index), seed, first_light_, end_light_});
     return view;
 }
 
 VisibilityTerm Renderer::opaque_visibility() const {
     if (!scene_.occluders()) return VisibilityTerm::none;
-    return ray_answers_ ? VisibilityTerm::answered : VisibilityTerm::ray;
+    return ray_answers_ ? VisibilityTerm::answered : blended_visibility(scene_);
 }
 
-void Renderer::shade_opaque() {
+void Renderer::shade_opaque(const Window& window) {
     if (!ray_answers_ || first_light_ == end_light_) {
         forward_pass(frame_, scene_, shaders_, options_.shader, opaque_visibility());
         return;
     }
-    const Window all{0, 0, options_.width, options_.height};
-    const Window& w = options_.window ? *options_.window : all;
-    const Band rows{options_.height - w.row - w.height, w.height};
+    const Band rows{options_.height - window.row - window.height, window.height};
     const std::vector<Band> bands = ray_answers_->bands(rows, end_light_ - first_light_);
     glEnable(GL_SCISSOR_TEST);
     for (const Band& band : bands) {
-        glScissor(w.column, band.first, w.width, band.count);
+        glScissor(window.column, band.first, window.width, band.count);
         ray_answers_->find(band, first_light_, end_light_, frame_data_, shaders_);
         forward_pass(frame_, scene_, shaders_, options_.shader, VisibilityTerm::answered);
     }
     glDisable(GL_SCISSOR_TEST);
 }
 
+std::vector<int> Renderer::pixel_samples() const {
+    std::vector<int> samples(static_cast<std::size_t>(options_.width)
+                             * static_cast<std::size_t>(options_.height));
+    for (std::size_t i = 0; i < samples.size(); ++i) samples[i] = resting_.samples_of(i, sample_count_);
+    return samples;
+}
+
+image::Image Renderer::mean_of(const Target& sum, const std::vector<int>& samples) const {
+    image::Image image = sum.read();
+    for (std::size_t i = 0; i < image.pixels.size(); ++i)
+        image.pixels[i] *= 1.0f / static_cast<float>(samples[i / 4]);
+    return image;
+}
+
 image::Image Renderer::film() const {
     require(sample_count_ > 0, "the film has samples");
-    image::Image image = film_.read();
-    const float weight = 1.0f / static_cast<float>(sample_count_);
-    for (float& value : image.pixels) value *= weight;
-    return image;
+    return mean_of(film_, pixel_samples());
+}
+
+std::optional<ErrorEstimate> Renderer::error_estimate() const {
+    require(first_half_.has_value(), "the renderer knows its error");
+    if (sample_count_ < 2) return std::nullopt;
+    const std::vector<int> samples = pixel_samples();
+    std::vector<int> first = samples;
+    for (int& count : first) count = samples_of_half(0, count);
+    return estimated_error(mean_of(film_, samples), mean_of(*first_half_, first), samples);
 }
 
 } // namespace sr::render

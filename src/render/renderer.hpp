@@ -1,8 +1,11 @@
 #pragma once
 // A scene, a camera and a size; out comes the Film. Adding samples is adding frames.
+#include "render/depth_maps.hpp"
+#include "render/error_estimate.hpp"
 #include "render/frame_data.hpp"
 #include "render/passes.hpp"
 #include "render/ray_answers.hpp"
+#include "render/resting.hpp"
 
 #include <optional>
 #include <string>
@@ -18,13 +21,6 @@ inline constexpr int default_analytic_points = 16;
 
 /// A mesh of more emissive triangles is sampled by the analytic estimator too.
 inline constexpr int most_outlined_triangles = 12;
-/// A part of a picture, counted from its upper left corner.
-struct Window {
-    int column = 0;
-    int row = 0;
-    int width = 0;
-    int height = 0;
-};
 
 struct RenderOptions {
     int width = 1280;
@@ -40,9 +36,14 @@ struct RenderOptions {
     std::vector<glsl::Root> shader_path{glsl::embedded()};
     Estimator estimator = Estimator::sampled;
     int analytic_points = default_analytic_points; // 0: linearly transformed cosines alone
+    MapOptions maps;                               // of a scene whose shadows are found by depth maps
     /// Shadow rays whose answers by the CPU are held at once, 4 bytes each; a picture with more is shaded in
     /// bands.
     std::size_t most_answers = std::size_t{64} << 20;
+    /// Samples come by turns from two independent sequences and the first one's are kept a second time, so
+    /// that error_estimate() can tell how far the picture is from converged. Without it they come from one
+    /// sequence, which converges a little faster.
+    bool knows_error = false;
 };
 
 class Renderer {
@@ -64,25 +65,63 @@ public:
     /// Looks from here, with an empty film.
     void look_from(const scene::Camera& camera);
 
-    /// Renders one frame, one sample of every pixel, and adds it to the film.
+    /// Starts over with another size and number of samples; its programs stay. Also to be called when the
+    /// scene has got other lights (GpuScene::relight). @throws Error if the driver does not take the size.
+    void resize(int width, int height, int samples);
+    int width() const { return options_.width; }
+    int height() const { return options_.height; }
+
+    /// Starts over from here, with all lights: the scene was updated.
+    void restart(const scene::Camera& camera);
+
+    /// Starts over with an empty film, in which every pixel will rest when it did: after as many samples as
+    /// before, the film has the very same ones.
+    void repeat();
+
+    /// Renders one frame, one sample of every pixel that does not rest, and adds it to the film.
     void add_sample();
+    /// The same by parts, the next `count` rows at a time, so that others can work in between. The film is to
+    /// be read only when the sample is complete, or starts over before. @return whether it is complete
+    bool add_rows(int count);
+    /// The samples of the pixels that do not rest.
     int sample_count() const { return sample_count_; }
+
+    /// These pixels take no more samples, until clear() or look_from(). It costs them nothing that others do.
+    void rest(const PixelMask& pixels) { resting_.add(pixels, sample_count_); }
+    /// Whether no pixel is left that takes samples.
+    bool all_rest() const { return resting_.working(sample_count_).is_empty(); }
+    /// How many samples each pixel has, rows from top to bottom.
+    std::vector<int> pixel_samples() const;
+
+    bool knows_error() const { return options_.knows_error; }
+    /// How far the film is from what it converges to, as far as two halves of its samples tell; absent before
+    /// both have one. Reads the film back. Only with RenderOptions::knows_error.
+    std::optional<ErrorEstimate> error_estimate() const;
 
     /// The mean of all samples so far: L_o [cd/m²] in RGB, coverage in A.
     image::Image film() const;
 
-    /// The sum of all samples so far, where shaders can read it: film() is it over sample_count().
+    /// The sum of all samples so far, where shaders can read it: film() is it over pixel_samples(), which is
+    /// sample_count() where no pixel rests.
     const gl::Texture& film_sum() const { return film_.color(); }
 
     std::size_t program_count() const { return shaders_.program_count(); }
     /// The rays that the CPU answered; null where it is not asked.
     const RayAnswers* ray_answers() const { return ray_answers_ ? &*ray_answers_ : nullptr; }
 
+    /// The depth maps; null where shadows are found otherwise.
+    const DepthMaps* depth_maps() const { return depth_maps_ ? &*depth_maps_ : nullptr; }
+
 private:
+    void ask_for_shadows();
     View begin_frame();
-    void keep_to_window() const;
+    Window window() const; // what this frame draws
+    void draw(const Window& part);
+    void keep_to(const Window& window) const;
     VisibilityTerm opaque_visibility() const;
-    void shade_opaque();
+    void shade_opaque(const Window& window);
+    void accumulate();
+    image::Image mean_of(const Target& sum, const std::vector<int>& samples) const;
 
     const GpuScene& scene_;
     scene::Camera camera_;
@@ -92,10 +131,15 @@ private:
     ShaderLibrary shaders_;
     Target frame_;
     Target film_;
+    std::optional<Target> first_half_; // the sum of the first sequence's samples
+    Resting resting_;
     FrameData frame_data_;
     std::optional<RayAnswers> ray_answers_;
+    int rays_per_point_ = 0; // that ray_answers_ was made for
+    std::optional<DepthMaps> depth_maps_;
     gl::VertexArray no_vertices_{"no vertices"}; // core profile draws need one bound
     int sample_count_ = 0;
+    int rows_done_ = 0; // of the next sample
 };
 
 } // namespace sr::render

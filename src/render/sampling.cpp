@@ -56,4 +56,9 @@ vec2 sub_pixel(int index, int count, uint32_t seed) {
     return sobol_2d(static_cast<uint32_t>(index), hash(seed, 0x5a3d1e7bu));
 }
 
+uint32_t half_seed(int half, uint32_t seed) {
+    // The first half's samples are those of a rendering with that seed alone; the other's are no neighbour's.
+    return half == 0 ? seed : hash(seed, 0x7f4a7c15u);
+}
+
 } // namespace sr::render

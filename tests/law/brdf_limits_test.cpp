@@ -137,7 +137,8 @@ const Test broken("law.brdf.merl.broken_files_say_so", [] {
     };
     std::vector<std::byte> file = scene::merl_file(std::vector<vec3>(scene::merl_cells, vec3(0.1f)));
     EXPECT_EQ(message(file), "");
-    EXPECT_NE(message(std::span(file).first(file.size() - 1)).find("paint.binary: 34992011 bytes"), std::string::npos);
+    EXPECT_NE(message(std::span(file).first(file.size() - 1)).find("paint.binary: 34992011 bytes"),
+              std::string::npos);
     EXPECT_NE(message(std::span(file).first(5)).find("not a measured BRDF"), std::string::npos);
     file[0] = std::byte{91};
     EXPECT_NE(message(file).find("not a measured BRDF"), std::string::npos);

@@ -26,11 +26,11 @@ void expect_lawful(const std::vector<Material>& materials, bool has_compensation
     brdf::Trial trial({materials.at(0), {}, has_compensation, {}});
     for (const Material& material : materials) {
         trial.change(material);
-        for (const brdf::Law& law : brdf::laws_of(trial))
-            if (!law.is_waived)
-                EXPECT_LE(law.worst, law.limit)
-                    << scene::name_of(material.model) << ", roughness " << material.roughness << ": " << law.name
-                    << " at " << law.where;
+        for (const brdf::Law& law : brdf::laws_of(trial)) {
+            if (law.is_waived) continue;
+            EXPECT_LE(law.worst, law.limit) << scene::name_of(material.model) << ", roughness "
+                                            << material.roughness << ": " << law.name << " at " << law.where;
+        }
     }
 }
 
@@ -112,7 +112,9 @@ const Test conductor("law.brdf.conductor", [] {
 });
 
 /// The albedo for the views of the laws.
-std::vector<glm::dvec3> albedos(brdf::Trial& trial) { return trial.albedos(brdf::viewing_directions(), 8192); }
+std::vector<glm::dvec3> albedos(brdf::Trial& trial) {
+    return trial.albedos(brdf::viewing_directions(), 8192);
+}
 
 // What EON is for: white clay loses nothing at any roughness; and Lambert of albedo ρ returns ρ.
 const Test preserves("law.brdf.oren_nayar.white_loses_nothing", [] {
@@ -130,14 +132,16 @@ const Test preserves("law.brdf.oren_nayar.white_loses_nothing", [] {
         }
 });
 
-// With compensation a white conductor returns all light at every roughness and view; without, rough ones do not.
+// With compensation a white conductor returns all light at every roughness and view; without, rough ones do
+// not.
 const Test furnace("law.brdf.energy_compensation.white_furnace", [] {
     context();
     brdf::Trial with({material_of(Model::ggx, 0.5f), {}, true, {}});
     brdf::Trial without({material_of(Model::ggx, 0.5f), {}, false, {}});
     for (const float roughness : {0.0f, 0.1f, 0.25f, 0.4f, 0.55f, 0.7f, 0.85f, 1.0f}) {
         with.change(material_of(Model::ggx, roughness));
-        for (const glm::dvec3 albedo : albedos(with)) EXPECT_NEAR(albedo.x, 1.0, 0.01) << "roughness " << roughness;
+        for (const glm::dvec3 albedo : albedos(with))
+            EXPECT_NEAR(albedo.x, 1.0, 0.01) << "roughness " << roughness;
     }
     without.change(material_of(Model::ggx, 1.0f));
     EXPECT_LT(albedos(without).at(2).x, 0.8);

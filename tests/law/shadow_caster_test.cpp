@@ -1,4 +1,5 @@
 #include "support/address.hpp"
+#include "support/gl.hpp"
 #include "support/scenes.hpp"
 
 #include "scene/emitters.hpp"
@@ -13,7 +14,7 @@ using render::Visibility;
 
 namespace {
 
-constexpr std::array providers{Visibility::ray_on_cpu, Visibility::ray_in_glsl};
+constexpr std::array providers{Visibility::ray_on_cpu, Visibility::ray_in_glsl, Visibility::map};
 constexpr int size = 64;
 constexpr float extent = 2.0f;
 
@@ -210,6 +211,29 @@ const Test degenerate("law.shadow.degenerate_triangles_do_no_harm", [] {
         const auto image = picture(broken, sun, camera_from_above(extent), size, 1, 0, visibility);
         EXPECT_LT(largest_relative_difference(image, expected, 1e-3f), 1e-6f);
     }
+});
+
+// A user's shader may ask for a ray that leads nowhere: its pixels say so, and the program lives.
+const Test broken("law.shadow.a_broken_ray_is_not_a_number", [] {
+    context();
+    const auto scene = lambert_plane(4.0f);
+    const std::vector<scene::Light> lights{scene::RectangleLight{
+        "", vec3(0, 1, 0), vec3(0.1f, 0, 0), vec3(0, 0, 0.1f), vec3(1.0f), false, false, {}}};
+    const render::GpuScene gpu_scene(scene, lights, Visibility::ray_on_cpu);
+    render::RenderOptions options;
+    options.width = options.height = 8;
+    options.shader_path.insert(
+        options.shader_path.begin(),
+        glsl::Root::memory("user", {{"integrator/reflected.glsl",
+                                     "#include \"integrator/rays.glsl\"\n"
+                                     "#include \"visibility/visibility.glsl\"\n"
+                                     "vec3 reflected(Surface x, vec3 wo) {\n"
+                                     "    vec3 wi = vec3(intBitsToFloat(0x7fc00000));\n"
+                                     "    return vec3(visibility(x, wi, 1.0, 0, towards_light));\n"
+                                     "}\n"}}));
+    render::Renderer renderer(gpu_scene, camera_from_above(2.0f), options);
+    renderer.add_sample();
+    EXPECT_TRUE(std::isnan(renderer.film().at(4, 4)[0]));
 });
 
 } // namespace

@@ -70,36 +70,6 @@ scene::Mesh receiver() {
     return mesh;
 }
 
-/// An irregular octahedron, as an instance that emits.
-void add_mesh(scene::Scene& scene, const Place& p) {
-    scene::Material material;
-    material.name = "emissive";
-    material.base_color = vec4(0, 0, 0, 1);
-    material.emission = L;
-    scene.materials.push_back(material);
-    scene::Mesh mesh;
-    mesh.name = "octahedron";
-    mesh.material = 1;
-    const std::array<vec3, 6> tips{0.40f * p.u,  -0.30f * p.u, 0.25f * p.v,
-                                   -0.35f * p.v, 0.20f * p.n,  -0.30f * p.n};
-    for (const std::uint32_t a : {0u, 1u})
-        for (const std::uint32_t b : {2u, 3u})
-            for (const std::uint32_t c : {4u, 5u}) {
-                const bool is_turned = (a + (b - 2) + (c - 4)) % 2 == 1; // keeps the front outside
-                for (const std::uint32_t tip : {a, is_turned ? c : b, is_turned ? b : c}) {
-                    mesh.indices.push_back(static_cast<std::uint32_t>(mesh.positions.size()));
-                    mesh.positions.push_back(p.center + tips[tip]);
-                }
-                const std::size_t first = mesh.positions.size() - 3;
-                const vec3 normal =
-                    glm::normalize(glm::cross(mesh.positions[first + 1] - mesh.positions[first],
-                                              mesh.positions[first + 2] - mesh.positions[first]));
-                mesh.normals.insert(mesh.normals.end(), 3, normal);
-            }
-    scene.meshes.push_back(mesh);
-    scene.instances.push_back({1, mat4(1.0f), "octahedron"});
-}
-
 /// A luminaire whose uneven beam of 1 rad across ends within the picture.
 void add_profile(scene::Scene& scene, const Place& p) {
     scene::LightProfile profile{"beam", {0.0f, 0.02f, 0.05f, 0.1f, 0.2f, 0.25f}, {}, {}};
@@ -146,11 +116,40 @@ void add_emitter(scene::Scene& scene, std::string_view shape, const Place& p) {
         scene.lights.push_back(scene::PolygonLight{"", corners, L, false, false});
     } else {
         require(shape == "mesh", "the shape is one of the list");
-        add_mesh(scene, p);
+        add_octahedron(scene, p.center, mat3(p.u, p.v, p.n));
     }
 }
 
 } // namespace
+
+void add_octahedron(scene::Scene& scene, vec3 center, const mat3& axes) {
+    scene::Material material;
+    material.name = "emissive";
+    material.base_color = vec4(0, 0, 0, 1);
+    material.emission = L;
+    scene::Mesh mesh;
+    mesh.name = "octahedron";
+    mesh.material = static_cast<int>(scene.materials.size());
+    scene.materials.push_back(material);
+    const std::array<vec3, 6> tips{0.40f * axes[0],  -0.30f * axes[0], 0.25f * axes[1],
+                                   -0.35f * axes[1], 0.20f * axes[2],  -0.30f * axes[2]};
+    for (const std::uint32_t a : {0u, 1u})
+        for (const std::uint32_t b : {2u, 3u})
+            for (const std::uint32_t c : {4u, 5u}) {
+                const bool is_turned = (a + (b - 2) + (c - 4)) % 2 == 1; // keeps the front outside
+                for (const std::uint32_t tip : {a, is_turned ? c : b, is_turned ? b : c}) {
+                    mesh.indices.push_back(static_cast<std::uint32_t>(mesh.positions.size()));
+                    mesh.positions.push_back(center + tips[tip]);
+                }
+                const std::size_t first = mesh.positions.size() - 3;
+                const vec3 normal =
+                    glm::normalize(glm::cross(mesh.positions[first + 1] - mesh.positions[first],
+                                              mesh.positions[first + 2] - mesh.positions[first]));
+                mesh.normals.insert(mesh.normals.end(), 3, normal);
+            }
+    scene.instances.push_back({static_cast<int>(scene.meshes.size()), mat4(1.0f), "octahedron"});
+    scene.meshes.push_back(mesh);
+}
 
 scene::Scene scene_of(std::string_view shape, std::string_view material, std::string_view view) {
     scene::Scene scene;

@@ -30,4 +30,7 @@ scene::Scene scene_of(std::string_view shape, std::string_view material, std::st
 
 scene::Camera camera_of(std::string_view view);
 
+/// Adds an irregular octahedron of 0.4 m, along the orthonormal `axes`, as an instance that emits.
+void add_octahedron(scene::Scene& scene, vec3 center, const mat3& axes);
+
 } // namespace sr::truth

@@ -37,8 +37,7 @@ std::vector<double> evaluated(std::span<const Trial> trials, Material material, 
         x.F0_dielectric = vec3(0.04);
         x.specular = 1.0;
         vec3 wo = vec3(sqrt(1.0 - a.z * a.z), 0.0, a.z);
-        Chosen unused = Chosen(vec3(0.0), 0, 0.0, vec3(0.5));
-        return vec4(reflected_from_outline(light_at(int(a.x)), 0, 1, x, wo, unused), 0.0);)",
+        return reflected_from_outline(light_at(int(a.x)), 0, 1, x, wo);)",
                                              rows, &scene, overlay);
     std::vector<double> result;
     for (const vec4& L : reflected) result.push_back(L.x);

@@ -18,6 +18,7 @@ const std::vector<scene::Light> lights{
 const Test names("unit.cli.layers.names_are_plain_and_differ", [] {
     EXPECT_EQ(cli::layer_names(lights),
               (std::vector<std::string>{"emission", "key", "soft_box", "key_2", "light_3"}));
+    EXPECT_EQ(cli::layer_names(lights, {"soft_box"})[2], "soft_box_2");
 });
 
 // The picture is the sum of its layers, emission included.
@@ -37,18 +38,18 @@ const Test sum("unit.cli.layers.add_up_to_the_picture", [] {
     };
     add("");
     const image::Image film = renderer.film();
-    const auto image = cli::with_layers(film, cli::layer_names(lights), renderer, add);
-    ASSERT_TRUE(image);
-    ASSERT_EQ(image->channels, 4 + 3 * 5);
-    EXPECT_EQ(image->channel_names[7], "key.R");
+    const auto planes = cli::light_layers(cli::layer_names(lights), renderer, add);
+    const image::Image image = cli::with_planes(film, planes);
+    ASSERT_EQ(image.channels, 4 + 3 * 5);
+    EXPECT_EQ(image.channel_names[7], "key.R");
     for (int y = 0; y < film.height; ++y) {
         for (int x = 0; x < film.width; ++x) {
             for (std::size_t c = 0; c < 3; ++c) {
                 float total = 0.0f;
-                for (std::size_t layer = 0; layer < 5; ++layer) total += image->at(x, y)[4 + 3 * layer + c];
-                ASSERT_EQ(image->at(x, y)[c], film.at(x, y)[c]);
+                for (std::size_t layer = 0; layer < 5; ++layer) total += image.at(x, y)[4 + 3 * layer + c];
+                ASSERT_EQ(image.at(x, y)[c], film.at(x, y)[c]);
                 ASSERT_NEAR(total / film.at(x, y)[c], 1.0f, 3e-6f);
-                EXPECT_GT(image->at(x, y)[4 + 3 + c], 0.0f);
+                EXPECT_GT(image.at(x, y)[4 + 3 + c], 0.0f);
             }
         }
     }

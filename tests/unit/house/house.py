@@ -12,7 +12,7 @@ INCLUDE = re.compile(r'^\s*#include "([a-z_]+)/', re.MULTILINE)
 
 
 def sources(folder: Path, *suffixes: str):
-    return sorted(p for p in folder.rglob("*") if p.suffix in suffixes and p.is_file())
+    return sorted(p for p in folder.rglob("*") if p.suffix in suffixes and p.is_file() and ".venv" not in p.parts)
 
 
 def links_of(root: Path) -> dict[str, set[str]]:

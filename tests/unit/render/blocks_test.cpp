@@ -58,6 +58,9 @@ const Test layout("unit.render.blocks.match_the_shaders", [] {
     EXPECT_EQ(offset_of(program, "world_from_normal"), offsetof(ObjectBlock, world_from_normal));
     EXPECT_EQ(offset_of(program, "handedness"), offsetof(ObjectBlock, handedness));
     EXPECT_EQ(offset_of(program, "first_triangle"), offsetof(ObjectBlock, first_triangle));
+    const gl::Program& numbers = shaders.mesh_program("views/numbers.frag", everything());
+    EXPECT_EQ(offset_of(numbers, "object"), offsetof(ObjectBlock, object));
+    EXPECT_EQ(offset_of(numbers, "material"), offsetof(ObjectBlock, material));
     EXPECT_LE(size_of(program, "Object"), static_cast<GLint>(sizeof(ObjectBlock)));
 
     EXPECT_EQ(offset_of(program, "base_color_factor"), offsetof(MaterialBlock, base_color_factor));

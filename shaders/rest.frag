@@ -1,0 +1,11 @@
+#version 410 core
+// Where a pixel has its samples: black, and in front of everything, so that nothing is drawn there and nothing added.
+uniform sampler2D resting; // 1 where a pixel rests
+
+out vec4 frame;
+
+void main() {
+    if (texelFetch(resting, ivec2(gl_FragCoord.xy), 0).r == 0.0) discard;
+    frame = vec4(0.0);
+    gl_FragDepth = 0.0;
+}
