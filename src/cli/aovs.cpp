@@ -15,7 +15,8 @@ namespace {
 constexpr std::array all_aovs{Aov::depth,  Aov::normal,   Aov::albedo,  Aov::visibility, Aov::irradiance,
                               Aov::object, Aov::material, Aov::samples, Aov::error};
 
-// What these pictures take at most: the surface alone converges soon, and what arrives is no more than a look.
+// What these pictures take at most: the surface alone converges soon, and what arrives is no more than a
+// look.
 constexpr int most_surface_samples = 64;
 constexpr int most_light_samples = 1024;
 
@@ -76,7 +77,8 @@ std::vector<float> of_each(const image::Image& image, Value value) {
     return values;
 }
 
-std::vector<Plane> three(const std::string& layer, std::array<const char*, 3> channels, const image::Image& image) {
+std::vector<Plane> three(const std::string& layer, std::array<const char*, 3> channels,
+                         const image::Image& image) {
     std::vector<Plane> planes;
     for (int c = 0; c < 3; ++c)
         planes.push_back({layer + "." + channels[static_cast<std::size_t>(c)], values_of(image, c)});
@@ -103,9 +105,8 @@ std::vector<Plane> planes_of(Aov aov, Pictures& pictures, const AovSource& sourc
     case Aov::irradiance:
         return three("irradiance", {"R", "G", "B"}, pictures.arriving("views/irradiance.frag"));
     case Aov::visibility:
-        return {{"visibility.V", of_each(pictures.arriving("views/visibility.frag"), [](const float* v) {
-                     return v[1] > 0.0f ? v[0] / v[1] : 1.0f;
-                 })}};
+        return {{"visibility.V", of_each(pictures.arriving("views/visibility.frag"),
+                                         [](const float* v) { return v[1] > 0.0f ? v[0] / v[1] : 1.0f; })}};
     case Aov::samples: return {{"samples.N", {source.samples.begin(), source.samples.end()}}};
     case Aov::error: break;
     }
@@ -141,7 +142,8 @@ std::optional<std::vector<Aov>> parsed_aovs(const std::string& text) {
     for (std::size_t begin = 0; begin <= text.size();) {
         const auto comma = std::min(text.find(',', begin), text.size());
         const std::string name = text.substr(begin, comma - begin);
-        const auto found = std::ranges::find(all_aovs, name, [](Aov aov) { return std::string(name_of(aov)); });
+        const auto found =
+            std::ranges::find(all_aovs, name, [](Aov aov) { return std::string(name_of(aov)); });
         if (found == all_aovs.end() || std::ranges::find(aovs, *found) != aovs.end()) return std::nullopt;
         aovs.push_back(*found);
         begin = comma + 1;

@@ -1,6 +1,6 @@
 #pragma once
-// What else of each pixel an EXR can hold: distances, directions, terms of the equation, numbers ("arbitrary output
-// variables").
+// What else of each pixel an EXR can hold: distances, directions, terms of the equation, numbers ("arbitrary
+// output variables").
 #include "cli/layers.hpp"
 
 #include <optional>
@@ -29,7 +29,8 @@ struct AovSource {
 std::vector<Plane> aov_planes(const std::vector<Aov>& aovs, const AovSource& source,
                               const std::function<bool()>& goes_on);
 
-/// The names that object and material numbers stand for, as JSON arrays: steradian:objects, steradian:materials.
+/// The names that object and material numbers stand for, as JSON arrays: steradian:objects,
+/// steradian:materials.
 std::vector<image::Attribute> name_tables(const std::vector<Aov>& aovs, const scene::Scene& scene);
 
 } // namespace sr::cli

@@ -41,13 +41,15 @@ std::map<std::string, std::vector<float>> planes_of(const Table& table, const sc
     options.width = options.height = size;
     const cli::AovSource source{scene, camera, options, std::vector<int>(size * size, 4), {}};
     std::map<std::string, std::vector<float>> planes;
-    for (cli::Plane& plane : cli::aov_planes(*cli::parsed_aovs("depth,normal,albedo,visibility,irradiance,object,material"),
-                                             source, [] { return true; }))
+    for (cli::Plane& plane :
+         cli::aov_planes(*cli::parsed_aovs("depth,normal,albedo,visibility,irradiance,object,material"),
+                         source, [] { return true; }))
         planes[plane.name] = std::move(plane.values);
     return planes;
 }
 
-// Each is what its documentation says, in its unit, at a pixel of the square, of the plane, of its shadow and beyond.
+// Each is what its documentation says, in its unit, at a pixel of the square, of the plane, of its shadow and
+// beyond.
 const Test values("unit.cli.aovs.have_their_units", [] {
     const Table table;
     auto planes = planes_of(table, camera_from_above(5.0f));
@@ -73,15 +75,18 @@ const Test values("unit.cli.aovs.have_their_units", [] {
     EXPECT_EQ(tables[0].value, R"(["plane","square \"of\" 40 cm"])");
 });
 
-// Depth goes along the axis: a plane across it is at one depth, also at the corners, for both kinds of camera.
+// Depth goes along the axis: a plane across it is at one depth, also at the corners, for both kinds of
+// camera.
 const Test depth("unit.cli.aovs.depth_is_along_the_axis", [] {
     Table table;
     table.scene.instances.pop_back();
     for (const bool is_perspective : {true, false}) {
         scene::Camera camera = camera_from_above(1.0f);
         camera.world_from_camera[3] = vec4(0, 2.5f, 0, 1);
-        if (is_perspective) camera.projection = scene::Perspective{1.0f, 1.0f, 0.01f, {}};
-        else camera.projection = scene::Orthographic{1.0f, 1.0f, 0.5f, 10.0f};
+        if (is_perspective)
+            camera.projection = scene::Perspective{1.0f, 1.0f, 0.01f, {}};
+        else
+            camera.projection = scene::Orthographic{1.0f, 1.0f, 0.5f, 10.0f};
         const auto planes = planes_of(table, camera);
         for (const float z : planes.at("depth.Z")) ASSERT_NEAR(z, 2.5f, 1e-4f) << is_perspective;
     }
