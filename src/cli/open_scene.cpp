@@ -142,6 +142,8 @@ render::RenderOptions render_options(const RenderCommand& command, Size size) {
     options.shader_path = shader_path(command.shaders);
     options.estimator = command.estimator;
     options.analytic_points = command.analytic_points;
+    if (command.view) options.shader = command.view->shader;
+    options.maps = command.maps;
     return options;
 }
 

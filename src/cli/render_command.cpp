@@ -28,7 +28,7 @@ ordered_json summary(const RenderCommand& command, const scene::Stage& stage, co
             {"height", size.height},
             {"estimator", name_of(command.estimator)},
             {"seed", command.seed},
-            {"unit", scene::radiance_unit(stage.scene.units)},
+            {"unit", unit_of(command, stage.scene.units)},
             {"camera", stage.camera.name},
             {"lights", stage.lights.size()},
             {"triangles", scene::triangle_count(stage.scene)},
@@ -50,6 +50,8 @@ ordered_json stopping(const Picture& picture) {
 ordered_json shadows(const render::GpuScene& scene, const render::Renderer& renderer) {
     const render::Occluders* occluders = scene.occluders();
     if (!occluders) return nullptr;
+    if (const render::DepthMaps* maps = renderer.depth_maps())
+        return {{"by", "maps"}, {"maps_a_sample", maps->map_count()}, {"map_size", maps->size()}};
     const render::RayAnswers* answers = renderer.ray_answers();
     ordered_json json{{"by", answers ? "cpu" : "glsl"},
                       {"bvh_triangles", occluders->triangle_count()},
@@ -67,6 +69,17 @@ ordered_json seconds(const PhaseTimes& times) {
     for (const auto& [phase, duration] : times.phases()) json[phase] = json.value(phase, 0.0) + duration;
     json["total"] = times.total();
     return json;
+}
+
+/// Refuses what a view is no picture of.
+void check_view(const RenderCommand& command) {
+    if (!command.view) return;
+    if (command.light_layers || command.asks_for_error())
+        throw CLI::ValidationError(
+            "--view", "only pictures of radiance have --layers, --error, --time and --aov error");
+    if (command.estimator != render::Estimator::sampled && command.view->kind != ViewKind::luminance)
+        throw CLI::ValidationError("--view",
+                                   "this one takes points on the lights: leave --estimator at sampled");
 }
 
 /// Refuses what cannot be written before any work is done.
@@ -125,6 +138,7 @@ Picture draw(const Work& work) {
     picture.samples = counted(samples);
     work.times.end("draw");
     picture.film = work.renderer.film();
+    if (work.command.view) picture.film = numbers_of(*work.command.view, picture.film);
     work.times.end("read");
     const std::vector<Plane> planes = further_planes(work, picture, samples);
     if (!planes.empty()) picture.layers = with_planes(picture.film, planes);
@@ -238,6 +252,7 @@ void print_summary(const Rendering& rendering) {
 
 ExitStatus render(const RenderCommand& command) {
     PhaseTimes times;
+    check_view(command);
     check_outputs(command);
     OpenScene open = open_scene(command, times);
     render::GpuScene gpu_scene(open.stage.scene, open.stage.lights, command.visibility);

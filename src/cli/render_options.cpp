@@ -50,6 +50,13 @@ std::optional<std::optional<float>> parsed_exposure(const std::string& text) {
     return value;
 }
 
+std::string view_help() {
+    std::string text = "one term of the equation instead of radiance, as numbers in .exr and .hdr:";
+    for (const View& view : all_views()) text += std::string(" ") + view.name + " (" + view.what + "),";
+    text.back() = '.';
+    return text;
+}
+
 void declare_picture(CLI::App& command, RenderCommand& o) {
     parsed(command, "--size", "size of the picture (default: 720 rows in the camera's aspect ratio, or 16:9)",
            "WIDTHxHEIGHT", parsed_size, [&o](Size size) { o.size = size; });
@@ -66,11 +73,24 @@ void declare_picture(CLI::App& command, RenderCommand& o) {
         ->capture_default_str();
     command.add_option("--seed", o.seed, "another seed is another, equally good set of samples")
         ->capture_default_str();
-    parsed(
-        command, "--visibility",
-        "shadows: a ray to each sample, on the CPU in software GL, in GLSL elsewhere; or none (default: ray)",
-        "ray|ray-cpu|ray-glsl|none", render::visibility_named,
-        [&o](render::Visibility visibility) { o.visibility = visibility; });
+    parsed(command, "--visibility",
+           "shadows: a ray to each sample, on the CPU in software GL, in GLSL elsewhere; depth maps from "
+           "points on "
+           "the emitters; or none (default: ray)",
+           "ray|ray-cpu|ray-glsl|map|none", render::visibility_named,
+           [&o](render::Visibility visibility) { o.visibility = visibility; });
+    command
+        .add_option(
+            "--map-points", o.maps.points,
+            "with --visibility map: points on each emitter that a sample has, each with its depth maps")
+        ->check(CLI::Range(1, 32))
+        ->capture_default_str();
+    command
+        .add_option(
+            "--map-size", o.maps.size,
+            "with --visibility map: texels on a map's side; halved until a sample's maps fit into 256 MiB")
+        ->check(CLI::Range(16, 8192))
+        ->capture_default_str();
     parsed(command, "--background", "radiance where there is no surface [cd/m²] (default: 0)", "L or R,G,B",
            parsed_color, [&o](vec3 color) { o.background = color; });
     parsed(command, "--rig", "what lights a file without a lamp; glowing details are none (default: studio)",
@@ -146,6 +166,13 @@ void declare_output(CLI::App& command, RenderCommand& o) {
            "irradiance, "
            "object, material, samples, error; separated by commas",
            "NAME,NAME...", parsed_aovs, [&o](std::vector<Aov> aovs) { o.aovs = std::move(aovs); });
+    parsed(
+        command, "--view", view_help().c_str(), "NAME",
+        [](const std::string& name) -> std::optional<const View*> {
+            const View* view = view_named(name);
+            return view ? std::optional(view) : std::nullopt;
+        },
+        [&o](const View* view) { o.view = view; });
     command.add_flag("--json", o.json, "print a summary as JSON: times by phase, triangles, samples, …");
 }
 
@@ -199,6 +226,7 @@ void declare(CLI::App& command, RenderCommand& options) {
         "  steradian render scene.glb -o converged.exr --error 0.5%\n"
         "  steradian render scene.glb -o quick.png --time 2s --error 2%    (whichever comes first)\n"
         "  steradian render scene.glb -o layers.exr --layers lights --aov depth,normal,object\n"
+        "  steradian render scene.glb -o luminance.png --view luminance\n"
         "  steradian render scene.glb -o front.png --camera auto --exposure 9.5 --tone-curve agx\n"
         "  steradian render dancer.glb -o pose.png --animation Walk --at 0.5\n"
         "  steradian render dancer.glb -o walk.####.png --frames 0:47 --fps 24\n"

@@ -4,6 +4,7 @@
 #include "cli/arguments.hpp"
 #include "cli/frame_names.hpp"
 #include "cli/stopping.hpp"
+#include "cli/views.hpp"
 #include "gl/context.hpp"
 #include "image/display.hpp"
 #include "image/file.hpp"
@@ -30,6 +31,7 @@ struct RenderCommand {
     double fps = 24.0;
     StopRule stop;
     render::Visibility visibility = render::Visibility::ray;
+    render::MapOptions maps;
     std::uint32_t seed = 0;
     render::Estimator estimator = render::Estimator::sampled;
     int analytic_points = render::default_analytic_points;
@@ -38,8 +40,9 @@ struct RenderCommand {
     bool hide_emitters = false;
     std::optional<float> ev100; // absent: automatic
     image::ToneCurve tone_curve = image::ToneCurve::neutral;
-    bool light_layers = false; // in .exr: a layer a light
-    std::vector<Aov> aovs;     // in .exr: further channels
+    bool light_layers = false;  // in .exr: a layer a light
+    std::vector<Aov> aovs;      // in .exr: further channels
+    const View* view = nullptr; // one term instead of radiance
 
     /// Whether the picture has to know its error, that is, takes its samples from two sequences.
     bool asks_for_error() const;

@@ -14,6 +14,8 @@ LoadedScene load_scene(const std::string& file, const Options& options, float as
     result.bounds = scene::bounds_of(loaded.scene);
     result.base = {loaded.scene.meshes.size(), loaded.scene.materials.size(), loaded.scene.instances.size(),
                    loaded.scene.lights.size()};
+    for (const scene::Material& material : loaded.scene.materials)
+        result.emission.push_back(material.emission);
     result.remarks = std::move(loaded.warnings);
     scene::StageOptions stage{options.camera, options.rig, aspect_ratio, options.hide_emitters};
     result.stage = scene::set_stage(std::move(loaded.scene), file, stage);

@@ -21,6 +21,7 @@ struct LoadedScene {
     scene::Stage stage;
     scene::Bounds bounds; // of what the file has
     BaseCounts base;
+    std::vector<vec3> emission;       // of each of the file's materials, even where emitters are hidden
     std::vector<std::string> remarks; // one line each: warnings, and what was decided without being asked
     double seconds = 0.0;             // that loading took
 };

@@ -4,10 +4,12 @@
 #include "viewer/exposure.hpp"
 #include "viewer/hand.hpp"
 #include "viewer/input.hpp"
+#include "viewer/lights_panel.hpp"
 #include "viewer/screen.hpp"
 #include "viewer/show.hpp"
 #include "viewer/statistics.hpp"
 #include "viewer/ui.hpp"
+#include "viewer/watch.hpp"
 
 #include <array>
 #include <functional>
@@ -48,19 +50,31 @@ private:
     void handle_key(const KeyEvent& event);
     void handle_pointer(const Event& event);
     void fly(double seconds);
-    void click(vec2 at);
     void obey(Command command);
     bool obey_picture(Command command);
     bool obey_program(Command command);
     void move_camera();
     void copy_view();
     void paste_view();
-    void open(const std::string& file);
-    void reload();
-    void write_png();
-    void write_exr();
     void toggle_fullscreen();
     void say(std::string message);
+
+    // session_lights.cpp: editing lights
+    Projection projection() const;
+    void click(vec2 at);
+    bool drag_arrow(const Event& event);
+    bool obey_light(Command command);
+    scene::Bounds selection() const;
+    void draw_lights();
+    void relight();
+
+    // session_files.cpp: what is read and written
+    void open(const std::string& file);
+    void reload();
+    void watch_files();
+    void reload_shaders();
+    void write_png();
+    void write_exr();
     void fail(const std::string& title, const std::string& text);
 
     Options options_;
@@ -73,6 +87,12 @@ private:
     std::unique_ptr<Show> show_;
     std::optional<Eye> eye_;
     Hand hand_;
+    LightsPanel lights_;
+    LightChange change_ = LightChange::none; // of the lights, since the last frame
+    std::optional<int> arrow_;               // the axis that the pointer drags the selected light along
+    float arrow_at_ = 0.0f;
+    Watch scene_watch_;
+    Watch shader_watch_;
     Exposure exposure_;
     Look look_;
     std::string message_;

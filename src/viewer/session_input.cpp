@@ -3,7 +3,6 @@
 
 #include "core/error.hpp"
 #include "viewer/pick.hpp"
-#include "viewer/screenshot.hpp"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -38,7 +37,9 @@ void Session::handle_key(const KeyEvent& event) {
 
 void Session::handle_pointer(const Event& event) {
     if (!eye_) return;
-    if (ui_.has_pointer() && !hand_.is_dragging() && !std::holds_alternative<MotionEvent>(event)) return;
+    const bool is_held = hand_.is_dragging() || arrow_;
+    if (ui_.has_pointer() && !is_held && !std::holds_alternative<MotionEvent>(event)) return;
+    if (drag_arrow(event)) return;
     Viewpoint view = eye_->view();
     const auto point_under = [this](vec2 at) -> std::optional<vec3> {
         const Ray ray = ray_through(eye_->camera(), eye_->aspect_ratio(), place_of(at));
@@ -52,8 +53,6 @@ void Session::handle_pointer(const Event& event) {
     }
     if (effect.clicked) click(*effect.clicked);
 }
-
-void Session::click(vec2) {}
 
 void Session::fly(double seconds) {
     if (!hand_.is_flying()) return;
@@ -80,8 +79,8 @@ void Session::move_camera() {
 
 void Session::obey(Command command) {
     if (obey_program(command) || !show_) return;
-    if (obey_picture(command)) return;
-    if (eye_->obey(command, {})) move_camera();
+    if (obey_picture(command) || obey_light(command)) return;
+    if (eye_->obey(command, selection())) move_camera();
 }
 
 bool Session::obey_program(Command command) {
@@ -91,7 +90,10 @@ bool Session::obey_program(Command command) {
     case Command::quit: is_closing_ = true; return true;
     case Command::fullscreen: toggle_fullscreen(); return true;
     case Command::reload: reload(); return true;
-    case Command::cancel: has_help_ = false; return true;
+    case Command::cancel:
+        has_help_ = false;
+        lights_.selected.reset();
+        return true;
     default: return false;
     }
 }
@@ -147,56 +149,6 @@ void Session::paste_view() {
     }
 }
 
-void Session::open(const std::string& file) {
-    if (loading_) {
-        say("still loading; drop the file again when that is done");
-        return;
-    }
-    const float aspect = static_cast<float>(width_) / static_cast<float>(height_);
-    Options options = options_;
-    if (show_ && file != options_.scene) options.camera.clear(); // it was the first file's
-    options_ = options;
-    options_.scene = file;
-    loading_ = std::async(std::launch::async, load_scene, file, options_, aspect);
-}
-
-void Session::reload() {
-    if (!show_) return;
-    ++statistics_.reloads;
-    open(show_->scene().file);
-}
-
-void Session::write_png() {
-    const std::string name = free_name(show_->scene().file, ".png");
-    try {
-        image::write(image::displayed(show_->picture().film(), look_.ev100, look_.curve), name,
-                     image::SampleType::integer8);
-        say("wrote " + name);
-    } catch (const Error& error) {
-        fail("No picture was written.", error.what());
-    }
-}
-
-void Session::write_exr() {
-    const std::string name = free_name(show_->scene().file, ".exr");
-    const Picture& picture = show_->picture();
-    image::Image film = picture.film();
-    film.channel_names = {"R", "G", "B", "A"};
-    film.attributes = {
-        {"steradian:version", STERADIAN_VERSION},
-        {"steradian:unit", std::string(scene::radiance_unit(show_->scene().stage.scene.units))},
-        {"steradian:samples", std::to_string(picture.sample_count())},
-        {"steradian:camera", eye_->argument()},
-        {"steradian:GL_RENDERER", window_.info().renderer},
-        {"steradian:GL_VERSION", window_.info().version}};
-    try {
-        image::write(film, name, image::SampleType::floating);
-        say("wrote " + name);
-    } catch (const Error& error) {
-        fail("No picture was written.", error.what());
-    }
-}
-
 void Session::toggle_fullscreen() {
     GLFWwindow* window = window_.handle();
     GLFWmonitor* monitor = glfwGetPrimaryMonitor();
@@ -215,12 +167,6 @@ void Session::toggle_fullscreen() {
 void Session::say(std::string message) {
     message_ = std::move(message);
     if (options_.is_verbose) std::fprintf(stderr, "%s\n", message_.c_str());
-}
-
-void Session::fail(const std::string& title, const std::string& text) {
-    error_title_ = title;
-    error_text_ = text;
-    if (options_.is_verbose) std::fprintf(stderr, "%s\n", text.c_str());
 }
 
 } // namespace sr::viewer

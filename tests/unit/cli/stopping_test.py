@@ -49,6 +49,15 @@ class Stopping(cli_test.CommandLine):
                 self.assertLess(summary["samples_min"], summary["samples"])
                 self.assertIn(b"steradian:error", attributes)
 
+    def test_a_view_is_no_picture_of_radiance(self):
+        for arguments, word in ((("--view", "visibility", "--error", "1%"), "radiance"), (("--view", "beauty"), "beauty"),
+                                (("--view", "cosine", "--estimator", "analytic"), "sampled"),
+                                (("--aov", "depth"), ".exr"), (("--aov", "deep"), "deep")):
+            result = self.render("a.png", *arguments)
+            self.assertEqual((result.returncode, result.stdout), (2, ""), arguments)
+            self.assertIn(word, result.stderr)
+        self.assertEqual(self.render("a.png", "--view", "luminance").returncode, 0)
+
 
 if __name__ == "__main__":
     sys.exit(cli_test.main(Stopping))

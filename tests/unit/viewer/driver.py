@@ -107,6 +107,22 @@ class Viewer:
                  for part in ("mousemove", *(round(a + (b - a) * i / 4) for a, b in zip(begin, end)))]
         self.display.do("mousemove", *begin, "mousedown", button, *moves, "mouseup", button)
 
+    def click(self, x, y):
+        self.display.do("mousemove", x, y, "click", "1")
+
+    def type(self, text: str):
+        """Into the field that has the keyboard, and Enter."""
+        time.sleep(0.2)
+        self.display.do("type", "--delay", "20", text)
+        self.key("Return")
+
+    @staticmethod
+    def write(file: Path, text: str):
+        """Saves a file as editors do: whole."""
+        unfinished = file.with_suffix(".new")
+        unfinished.write_text(text)
+        unfinished.rename(file)
+
     def shot(self, exr: bool = True) -> Path:
         """A screenshot by the viewer's own key."""
         suffix = ".exr" if exr else ".png"

@@ -13,17 +13,21 @@ from pathlib import Path
 from driver import Display, Viewer
 
 STERADIAN, SCENES, SCRATCH = (Path(argument).resolve() for argument in sys.argv[1:])
-SIZE, SAMPLES = "400x300", "4"
+WIDTH, HEIGHT = 400, 300
+SIZE, SAMPLES = f"{WIDTH}x{HEIGHT}", "4"
 
 
 def steradian(*arguments) -> subprocess.CompletedProcess:
     return subprocess.run([STERADIAN, *map(str, arguments)], capture_output=True, text=True, timeout=100)
 
 
-def same(a: Path, b: Path) -> bool:
-    """Whether two EXRs agree to the rounding of floats; what is lit in them has some 100 cd/m²."""
-    result = subprocess.run(["oiiotool", "--fail", "1e-4", "--diff", a, b], capture_output=True)
-    return result.returncode == 0
+def same(a: Path, b: Path, factor: float = 1.0) -> bool:
+    """Whether `a` times a factor is `b`, to the rounding of floats: |a - b| / max(a, b)."""
+    scaled = [a, "--ch", "R,G,B", "--mulc", str(factor)]
+    other = [b, "--ch", "R,G,B"]
+    result = subprocess.run(["oiiotool", *scaled, *other, "--absdiff", *scaled, *other, "--max", "--div", "--printstats"],
+                            capture_output=True, text=True)
+    return max(map(float, re.search(r"Stats Max: +(\S+) (\S+) (\S+)", result.stdout).groups())) < 1e-5
 
 
 def rendered(scene: Path, camera: str, *arguments) -> Path:
@@ -31,6 +35,15 @@ def rendered(scene: Path, camera: str, *arguments) -> Path:
     result = steradian("render", scene, "--camera", camera, "--size", SIZE, "--samples", SAMPLES, "-o", file, *arguments)
     assert result.returncode == 0, result.stderr
     return file
+
+
+def brightest(picture: Path) -> tuple[int, int]:
+    """Where the picture is brightest: the middle of the lamp."""
+    small = SCRATCH / "lamp.ppm"
+    subprocess.run(["oiiotool", picture, "--ch", "G,G,G", "--divc", "16000", "-d", "uint8", "-o", small], check=True)
+    pixels = small.read_bytes()[-3 * WIDTH * HEIGHT:]
+    lit = [i // 3 for i in range(0, len(pixels), 3) if pixels[i] == 255]
+    return lit[len(lit) // 2] % WIDTH, lit[len(lit) // 2] // WIDTH
 
 
 def camera_of(viewer: Viewer) -> str:
@@ -69,6 +82,51 @@ def looking_around(display: Display):
     viewer.close()
 
 
+def editing_lights(display: Display):
+    """A click selects the emitter, Enter takes its value, and twice the flux is twice the radiance. Space switches it off."""
+    viewer = Viewer(display, STERADIAN, SCRATCH / "lights", SCENES / "cornell.gltf", "--size", SIZE, "--samples", SAMPLES,
+                    "--gl-debug")
+    viewer.done()
+    first = viewer.shot()
+    viewer.key("h")
+    viewer.click(*brightest(first))
+    viewer.wait(lambda: "selected " in viewer.errors(), "a selected light")
+    viewer.key("h", "Return")
+    viewer.changed_by(lambda: viewer.type("1600 lm"))
+    assert same(first, viewer.shot(), 2.0), "twice the flux is not twice the radiance"
+    viewer.changed_by(lambda: viewer.key("ctrl+z"))
+    assert same(first, viewer.shot()), "undone it is not what it was"
+    viewer.changed_by(lambda: viewer.key("space"))
+    assert same(first, viewer.shot(), 0.0), "switched off it shines"
+    viewer.close()
+
+
+def reloading(display: Display):
+    """A broken shader is named with its line while the last picture goes on; mended, it shows. So does a saved scene."""
+    shaders, scene = SCRATCH / "shaders" / "brdf", SCRATCH / "scene.gltf"
+    shaders.mkdir(parents=True)
+    shutil.copy(SCENES / "cornell.gltf", scene)
+    viewer = Viewer(display, STERADIAN, SCRATCH / "reload", scene, "--size", SIZE, "--samples", SAMPLES, "--gl-debug",
+                    "--shaders", shaders.parent)
+    viewer.done()
+    first = viewer.shot()
+    body = 'vec3 f_r(Surface x, vec3 wi, vec3 wo) {{\n    return {};\n}}\n'
+    viewer.write(shaders / "f_r.glsl", '#include "surface/surface.glsl"\n' + body.format("undeclared"))
+    viewer.wait(lambda: "f_r.glsl:3" in viewer.errors(), "the error's line", 10)
+    assert same(first, viewer.shot()), "the last good picture is gone"
+    viewer.changed_by(lambda: viewer.write(shaders / "f_r.glsl", '#include "surface/surface.glsl"\n'
+                                                                 + body.format("vec3(0.0)")))
+    assert not same(first, viewer.shot()), "the mended shader does not show"
+    viewer.changed_by(lambda: (shaders / "f_r.glsl").unlink())
+    assert same(first, viewer.shot()), "without the overlay it is not what it was"
+    scene.write_text("{")
+    viewer.wait(lambda: "scene.gltf:1:" in viewer.errors(), "the broken file's line", 10)
+    text = (SCENES / "spheres.gltf").read_text()
+    viewer.changed_by(lambda: viewer.write(scene, text))
+    assert same(viewer.shot(), rendered(scene, camera_of(viewer))), "the saved scene does not show"
+    viewer.close()
+
+
 def main() -> int:
     if not shutil.which("Xvfb") or not shutil.which("xdotool"):
         print("Xvfb and xdotool are needed: sudo apt-get install xvfb xdotool")
@@ -79,6 +137,8 @@ def main() -> int:
         no_display()
         no_file(display)
         looking_around(display)
+        editing_lights(display)
+        reloading(display)
     finally:
         display.close()
     return 0
