@@ -99,14 +99,17 @@ class Document:
         places = [i for i, row in enumerate(rows) if any(snapped(number) for number in row)]
         indices = self.view(struct.pack(f"<{len(places)}H", *places), None)
         values = self.view(b"".join(struct.pack("<3f", *(snapped(number) for number in rows[i])) for i in places), None)
+        columns = list(zip(*([snapped(number) for number in row] for row in rows)))
         return self.add("accessors", {"componentType": FLOAT, "count": len(rows), "type": "VEC3", "sparse": {
             "count": len(places), "indices": {"bufferView": indices, "componentType": UNSIGNED_SHORT},
-            "values": {"bufferView": values}}})
+            "values": {"bufferView": values}}, "min": [min(column) for column in columns],
+            "max": [max(column) for column in columns]})
 
-    def joint_accessor(self, rows):
-        data = b"".join(struct.pack("<4B", *row) for row in rows)
-        return self.add("accessors", {"bufferView": self.view(data, ARRAY_BUFFER), "componentType": UNSIGNED_BYTE,
-                                      "count": len(rows), "type": "VEC4"})
+    def byte_accessor(self, rows, target=None):
+        width = len(rows[0])
+        data = b"".join(struct.pack(f"<{width}B", *row) for row in rows)
+        return self.add("accessors", {"bufferView": self.view(data, target), "componentType": UNSIGNED_BYTE,
+                                      "count": len(rows), "type": "SCALAR" if width == 1 else f"VEC{width}"})
 
     def index_accessor(self, indices):
         data = struct.pack(f"<{len(indices)}H", *indices)
@@ -131,10 +134,12 @@ class Document:
     # --- motion ------------------------------------------------------------------------------------------------
 
     def channel(self, animation, target, times, rows, interpolation="LINEAR"):
-        """`target` is (node, path), or a JSON pointer."""
+        """`target` is (node, path), or a JSON pointer; the rows of a flag are true or false."""
+        is_flag = isinstance(rows[0][0], bool)
         samplers = self.json["animations"][animation]["samplers"]
         samplers.append({"input": self.float_accessor([[time] for time in times], True, None),
-                         "output": self.float_accessor(rows, False, None), "interpolation": interpolation})
+                         "output": self.byte_accessor(rows) if is_flag else self.float_accessor(rows, False, None),
+                         "interpolation": interpolation})
         if isinstance(target, str):
             self.use("KHR_animation_pointer")
             place = {"path": "pointer", "extensions": {"KHR_animation_pointer": {"pointer": target}}}

@@ -3,7 +3,7 @@ brightens, a sign that goes out, stones that are instances; and a coat of paint 
 import math
 
 from .geometry import box, cylinder, floor, rectangle, sphere
-from .gltf import Document
+from .gltf import ARRAY_BUFFER, Document
 from .vector import looking, rotation_about
 
 FILE = "motion.gltf"
@@ -35,7 +35,7 @@ def reed(document, material):
                 a = first + 2 * row - 2
                 indices += [a, a + 1, a + 3, a, a + 3, a + 2]
     attributes = {"POSITION": document.float_accessor(positions, has_bounds=True),
-                  "NORMAL": document.float_accessor(normals), "JOINTS_0": document.joint_accessor(joints),
+                  "NORMAL": document.float_accessor(normals), "JOINTS_0": document.byte_accessor(joints, ARRAY_BUFFER),
                   "WEIGHTS_0": document.float_accessor(weights)}
     return document.add("meshes", {"name": "reed", "primitives": [
         {"attributes": attributes, "indices": document.index_accessor(indices), "material": material}]})
@@ -103,7 +103,7 @@ def add_lights(document, animation):
                          rotation=rotation_about((0, 1, 0), -25),
                          extensions={"KHR_node_visibility": {"visible": True}})
     document.channel(animation, f"/nodes/{sign}/extensions/KHR_node_visibility/visible", [0.0, 1.25, 1.75],
-                     [[1], [0], [1]], "STEP")
+                     [[True], [False], [True]], "STEP")
 
 
 def make():
