@@ -3,6 +3,7 @@
 #include "core/error.hpp"
 #include "gltf/compression.hpp"
 #include "gltf/text.hpp"
+#include "image/webp.hpp"
 
 #include <algorithm>
 #include <array>
@@ -27,6 +28,7 @@ constexpr std::array<std::string_view, 17> supported{
 bool is_supported(std::string_view extension) {
     if (extension == "EXT_meshopt_compression") return reads_meshopt();
     if (extension == "KHR_draco_mesh_compression") return reads_draco();
+    if (extension == "EXT_texture_webp") return image::decodes_webp();
     return std::find(supported.begin(), supported.end(), extension) != supported.end();
 }
 

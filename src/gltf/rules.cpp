@@ -163,8 +163,12 @@ const Rule sampler = record({{"magFilter", &magnification},
                              {"wrapS", &wrap},
                              {"wrapT", &wrap},
                              {"name", &text}});
-const Rule texture =
-    record({{"source", &image_index}, {"sampler", &sampler_index}, {"name", &text}, {"extensions", &object}});
+const Rule webp = record({{"source", &image_index, true}});
+const Rule texture_extensions = record({{"EXT_texture_webp", &webp}});
+const Rule texture = record({{"source", &image_index},
+                             {"sampler", &sampler_index},
+                             {"name", &text},
+                             {"extensions", &texture_extensions}});
 
 // --- cameras and lights
 const Rule perspective =
