@@ -39,6 +39,18 @@ if(UNIX AND NOT APPLE)
   require_package(libegl-dev EGL_INCLUDE_DIR)
 endif()
 
+# Compressed glTF meshes: left out, and said so, where the libraries are not.
+find_package(meshoptimizer QUIET CONFIG)
+find_package(draco QUIET CONFIG)
+foreach(pair "meshoptimizer EXT_meshopt_compression" "draco KHR_draco_mesh_compression")
+  string(REPLACE " " ";" pair "${pair}")
+  list(GET pair 0 library)
+  list(GET pair 1 extension)
+  if(NOT ${library}_FOUND)
+    message(STATUS "glTF's ${extension} will not be read. To read it: sudo apt-get install lib${library}-dev")
+  endif()
+endforeach()
+
 if(BUILD_TESTING OR NOT DEFINED BUILD_TESTING)
   find_package(GTest QUIET)
   require_package(libgtest-dev GTest_FOUND)

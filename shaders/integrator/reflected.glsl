@@ -9,6 +9,7 @@
 #include "brdf/sample_f_r.glsl"
 #include "integrator/random_point.glsl"
 #include "integrator/rays.glsl"
+#include "integrator/shadowed.glsl"
 #include "light/sample_light.glsl"
 #include "visibility/visibility.glsl"
 
@@ -36,15 +37,16 @@ vec3 reflected(Surface x, vec3 wo) {
         vec2 u = has_area_lights ? random_point(uint(k) + 1u) : vec2(0.0);
         LightSample from_light = sample_light(k, x.position, u);
         float weight = from_light.p > 0.0 ? power_heuristic(from_light.p, p_f_r(x, from_light.wi, wo)) : 1.0;
-        L_r += weight * integrand_over_p(x, from_light, wo, k, towards_light);
+        vec3 L = weight * integrand_over_p(x, from_light, wo, k, towards_light);
 
-        if (!samples_brdf) continue;
-        LightSample along = light_along(k, x.position, w_brdf);
+        LightSample along = no_light;
+        if (samples_brdf) along = light_along(k, x.position, w_brdf);
         if (along.p > 0.0) { // the point came with density p_brdf, so that is what the integrand is over
             float odds = along.p / p_brdf;
             float weight_over_p = 1.0 / (odds + 1.0 / odds); // power_heuristic(p_brdf, along.p) * odds
-            L_r += weight_over_p * integrand_over_p(x, along, wo, k, along_brdf);
+            L += weight_over_p * integrand_over_p(x, along, wo, k, along_brdf);
         }
+        L_r += shadowed(L, k, x, wo);
     }
     return L_r;
 }

@@ -23,6 +23,7 @@ const bool has_specular_color_texture = true;
 const bool has_vertex_colors = true;
 
 const int rays_per_light = 2; // that a point sends to each light
+const bool has_transparent_casters = true; // masked or blended surfaces cast shadows
 
 const bool is_masked = true;  // alphaMode MASK
 const bool is_blended = true; // alphaMode BLEND

@@ -1,5 +1,6 @@
 #include "render/features.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace sr::render {
@@ -59,6 +60,7 @@ std::string Features::glsl() const {
     constant("has_specular_color_texture", has_specular_color_texture);
     constant("has_vertex_colors", has_vertex_colors);
     text += fmt::format("const int rays_per_light = {};\n", rays_per_light);
+    constant("has_transparent_casters", has_transparent_casters);
     constant("is_masked", is_masked);
     constant("is_blended", is_blended);
     constant("is_unlit", is_unlit);
@@ -73,6 +75,14 @@ Features light_features(std::span<const scene::Light> lights) {
                                     || f.has_tube_lights || f.has_polygon_lights || f.has_sun_disks;
     f.rays_per_light = has_lights_to_meet ? 2 : 1;
     return f;
+}
+
+bool has_transparent_casters(const scene::Scene& scene) {
+    return std::ranges::any_of(scene.instances, [&](const scene::Instance& instance) {
+        const auto material =
+            static_cast<std::size_t>(scene.meshes[static_cast<std::size_t>(instance.mesh)].material);
+        return scene.materials[material].alpha_mode != scene::AlphaMode::opaque;
+    });
 }
 
 Features shading_features(const scene::Scene& scene, const scene::Mesh& mesh, const Features& lights) {
@@ -92,9 +102,14 @@ Features shading_features(const scene::Scene& scene, const scene::Mesh& mesh, co
 }
 
 Features depth_features(const Features& shading) {
+    return shading.is_masked ? caster_features(shading) : Features{};
+}
+
+Features caster_features(const Features& shading) {
     Features f;
-    if (!shading.is_masked) return f;
-    f.is_masked = true;
+    if (!shading.is_masked && !shading.is_blended) return f;
+    f.is_masked = shading.is_masked;
+    f.is_blended = shading.is_blended;
     f.has_base_color_texture = shading.has_base_color_texture;
     f.has_vertex_colors = shading.has_vertex_colors;
     return f;

@@ -32,7 +32,8 @@ struct Features {
     bool has_specular_color_texture = false;
     bool has_vertex_colors = false;
 
-    int rays_per_light = 1; // that a point sends to each light
+    int rays_per_light = 1;               // that a point sends to each light
+    bool has_transparent_casters = false; // masked or blended surfaces cast shadows
 
     bool is_masked = false;
     bool is_blended = false;
@@ -48,10 +49,16 @@ struct Features {
 /// where a direction of the BRDF's choice can meet any of them, another along that.
 Features light_features(std::span<const scene::Light> lights);
 
+/// Whether any surface of the scene is masked or blended, and so lets some light through.
+bool has_transparent_casters(const scene::Scene& scene);
+
 /// What shading this mesh takes under lights that take `lights`.
 Features shading_features(const scene::Scene& scene, const scene::Mesh& mesh, const Features& lights);
 
 /// What the depth pre-pass needs of `shading`: nothing, unless the material is masked.
 Features depth_features(const Features& shading);
+
+/// What depth maps need of `shading`: what alpha takes, unless the material is opaque.
+Features caster_features(const Features& shading);
 
 } // namespace sr::render

@@ -1,5 +1,6 @@
 #include "render/gpu_scene.hpp"
 
+#include "core/error.hpp"
 #include "render/gpu_texture.hpp"
 #include "render/light_table.hpp"
 
@@ -100,32 +101,33 @@ vec3 center_of(const scene::Mesh& mesh, const mat4& world_from_object) {
 
 GpuScene::GpuScene(const scene::Scene& scene, std::span<const scene::Light> lights, Visibility visibility)
     : visibility_(visibility) {
-    meshes_.reserve(scene.meshes.size());
-    for (const scene::Mesh& mesh : scene.meshes) meshes_.emplace_back(mesh);
     upload_textures(scene);
-    upload_objects(scene);
-    upload_materials(scene);
-    upload_lights(scene, lights);
-    list_draws(scene, lights);
-    cast_shadows(scene, lights);
+    update(scene, lights);
 }
 
-void GpuScene::cast_shadows(const scene::Scene& scene, std::span<const scene::Light> lights) {
-    occluders_.reset();
-    if (visibility_ != Visibility::none && !lights.empty())
-        occluders_ = std::make_unique<Occluders>(scene, lights, visibility_, !blended_.empty());
+void GpuScene::update(const scene::Scene& scene, std::span<const scene::Light> lights) {
+    require(image_of_texture_.size() == scene.textures.size(), "a scene keeps its textures");
+    relight(scene, lights, 0, true);
 }
 
 void GpuScene::relight(const scene::Scene& scene, std::span<const scene::Light> lights,
                        std::size_t first_mesh, bool casters_change) {
     meshes_.erase(meshes_.begin() + static_cast<std::ptrdiff_t>(std::min(first_mesh, meshes_.size())),
                   meshes_.end());
+    meshes_.reserve(scene.meshes.size());
     for (std::size_t i = meshes_.size(); i < scene.meshes.size(); ++i) meshes_.emplace_back(scene.meshes[i]);
     upload_objects(scene);
     upload_materials(scene);
     upload_lights(scene, lights);
     list_draws(scene, lights);
-    if (casters_change) cast_shadows(scene, lights);
+    if (casters_change || visibility_ == Visibility::map)
+        cast_shadows(scene, lights); // maps know where lights are
+}
+
+void GpuScene::cast_shadows(const scene::Scene& scene, std::span<const scene::Light> lights) {
+    occluders_.reset();
+    if (visibility_ != Visibility::none && !lights.empty())
+        occluders_ = std::make_unique<Occluders>(scene, lights, visibility_, !blended_.empty());
 }
 
 void GpuScene::upload_textures(const scene::Scene& scene) {
@@ -198,7 +200,8 @@ void GpuScene::bind_lights() const {
 }
 
 void GpuScene::list_draws(const scene::Scene& scene, std::span<const scene::Light> lights) {
-    const Features lit = light_features(lights);
+    Features lit = light_features(lights);
+    lit.has_transparent_casters = has_transparent_casters(scene);
     opaque_.clear();
     blended_.clear();
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {

@@ -35,6 +35,10 @@ public:
     void relight(const scene::Scene& scene, std::span<const scene::Light> lights, std::size_t first_mesh,
                  bool casters_change);
 
+    /// The same scene at another moment: everything is uploaded anew but the images and textures, which must
+    /// be the same. Renderers of this scene must restart().
+    void update(const scene::Scene& scene, std::span<const scene::Light> lights);
+
     int light_count() const { return light_count_; }
     int rays_per_light() const { return rays_per_light_; } // that a point of a surface sends
     /// What casts shadows; null if nothing does.

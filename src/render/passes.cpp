@@ -81,7 +81,8 @@ void forward_pass(const Target& frame, const GpuScene& scene, ShaderLibrary& sha
 }
 
 VisibilityTerm blended_visibility(const GpuScene& scene) {
-    return scene.occluders() ? VisibilityTerm::ray : VisibilityTerm::none;
+    if (!scene.occluders()) return VisibilityTerm::none;
+    return scene.occluders()->map_stage() ? VisibilityTerm::map : VisibilityTerm::ray;
 }
 
 void blend_pass(const Target& frame, const GpuScene& scene, ShaderLibrary& shaders, const std::string& shader,

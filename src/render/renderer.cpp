@@ -49,14 +49,8 @@ Renderer::Renderer(const GpuScene& scene, const scene::Camera& camera, const Ren
       film_("film", options.width, options.height, false),
       resting_(options.width, options.height) {
     if (options.knows_error) first_half_.emplace("first half", options.width, options.height, false);
-    ask_for_rays();
+    ask_for_shadows();
     clear();
-}
-
-void Renderer::ask_for_rays() {
-    ray_answers_.reset();
-    if (scene_.occluders() && scene_.occluders()->occlusion())
-        ray_answers_.emplace(scene_, frame_, options_.width, options_.height, options_.most_answers);
 }
 
 void Renderer::resize(int width, int height, int samples) {
@@ -70,11 +64,24 @@ void Renderer::resize(int width, int height, int samples) {
     options_.height = height;
     options_.samples = samples;
     use_lights(0, scene_.light_count());
-    ask_for_rays();
+    ask_for_shadows();
     clear();
 }
 
+void Renderer::ask_for_shadows() {
+    depth_maps_.reset();
+    if (scene_.occluders() && scene_.occluders()->map_stage()) depth_maps_.emplace(scene_, options_.maps);
+    const bool is_asked = scene_.occluders() && scene_.occluders()->occlusion();
+    const int rays_per_point = scene_.light_count() * scene_.rays_per_light();
+    if (is_asked == ray_answers_.has_value() && rays_per_point == rays_per_point_) return;
+    ray_answers_.reset();
+    rays_per_point_ = rays_per_point;
+    if (is_asked)
+        ray_answers_.emplace(scene_, frame_, options_.width, options_.height, options_.most_answers);
+}
+
 void Renderer::compile() {
+    if (depth_maps_) depth_maps_->compile(shaders_);
     for (const Draw& draw : scene_.opaque_draws()) {
         shaders_.mesh_program("depth.frag", depth_features(draw.features));
         shaders_.mesh_program(options_.shader, draw.features, opaque_visibility());
@@ -111,6 +118,12 @@ void Renderer::look_from(const scene::Camera& camera) {
     clear();
 }
 
+void Renderer::restart(const scene::Camera& camera) {
+    ask_for_shadows();
+    use_lights(0, scene_.light_count());
+    look_from(camera);
+}
+
 void Renderer::add_sample() {
     const Window part = window();
     require(!part.is_empty(), "a pixel works");
@@ -134,8 +147,8 @@ bool Renderer::add_rows(int count) {
 }
 
 void Renderer::draw(const Window& part) {
-    keep_to(part);
     const View view = begin_frame();
+    keep_to(part);
     depth_pass(frame_, scene_, shaders_, options_.background);
     glBindVertexArray(no_vertices_.id());
     if (resting_.any(sample_count_)) {
@@ -173,6 +186,8 @@ View Renderer::begin_frame() {
     const std::uint32_t seed = halves ? half_seed(half_of(sample_count_), options_.seed) : options_.seed;
     const View view =
         view_of(camera_, options_.width, options_.height, sub_pixel(index, options_.samples, seed));
+    if (depth_maps_)
+        depth_maps_->draw(static_cast<std::uint32_t>(index), seed, first_light_, end_light_, shaders_);
     frame_data_.upload(
         {view.clip_from_world, view.eye, static_cast<std::uint32_t>(index), seed, first_light_, end_light_});
     return view;
@@ -180,7 +195,7 @@ View Renderer::begin_frame() {
 
 VisibilityTerm Renderer::opaque_visibility() const {
     if (!scene_.occluders()) return VisibilityTerm::none;
-    return ray_answers_ ? VisibilityTerm::answered : VisibilityTerm::ray;
+    return ray_answers_ ? VisibilityTerm::answered : blended_visibility(scene_);
 }
 
 void Renderer::shade_opaque(const Window& window) {

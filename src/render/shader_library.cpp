@@ -16,11 +16,15 @@ constexpr std::array<const char*, slot_count> sampler_names{
 
 /// What stands for a file as long as the user's own roots do not have it.
 glsl::Root specialised(const Features& features, VisibilityTerm visibility) {
-    constexpr std::array files{"none", "ray", "record", "answered"};
+    constexpr std::array files{"none", "ray", "record", "answered", "map"};
     const char* file = files[static_cast<std::size_t>(visibility)];
-    return glsl::Root::memory("specialised", {{"interface/features.glsl", features.glsl()},
-                                              {"visibility/visibility.glsl",
-                                               fmt::format("#include \"visibility/{}.glsl\"\n", file)}});
+    glsl::Files texts{{"interface/features.glsl", features.glsl()},
+                      {"visibility/visibility.glsl", fmt::format("#include \"visibility/{}.glsl\"\n", file)}};
+    if (visibility == VisibilityTerm::map) {
+        texts["integrator/shadowed.glsl"] = "#include \"integrator/shadowed_by_maps.glsl\"\n";
+        texts["integrator/point_on_light.glsl"] = "#include \"integrator/map_point_on_light.glsl\"\n";
+    }
+    return glsl::Root::memory("specialised", std::move(texts));
 }
 
 void connect(const gl::Program& program) {
@@ -35,6 +39,8 @@ void connect(const gl::Program& program) {
     program.bind_texture("ltc_table", ltc_table_unit);
     program.bind_texture("answers", answers_unit);
     program.bind_texture("last_rays", last_rays_unit);
+    program.bind_texture("map_triangles", map_triangles_unit);
+    program.bind_texture("map_points", map_points_unit);
     for (unsigned i = 0; i < caster_sampler_names.size(); ++i)
         program.bind_texture(caster_sampler_names[i], static_cast<GLint>(first_caster_unit + i));
 }

@@ -11,7 +11,7 @@
 namespace sr::render {
 
 /// Which file stands for shaders/visibility/visibility.glsl.
-enum class VisibilityTerm { none, ray, record, answered };
+enum class VisibilityTerm { none, ray, record, answered, map };
 
 class ShaderLibrary {
 public:

@@ -14,7 +14,7 @@ using render::Visibility;
 
 namespace {
 
-constexpr std::array providers{Visibility::ray_on_cpu, Visibility::ray_in_glsl};
+constexpr std::array providers{Visibility::ray_on_cpu, Visibility::ray_in_glsl, Visibility::map};
 constexpr int size = 64;
 constexpr float extent = 2.0f;
 

@@ -18,7 +18,8 @@ using testing::add_quad;
 
 ShadowScene bundled(std::string_view name) {
     const auto file = testing::source_folder() / "assets/scenes" / fmt::format("{}.gltf", name);
-    scene::Stage stage = scene::set_stage(gltf::load(file).scene, file.string(), {"", scene::Rig::none, 1.0f});
+    scene::Stage stage =
+        scene::set_stage(gltf::load(file).scene, file.string(), {"", scene::Rig::none, 1.0f});
     return {gltf::load(file).scene, stage.camera};
 }
 
@@ -61,8 +62,8 @@ scene::Material masked_bars(scene::Scene& scene, scene::Material material) {
     return material;
 }
 
-/// A sheet above what the camera sees, whose bars the mask cuts where a filtered alpha passes one half: at the
-/// border of two texels.
+/// A sheet above what the camera sees, whose bars the mask cuts where a filtered alpha passes one half: at
+/// the border of two texels.
 ShadowScene fence_under_a_disk(Fence fence) {
     ShadowScene s;
     add_floor(s.scene, glossy(vec3(0.7f, 0.6f, 0.5f), 0.0f, 0.5f));
@@ -77,8 +78,14 @@ ShadowScene fence_under_a_disk(Fence fence) {
             add_quad(s.scene, center + at * half_u, half_u / (2.0f * bars), half_v, board);
         }
     }
-    s.scene.lights.push_back(scene::DiskLight{
-        "disk", vec3(0.6f, 2.4f, 0.3f), vec3(0, 0, 0.25f), vec3(-0.25f, 0, 0), vec3(60.0f, 50.0f, 40.0f), false, true, {}});
+    s.scene.lights.push_back(scene::DiskLight{"disk",
+                                              vec3(0.6f, 2.4f, 0.3f),
+                                              vec3(0, 0, 0.25f),
+                                              vec3(-0.25f, 0, 0),
+                                              vec3(60.0f, 50.0f, 40.0f),
+                                              false,
+                                              true,
+                                              {}});
     s.camera = looking(vec3(0.2f, 0.7f, 2.2f), vec3(0, 0, -0.1f), 0.7f);
     return s;
 }
