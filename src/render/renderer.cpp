@@ -49,7 +49,7 @@ Renderer::Renderer(const GpuScene& scene, const scene::Camera& camera, const Ren
       film_("film", options.width, options.height, false),
       resting_(options.width, options.height) {
     if (options.knows_error) first_half_.emplace("first half", options.width, options.height, false);
-    if (scene.occluders() && scene.occluders()->occlusion())
+    if (options.has_shadows && scene.occluders() && scene.occluders()->occlusion())
         ray_answers_.emplace(scene, frame_, options.width, options.height, options.most_answers);
     clear();
 }
@@ -61,7 +61,7 @@ void Renderer::compile() {
         if (ray_answers_) shaders_.mesh_program("record.frag", draw.features, VisibilityTerm::record);
     }
     for (const Draw& draw : scene_.blended_draws())
-        shaders_.mesh_program(options_.shader, draw.features, blended_visibility(scene_));
+        shaders_.mesh_program(options_.shader, draw.features, blended_visibility());
     shaders_.fullscreen_program("accumulate.frag");
 }
 
@@ -104,7 +104,7 @@ void Renderer::add_sample() {
     }
     shade_opaque(part);
     keep_to(part);
-    blend_pass(frame_, scene_, shaders_, options_.shader, view.eye);
+    blend_pass(frame_, scene_, shaders_, options_.shader, view.eye, blended_visibility());
     accumulate();
     glDisable(GL_SCISSOR_TEST);
     ++sample_count_;
@@ -140,8 +140,13 @@ View Renderer::begin_frame() {
 }
 
 VisibilityTerm Renderer::opaque_visibility() const {
-    if (!scene_.occluders()) return VisibilityTerm::none;
+    if (!scene_.occluders() || !options_.has_shadows) return VisibilityTerm::none;
     return ray_answers_ ? VisibilityTerm::answered : VisibilityTerm::ray;
+}
+
+VisibilityTerm Renderer::blended_visibility() const {
+    // Several layers of a pixel can ask, so the shader answers.
+    return scene_.occluders() && options_.has_shadows ? VisibilityTerm::ray : VisibilityTerm::none;
 }
 
 void Renderer::shade_opaque(const Window& window) {
@@ -179,13 +184,17 @@ image::Image Renderer::film() const {
     return mean_of(film_, pixel_samples());
 }
 
+image::Image Renderer::first_half() const {
+    require(first_half_.has_value() && sample_count_ > 0, "the renderer knows its error, and has samples");
+    std::vector<int> samples = pixel_samples();
+    for (int& count : samples) count = samples_of_half(0, count);
+    return mean_of(*first_half_, samples);
+}
+
 std::optional<ErrorEstimate> Renderer::error_estimate() const {
     require(first_half_.has_value(), "the renderer knows its error");
     if (sample_count_ < 2) return std::nullopt;
-    const std::vector<int> samples = pixel_samples();
-    std::vector<int> first = samples;
-    for (int& count : first) count = samples_of_half(0, count);
-    return estimated_error(mean_of(film_, samples), mean_of(*first_half_, first), samples);
+    return estimated_error(film(), first_half(), pixel_samples());
 }
 
 } // namespace sr::render
