@@ -155,7 +155,10 @@ void Session::advance() {
     fly(seconds);
     relight();
     Picture& picture = show_->picture();
-    if (was_moving_ && picture.is_moving()) statistics_.moving_frames.push_back(seconds);
+    if (was_moving_ && picture.is_moving()) {
+        statistics_.moving_frames.push_back(seconds);
+        statistics_.moving_scales.push_back(picture.scale());
+    }
     was_moving_ = picture.is_moving();
     const bool was_done = picture.is_done();
     picture.advance();

@@ -83,8 +83,11 @@ def looking_around(display: Display):
 
 
 def editing_lights(display: Display):
-    """A click selects the emitter, Enter takes its value, and twice the flux is twice the radiance. Space switches it off."""
-    viewer = Viewer(display, STERADIAN, SCRATCH / "lights", SCENES / "cornell.gltf", "--size", SIZE, "--samples", SAMPLES,
+    """A click selects the emitter, Enter takes its value, and twice the flux is twice the radiance, in
+    a saved file, too. Space switches it off."""
+    scene, relit = SCRATCH / "lit.gltf", SCRATCH / "relit.gltf"
+    shutil.copy(SCENES / "cornell.gltf", scene)
+    viewer = Viewer(display, STERADIAN, SCRATCH / "lights", scene, "--size", SIZE, "--samples", SAMPLES,
                     "--gl-debug")
     viewer.done()
     first = viewer.shot()
@@ -94,6 +97,10 @@ def editing_lights(display: Display):
     viewer.key("h", "Return")
     viewer.changed_by(lambda: viewer.type("1600 lm"))
     assert same(first, viewer.shot(), 2.0), "twice the flux is not twice the radiance"
+    viewer.key("ctrl+s", "ctrl+a")
+    viewer.type(str(relit))
+    viewer.wait(relit.exists, "a saved file", 10)
+    assert same(first, rendered(relit, "main"), 2.0), "the saved file is not what was seen"
     viewer.changed_by(lambda: viewer.key("ctrl+z"))
     assert same(first, viewer.shot()), "undone it is not what it was"
     viewer.changed_by(lambda: viewer.key("space"))
