@@ -39,15 +39,20 @@ if(UNIX AND NOT APPLE)
   require_package(libegl-dev EGL_INCLUDE_DIR)
 endif()
 
-# Compressed glTF meshes: left out, and said so, where the libraries are not.
+# Compressed glTF meshes and WebP textures: left out, and said so, where the libraries are not.
 find_package(meshoptimizer QUIET CONFIG)
 find_package(draco QUIET CONFIG)
-foreach(pair "meshoptimizer EXT_meshopt_compression" "draco KHR_draco_mesh_compression")
+if(PKG_CONFIG_FOUND)
+  pkg_check_modules(WEBP QUIET IMPORTED_TARGET libwebp)
+endif()
+foreach(pair "meshoptimizer EXT_meshopt_compression libmeshoptimizer-dev" "draco KHR_draco_mesh_compression libdraco-dev"
+             "WEBP EXT_texture_webp libwebp-dev")
   string(REPLACE " " ";" pair "${pair}")
   list(GET pair 0 library)
   list(GET pair 1 extension)
+  list(GET pair 2 package)
   if(NOT ${library}_FOUND)
-    message(STATUS "glTF's ${extension} will not be read. To read it: sudo apt-get install lib${library}-dev")
+    message(STATUS "glTF's ${extension} will not be read. To read it: sudo apt-get install ${package}")
   endif()
 endforeach()
 

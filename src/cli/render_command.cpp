@@ -162,7 +162,8 @@ void remark_on_stop(const Picture& picture, const RenderCommand& command) {
 
 /// Draws, and writes the files. @return absent if the program was asked to leave, and for a frame that was
 /// interrupted: then nothing was written
-std::optional<std::pair<Picture, std::optional<float>>> make_picture(const Work& work, const gl::Context& context) {
+std::optional<std::pair<Picture, std::optional<float>>> make_picture(const Work& work,
+                                                                     const gl::Context& context) {
     Picture picture = draw(work);
     if (work.interruption.asks_to_leave()) {
         fmt::print(stderr, "asked to leave after {} samples: nothing was written\n",
@@ -212,8 +213,8 @@ bool make_frames(Rendering& rendering) {
         picture.at = seconds_of(frame, command);
         for (std::size_t i = 0; i < command.outputs.size(); ++i)
             picture.outputs[i] = *numbered(command.outputs[i], frame);
-        const auto what = fmt::format("frame {} ({} of {})", frame, frame - open.frames.front() + 1,
-                                      open.frames.size());
+        const auto what =
+            fmt::format("frame {} ({} of {})", frame, frame - open.frames.front() + 1, open.frames.size());
         auto made = make_picture({picture, open.stage, scene, options, renderer, interruption, times, what},
                                  *open.context);
         if (!made) return false;

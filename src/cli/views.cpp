@@ -16,13 +16,15 @@ constexpr std::array views{
     View{"visibility", "views/visibility.frag", "V, the mean over the lights, weighted by what they send",
          ViewKind::share, "1", true, 1.0f},
     View{"irradiance", "views/irradiance.frag", "E, shadows included", ViewKind::light, "lx", false, 0.0f},
-    View{"cosine", "views/cosine.frag", "cosθ_i, the mean over what arrives", ViewKind::share, "1", true, 0.0f},
+    View{"cosine", "views/cosine.frag", "cosθ_i, the mean over what arrives", ViewKind::share, "1", true,
+         0.0f},
     View{"emission", "views/emission.frag", "L_e", ViewKind::light, nullptr, false, 0.0f},
     View{"albedo", "views/albedo.frag", "the base colour", ViewKind::share, "1", false, 0.0f},
-    View{"luminance", "forward.frag", "L_o in false colours, a decade a colour", ViewKind::luminance, nullptr, false,
-         0.0f},
+    View{"luminance", "forward.frag", "L_o in false colours, a decade a colour", ViewKind::luminance, nullptr,
+         false, 0.0f},
     View{"leaks", "views/leaks.frag",
-         "of the light, shadows aside, the share that leaks through from behind the triangle in R and that its back "
+         "of the light, shadows aside, the share that leaks through from behind the triangle in R and that "
+         "its back "
          "has to keep out in G",
          ViewKind::leak, "1", true, 0.0f},
 };
@@ -61,7 +63,8 @@ void divide(const View& view, float* p) {
 std::span<const View> all_views() { return views; }
 
 const View* view_named(const std::string& name) {
-    const auto found = std::ranges::find(views, name, [](const View& view) { return std::string(view.name); });
+    const auto found =
+        std::ranges::find(views, name, [](const View& view) { return std::string(view.name); });
     return found == views.end() ? nullptr : &*found;
 }
 

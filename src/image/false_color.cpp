@@ -13,7 +13,8 @@ namespace {
 
 vec3 color_of(float luminance) {
     if (!std::isfinite(luminance)) return {1.0f, 0.0f, 1.0f};
-    const float decades = std::log10(std::max(luminance, luminance_scale[0].luminance) / luminance_scale[0].luminance);
+    const float decades =
+        std::log10(std::max(luminance, luminance_scale[0].luminance) / luminance_scale[0].luminance);
     const float last = static_cast<float>(std::size(luminance_scale) - 1);
     const float place = std::min(decades, last);
     const auto i = static_cast<std::size_t>(std::min(place, last - 1.0f));

@@ -4,8 +4,8 @@
 
 namespace sr::image {
 
-/// What stands for a luminance [cd/m²]: a colour a decade, always the same, so that pictures can be compared. Between
-/// decades it is mixed by the logarithm. As stored in 8-bit files, 0 to 1. README.md has the legend.
+/// What stands for a luminance [cd/m²]: a colour a decade, always the same, so that pictures can be compared.
+/// Between decades it is mixed by the logarithm. As stored in 8-bit files, 0 to 1. README.md has the legend.
 struct DecadeColor {
     float luminance; // [cd/m²]
     float r, g, b;
@@ -23,8 +23,8 @@ inline constexpr DecadeColor luminance_scale[]{
     {1e6f, 1.00f, 1.00f, 1.00f},  // white: this and more
 };
 
-/// The luminance of each pixel's first three channels, by luminance_scale: three channels for an 8-bit file. What is
-/// not finite is magenta.
+/// The luminance of each pixel's first three channels, by luminance_scale: three channels for an 8-bit file.
+/// What is not finite is magenta.
 Image luminance_colors(const Image& film);
 
 } // namespace sr::image

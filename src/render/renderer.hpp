@@ -135,7 +135,7 @@ private:
     Resting resting_;
     FrameData frame_data_;
     std::optional<RayAnswers> ray_answers_;
-    int rays_per_point_ = 0;                     // that ray_answers_ was made for
+    int rays_per_point_ = 0; // that ray_answers_ was made for
     std::optional<DepthMaps> depth_maps_;
     gl::VertexArray no_vertices_{"no vertices"}; // core profile draws need one bound
     int sample_count_ = 0;

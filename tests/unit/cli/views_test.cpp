@@ -31,8 +31,8 @@ std::vector<float> middle_of(const char* view, const scene::Scene& scene, vec3 l
     return {pixel.begin(), pixel.end()};
 }
 
-// Normals bent towards a light below the plane let it in; a second plane in between keeps it out; straight ones see
-// neither.
+// Normals bent towards a light below the plane let it in; a second plane in between keeps it out; straight
+// ones see neither.
 const Test leaks("unit.cli.views.leaks_are_told_from_what_is_kept_out", [] {
     const vec3 below(3.0f, -1.0f, 0.0f);
     scene::Scene plane = lambert_plane(1.0f);

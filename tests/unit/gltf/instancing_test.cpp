@@ -1,4 +1,5 @@
-// EXT_mesh_gpu_instancing, KHR_materials_variants, KHR_node_visibility.
+// EXT_mesh_gpu_instancing, KHR_materials_variants, KHR_node_visibility, EXT_texture_webp.
+#include "gltf/extensions.hpp"
 #include "loading.hpp"
 
 using namespace sr;
@@ -46,6 +47,21 @@ const Test variants("unit.gltf.variants.choose_the_materials", [] {
     EXPECT_NE(error_of(made, unknown).find(R"(there is no material variant "c": choose one of "a", "b")"),
               std::string::npos);
     EXPECT_EQ(load(made).contents.variants, (std::vector<std::string>{"a", "b"}));
+});
+
+const Test webp("unit.gltf.texture.a_webp_goes_before_what_stands_beside_it", [] {
+    if (!gltf::is_supported("EXT_texture_webp")) GTEST_SKIP() << "built without libwebp";
+    MadeGltf made = MadeGltf::triangle();
+    made.root["images"] =
+        json::array({{{"name", "beside"}, {"uri", png_uri()}}, {{"name", "webp"}, {"uri", png_uri()}}});
+    made.root["textures"] =
+        json::parse(R"([{"source": 0, "extensions": {"EXT_texture_webp": {"source": 1}}}])");
+    made.root["materials"] = json::parse(R"([{"emissiveTexture": {"index": 0}}])");
+    made.primitive()["material"] = 0;
+    EXPECT_EQ(load(made).scene.images.at(0).name, "webp");
+    made.root["textures"][0]["extensions"]["EXT_texture_webp"]["source"] = 2;
+    EXPECT_NE(error_of(made).find("/textures/0/extensions/EXT_texture_webp/source must be below 2"),
+              std::string::npos);
 });
 
 const Test visibility("unit.gltf.visibility.goes_down_the_tree_and_spares_cameras", [] {
