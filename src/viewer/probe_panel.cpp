@@ -47,6 +47,9 @@ void ProbePanel::draw(const scene::Stage& stage, const Lighting& lighting,
     const render::PixelTerms& terms = answer->terms;
     bool is_open = true;
     hovered_ = -1;
+    const ImVec2 corner = ImGui::GetMainViewport()->Size;
+    ImGui::SetNextWindowPos({corner.x - 12.0f, corner.y - 3.0f * ImGui::GetFontSize()}, ImGuiCond_Appearing,
+                            {1.0f, 1.0f});
     ImGui::SetNextWindowSizeConstraints(
         {0.0f, 0.0f}, {ImGui::GetMainViewport()->Size.x, 0.6f * ImGui::GetMainViewport()->Size.y});
     if (ImGui::Begin("L_o = L_e + sum of E f_r", &is_open, ImGuiWindowFlags_AlwaysAutoResize)) {
