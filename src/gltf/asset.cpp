@@ -31,6 +31,7 @@ public:
         warn_of_unsupported(document_.model.extensionsUsed, warnings_);
         drawn_.ask_for(materials_);
         scene_.materials = materials_.materials();
+        scene_.measured = materials_.measured();
         place_lights(placed_nodes(document_, scene_index_));
         scene_.profiles = lights_.profiles();
         scene_.units = unit_system_of(document_);

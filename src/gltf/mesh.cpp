@@ -100,18 +100,16 @@ void finish_frame(SourcedMesh& mesh, const scene::Material& material, Warnings& 
     else
         warnings.add("a normal is zero or not finite", "it is replaced by that of its faces",
                      repair_normals(mesh));
-    if (!material.normal_texture.is_present()) return;
+    if (!scene::needs_tangents(material)) return;
     if (mesh.tangents.empty())
-        add_tangents(mesh, material.normal_texture.texcoord);
+        add_tangents(mesh, scene::tangent_texcoord(material));
     else
         warnings.add("a tangent is zero, not finite or along its normal", "it is replaced by one across",
                      repair_tangents(mesh));
 }
 
 void warn_of_absent_texcoords(const scene::Mesh& mesh, const scene::Material& material, Warnings& warnings) {
-    for (const scene::TextureSlot* slot :
-         {&material.base_color_texture, &material.metallic_roughness_texture, &material.normal_texture,
-          &material.emission_texture, &material.specular_texture, &material.specular_color_texture})
+    for (const scene::TextureSlot* slot : scene::texture_slots(material))
         if (slot->is_present() && mesh.texcoords[slot->texcoord].empty())
             warnings.add(
                 fmt::format("mesh {} has a texture and no TEXCOORD_{}", in_quotes(mesh.name), slot->texcoord),
@@ -155,7 +153,7 @@ std::optional<SourcedMesh> mesh_of(const Document& document, const PrimitivePlac
     mesh.sources.resize(mesh.positions.size());
     std::iota(mesh.sources.begin(), mesh.sources.end(), 0u);
     mesh.indices = triangles(corners(document, primitive, mesh.positions.size(), place), primitive.mode);
-    read_frame(document, primitive, place, material.normal_texture.is_present(), mesh);
+    read_frame(document, primitive, place, scene::needs_tangents(material), mesh);
     read_surface(document, primitive, place, mesh, warnings);
     drop_infinite_triangles(mesh, warnings);
     drop_unused(mesh);

@@ -118,7 +118,28 @@ const Rule specular = record({{"specularFactor", &number},
                               {"specularTexture", &texture_info},
                               {"specularColorFactor", &three_numbers},
                               {"specularColorTexture", &texture_info}});
-const Rule material_extensions = record({{"KHR_materials_emissive_strength", &emissive_strength},
+const Rule anisotropy = record(
+    {{"anisotropyStrength", &number}, {"anisotropyRotation", &number}, {"anisotropyTexture", &texture_info}});
+const Rule clearcoat = record({{"clearcoatFactor", &number},
+                               {"clearcoatTexture", &texture_info},
+                               {"clearcoatRoughnessFactor", &number},
+                               {"clearcoatRoughnessTexture", &texture_info},
+                               {"clearcoatNormalTexture", &texture_info}});
+const Rule sheen = record({{"sheenColorFactor", &three_numbers},
+                           {"sheenColorTexture", &texture_info},
+                           {"sheenRoughnessFactor", &number},
+                           {"sheenRoughnessTexture", &texture_info}});
+const Rule iridescence = record({{"iridescenceFactor", &number},
+                                 {"iridescenceTexture", &texture_info},
+                                 {"iridescenceIor", &number},
+                                 {"iridescenceThicknessMinimum", &number},
+                                 {"iridescenceThicknessMaximum", &number},
+                                 {"iridescenceThicknessTexture", &texture_info}});
+const Rule material_extensions = record({{"KHR_materials_anisotropy", &anisotropy},
+                                         {"KHR_materials_clearcoat", &clearcoat},
+                                         {"KHR_materials_sheen", &sheen},
+                                         {"KHR_materials_iridescence", &iridescence},
+                                         {"KHR_materials_emissive_strength", &emissive_strength},
                                          {"KHR_materials_ior", &ior},
                                          {"KHR_materials_specular", &specular},
                                          {"KHR_materials_unlit", &object}});

@@ -192,14 +192,14 @@ void DepthMaps::draw_face(const Point& point, int face, std::uint32_t sample_ind
 void DepthMaps::upload_points() {
     std::vector<vec4> texels(stage_.lights.size(), vec4(0.0f));
     const auto append = [&](const Point& point) {
-        const auto& [place, normal, extent, uv, is_far] = point.on_emitter;
+        const shadow::EmitterPoint& on = point.on_emitter;
         const auto layer = [&](std::size_t face) { return static_cast<float>(point.layers[face]); };
-        texels.emplace_back(place, texture_kind(point.view.kind));
-        texels.emplace_back(normal, extent);
+        texels.emplace_back(on.place, texture_kind(point.view.kind));
+        texels.emplace_back(on.normal, on.extent);
         texels.emplace_back(point.view.origin, point.view.scale);
         texels.emplace_back(point.view.axes[0], layer(4));
         texels.emplace_back(point.view.axes[1], layer(5));
-        texels.emplace_back(uv, point.seed & 0xffffu, point.seed >> 16);
+        texels.emplace_back(on.uv, point.seed & 0xffffu, point.seed >> 16);
         texels.emplace_back(layer(0), layer(1), layer(2), layer(3));
     };
     auto point = points_.begin();

@@ -21,20 +21,22 @@ void require_lobes(std::span<const glsl::Root> users) {
                 "overlay that file too, or use --estimator sampled");
 }
 
-/// The estimator stands behind the user's own roots and in front of the embedded ones.
-std::vector<glsl::Root> shader_path(const RenderOptions& options) {
-    std::vector<glsl::Root> path = options.shader_path;
-    require(!path.empty(), "the shader path has a root");
-    if (options.estimator == Estimator::sampled) return path;
-    require_lobes(std::span(path).first(path.size() - 1));
+/// What the analytic estimator puts in the place of shaders/integrator/; absent for the sampled one.
+std::optional<glsl::Root> estimator(const RenderOptions& options) {
+    if (options.estimator == Estimator::sampled) return std::nullopt;
+    require_lobes(std::span(options.shader_path).first(options.shader_path.size() - 1));
     const std::string limits = fmt::format("const int analytic_points = {};\n"
                                            "const int most_outlined_triangles = {};\n",
                                            options.analytic_points, most_outlined_triangles);
-    path.insert(path.end() - 1,
-                glsl::Root::memory("estimator", {{"integrator/reflected.glsl",
-                                                  "#include \"integrator/reflected_analytic.glsl\"\n"},
-                                                 {"interface/estimator.glsl", limits}}));
-    return path;
+    return glsl::Root::memory(
+        "estimator", {{"integrator/reflected.glsl", "#include \"integrator/reflected_analytic.glsl\"\n"},
+                      {"interface/estimator.glsl", limits}});
+}
+
+/// @throws Error from estimator()
+ShaderLibrary library(const RenderOptions& options) {
+    require(!options.shader_path.empty(), "the shader path has a root");
+    return ShaderLibrary(options.shader_path, estimator(options));
 }
 
 } // namespace
@@ -44,7 +46,7 @@ Renderer::Renderer(const GpuScene& scene, const scene::Camera& camera, const Ren
       camera_(camera),
       options_(options),
       end_light_(scene.light_count()),
-      shaders_(shader_path(options)),
+      shaders_(library(options)),
       frame_("frame", options.width, options.height, true),
       film_("film", options.width, options.height, false),
       resting_(options.width, options.height) {

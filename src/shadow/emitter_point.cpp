@@ -33,7 +33,7 @@ vec2 in_triangle(vec2 u) {
 template<class Flat>
 EmitterPoint on_plane(const Flat& light, vec2 st) {
     return {light.center + st.x * light.half_u + st.y * light.half_v, light.normal(), light.area(),
-            light.map.origin + st.x * light.map.along_u + st.y * light.map.along_v};
+            light.map.origin + st.x * light.map.along_u + st.y * light.map.along_v, light.is_two_sided};
 }
 
 /// Which of several parts `u` falls on, by size; u becomes its place within that part.
@@ -110,7 +110,8 @@ struct PointOn {
             return area_of(c[0], c[part + 1], c[part + 2]);
         });
         const vec2 weights = in_triangle(place);
-        return {c[0] + weights.x * (c[i + 1] - c[0]) + weights.y * (c[i + 2] - c[0]), light.normal(), area};
+        return {c[0] + weights.x * (c[i + 1] - c[0]) + weights.y * (c[i + 2] - c[0]), light.normal(), area,
+                vec2(0.0f), light.is_two_sided};
     }
 
     EmitterPoint operator()(const scene::MeshLight& light) const {
@@ -125,7 +126,7 @@ struct PointOn {
         const vec2 weights = in_triangle(place);
         return {c[0] + weights.x * (c[1] - c[0]) + weights.y * (c[2] - c[0]),
                 glm::normalize(glm::cross(c[1] - c[0], c[2] - c[0])), area,
-                uv[0] + weights.x * (uv[1] - uv[0]) + weights.y * (uv[2] - uv[0])};
+                uv[0] + weights.x * (uv[1] - uv[0]) + weights.y * (uv[2] - uv[0]), light.is_two_sided};
     }
 
     EmitterPoint round(vec3 center, float radius) const { return {center + radius * in_ball_like_disk(u)}; }

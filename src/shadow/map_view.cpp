@@ -105,7 +105,7 @@ MapView view_from(const EmitterPoint& point, const scene::Light& light, const Ba
         view.scale = guard / std::max(cone.tangent, 1e-30f);
         return view;
     }
-    view.is_half = point.normal != vec3(0.0f);
+    view.is_half = point.normal != vec3(0.0f) && !point.is_two_sided;
     view.axes = frame_along(view.is_half ? point.normal : vec3(0, 1, 0), roll);
     view.scale = guard;
     return view;

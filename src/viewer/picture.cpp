@@ -12,7 +12,8 @@ using namespace std::chrono_literals;
 constexpr double moving_budget = 0.035;   // [s] a sample
 constexpr int moving_samples = 4;         // that a moving picture gathers while the hand rests
 constexpr auto settled = 180ms;           // of rest, until the picture stands
-constexpr double standing_budget = 0.030; // [s] of sampling between two looks at keys and pointer
+constexpr double standing_budget = 0.040; // [s] of sampling between two looks at keys and pointer
+constexpr int most_parts = 10; // of a sample: each reads all the scene's vertices anew, several times
 
 int scaled(int side, float scale) {
     return std::max(1, static_cast<int>(std::lround(static_cast<float>(side) * scale)));
@@ -151,8 +152,9 @@ void Picture::advance_standing() {
         const double expected = std::max(seconds_, spent_);
         const bool is_short = expected <= standing_budget;
         if (!is_short && spent_ == 0.0) keep();
-        const int rows =
-            is_short ? height_ : std::max(8, static_cast<int>(height_ * standing_budget / expected));
+        const int rows = is_short ? height_
+                                  : std::max((height_ + most_parts - 1) / most_parts,
+                                             static_cast<int>(height_ * standing_budget / expected));
         const bool is_complete = renderer_.add_rows(rows);
         const double now = seconds_since(begin);
         spent_ += now - spent;

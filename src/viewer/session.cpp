@@ -62,6 +62,7 @@ void Session::run(const std::function<bool()>& is_interrupted) {
     while (!is_closing_ && !is_interrupted()) {
         wait();
         take_loaded();
+        take_flip();
         watch_files();
         std::vector<Event> events = input_.take();
         if (input_.take_damage() || !events.empty()) frames_to_draw_ = frames_after_event;
@@ -71,6 +72,7 @@ void Session::run(const std::function<bool()>& is_interrupted) {
         for (const Event& event : events) handle(event);
         advance();
         draw();
+        if (question_) answer_question();
         window_.require_silence();
     }
 }
@@ -81,7 +83,7 @@ void Session::wait() {
     if (is_busy)
         glfwPollEvents();
     else
-        glfwWaitEventsTimeout(loading_ ? 0.01 : poll_interval);
+        glfwWaitEventsTimeout(loading_ || flipping_ ? 0.01 : poll_interval);
 }
 
 void Session::take_loaded() {
@@ -113,7 +115,10 @@ void Session::show(LoadedScene scene) {
     const bool is_first = !show_;
     show_ = std::move(shown);
     eye_ = std::move(eye);
-    if (!is_same_file) exposure_.forget();
+    if (!is_same_file)
+        exposure_.forget();
+    else
+        say("scene read anew");
     measured_samples_ = 0;
     if (is_first) {
         statistics_.start.emplace_back("upload", show_->upload_seconds());
@@ -128,6 +133,7 @@ void Session::show(LoadedScene scene) {
     scene_watch_.set(std::move(files));
     if (is_first) shader_watch_.set({options_.shaders.begin(), options_.shaders.end()});
     lights_.selected.reset();
+    probe_.answer.reset();
     remember_file(show_->scene().file);
 }
 
@@ -157,6 +163,7 @@ void Session::advance() {
         std::fprintf(stderr, "converged: %d samples, --camera '%s'\n", picture.samples(),
                      eye_->argument().c_str());
     measure_exposure();
+    advance_turntable();
     if (exposure_.advance(std::min(seconds, 0.1))) frames_to_draw_ = std::max(frames_to_draw_, 1);
 }
 
@@ -178,7 +185,7 @@ void Session::draw() {
     if (show_ && show_->picture().sample_count() > 0) {
         look_.ev100 = exposure_.ev100();
         const Picture& picture = show_->picture();
-        screen_.draw(picture.shown(), {}, look_, width_, height_);
+        screen_.draw(picture.shown(), other_film(), look_, width_, height_);
     } else {
         glBindFramebuffer(GL_FRAMEBUFFER, 0);
         glClearColor(0.1f, 0.1f, 0.1f, 1.0f);
@@ -204,6 +211,9 @@ void Session::draw_panels() {
         return;
     }
     if (!has_panels_) return;
+    draw_dialog();
+    probe_.draw_directions(show_->scene().stage, projection(), ui_.scale());
+    probe_.draw(show_->scene().stage, show_->lighting(), lights_.selected);
     lights_.draw_marks(show_->lighting(), projection(), ui_.scale());
     const Picture& picture = show_->picture();
     status_line({picture.sample_count(), picture.samples(), picture.is_moving(), picture.scale(),
@@ -221,6 +231,8 @@ void Session::draw_panels() {
         if (wish.file_camera || wish.moved) move_camera();
         draw_lights();
         picture_panel(exposure_, look_, scene::radiance_unit(scene.units));
+        obey(compare_panel(look_, reference_ ? &*reference_ : nullptr, flip_result_,
+                           options_.rendering.estimator, options_.visibility));
         ImGui::TextDisabled("F1 or ? shows all keys");
         ImGui::PopTextWrapPos();
         ImGui::PopItemWidth();

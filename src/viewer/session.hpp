@@ -1,10 +1,13 @@
 #pragma once
 // One run of the viewer, from opening the window to closing it.
 #include "gl/window.hpp"
+#include "viewer/compare_panel.hpp"
 #include "viewer/exposure.hpp"
+#include "viewer/file_dialog.hpp"
 #include "viewer/hand.hpp"
 #include "viewer/input.hpp"
 #include "viewer/lights_panel.hpp"
+#include "viewer/probe_panel.hpp"
 #include "viewer/screen.hpp"
 #include "viewer/show.hpp"
 #include "viewer/statistics.hpp"
@@ -16,6 +19,14 @@
 #include <future>
 
 namespace sr::viewer {
+
+/// A turn around the pivot that is being written, a PNG a step.
+struct Turntable {
+    static constexpr int steps = 36;
+
+    std::string folder;
+    int step = 0;
+};
 
 class Session {
 public:
@@ -68,6 +79,18 @@ private:
     void draw_lights();
     void relight();
 
+    // session_compare.cpp: questions to the picture
+    void answer_question();
+    void obey(const CompareWish& wish);
+    void change_estimator(render::Estimator estimator);
+    void change_visibility(render::Visibility visibility);
+    void keep_picture();
+    void begin_flip();
+    void take_flip();
+    void load_reference(const std::string& file);
+    void next_comparison();
+    FilmSum other_film() const;
+
     // session_files.cpp: what is read and written
     void open(const std::string& file);
     void reload();
@@ -75,6 +98,9 @@ private:
     void reload_shaders();
     void write_png();
     void write_exr();
+    void begin_turntable();
+    void advance_turntable();
+    void draw_dialog();
     void fail(const std::string& title, const std::string& text);
 
     Options options_;
@@ -91,6 +117,14 @@ private:
     LightChange change_ = LightChange::none; // of the lights, since the last frame
     std::optional<int> arrow_;               // the axis that the pointer drags the selected light along
     float arrow_at_ = 0.0f;
+    ProbePanel probe_;
+    std::optional<vec2> question_; // the place in the window that is to be asked
+    std::optional<Reference> reference_;
+    std::optional<Reference> flip_;
+    std::optional<std::future<FlipMap>> flipping_;
+    std::string flip_result_;
+    FileDialog dialog_;
+    std::optional<Turntable> turntable_;
     Watch scene_watch_;
     Watch shader_watch_;
     Exposure exposure_;

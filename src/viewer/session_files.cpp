@@ -5,6 +5,8 @@
 #include "viewer/screenshot.hpp"
 
 #include <cstdio>
+#include <filesystem>
+#include <fmt/format.h>
 
 namespace sr::viewer {
 
@@ -55,6 +57,49 @@ void Session::write_exr() {
     } catch (const Error& error) {
         fail("No picture was written.", error.what());
     }
+}
+
+/// A whole turn around the pivot, a PNG for each of its steps, each converged.
+void Session::begin_turntable() {
+    turntable_.emplace();
+    turntable_->folder = free_name(show_->scene().file, "-turntable");
+    std::error_code failure;
+    std::filesystem::create_directory(turntable_->folder, failure);
+    if (failure) {
+        fail("There is no turntable.", turntable_->folder + ": " + failure.message());
+        turntable_.reset();
+        return;
+    }
+    if (exposure_.is_automatic()) exposure_.fix(exposure_.ev100()); // the same for all of them
+    say("turntable: Esc stops it");
+}
+
+void Session::advance_turntable() {
+    if (!turntable_ || !show_->picture().is_done()) return;
+    const std::string name = fmt::format("{}/{:03}.png", turntable_->folder, turntable_->step);
+    try {
+        image::write(image::displayed(show_->picture().film(), exposure_.ev100(), look_.curve), name,
+                     image::SampleType::integer8);
+    } catch (const Error& error) {
+        turntable_.reset();
+        return fail("The turntable ends.", error.what());
+    }
+    Viewpoint view = eye_->view();
+    orbit(view, {2.0f * pi / Turntable::steps, 0.0f});
+    eye_->move_to(view);
+    move_camera();
+    say(fmt::format("turntable: {} of {}, Esc stops it", ++turntable_->step, Turntable::steps));
+    if (turntable_->step < Turntable::steps) return;
+    say("wrote " + turntable_->folder);
+    turntable_.reset();
+}
+
+void Session::draw_dialog() {
+    const auto purpose = dialog_.purpose();
+    const auto file = dialog_.draw();
+    if (!file) return;
+    if (purpose == FileDialog::Purpose::open) open(*file);
+    if (purpose == FileDialog::Purpose::compare) load_reference(*file);
 }
 
 /// A saved scene or shader shows at once.

@@ -30,7 +30,8 @@ void Session::handle(const Event& event) {
 }
 
 void Session::handle_key(const KeyEvent& event) {
-    if (!event.is_down || ui_.has_keyboard()) return;
+    if (!event.is_down) return;
+    if (ui_.has_keyboard() && event.key != GLFW_KEY_ESCAPE) return;
     if (hand_.is_flying() && !(event.modifiers & control)) return; // W A S D Q E fly, and nothing else
     if (const auto command = command_of(event.key, event.modifiers)) obey(*command);
 }
@@ -90,9 +91,14 @@ bool Session::obey_program(Command command) {
     case Command::quit: is_closing_ = true; return true;
     case Command::fullscreen: toggle_fullscreen(); return true;
     case Command::reload: reload(); return true;
+    case Command::open_file: dialog_.show(FileDialog::Purpose::open, options_.scene); return true;
     case Command::cancel:
         has_help_ = false;
         lights_.selected.reset();
+        probe_.answer.reset();
+        dialog_.close();
+        turntable_.reset();
+        look_.comparison = Comparison::none;
         return true;
     default: return false;
     }
@@ -112,6 +118,9 @@ bool Session::obey_picture(Command command) {
     case Command::paste_view: paste_view(); return true;
     case Command::screenshot_png: write_png(); return true;
     case Command::screenshot_exr: write_exr(); return true;
+    case Command::turntable: begin_turntable(); return true;
+    case Command::compare: next_comparison(); return true;
+    case Command::ask: question_ = input_.pointer(); return true;
     case Command::file_camera:
         eye_->take(named_camera(show_->scene().stage, options_.camera));
         move_camera();

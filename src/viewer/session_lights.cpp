@@ -19,7 +19,12 @@ void Session::click(vec2 at) {
         if (const auto hit = first_hit(stage.scene, projection().ray(at)))
             lights_.selected = lighting.lamp_of_instance(stage, hit->instance);
     }
-    if (lights_.selected) say("selected " + lighting.lamps()[*lights_.selected].name);
+    if (!lights_.selected) {
+        question_ = at;
+        say("asking the pixel; Esc stops");
+        return;
+    }
+    say("selected " + lighting.lamps()[*lights_.selected].name);
 }
 
 /// Moves the selected light along the arrow that the pointer took. @return whether the event was about that
@@ -118,6 +123,7 @@ void Session::relight() {
     if (change_ == LightChange::none) return;
     show_->relight(change_ == LightChange::place);
     change_ = LightChange::none;
+    probe_.answer.reset();
     measured_samples_ = 0;
 }
 

@@ -34,6 +34,21 @@ void Show::make_picture(const Options& options, const scene::Camera& camera, int
     compile_seconds_ = seconds_since(begin);
 }
 
+void Show::set_visibility(Options& options, render::Visibility visibility, const scene::Camera& camera,
+                          int width, int height) {
+    const render::Visibility before = options.visibility;
+    gpu_ = uploaded(scene_, visibility, upload_seconds_);
+    options.visibility = visibility;
+    try {
+        make_picture(options, camera, width, height);
+    } catch (...) {
+        options.visibility = before;
+        gpu_ = uploaded(scene_, before, upload_seconds_);
+        make_picture(options, camera, width, height);
+        throw;
+    }
+}
+
 void Show::relight(bool casters_change) {
     lighting_.apply(scene_);
     gpu_.relight(scene_.stage.scene, scene_.stage.lights, scene_.base.meshes, casters_change);

@@ -25,6 +25,10 @@ public:
     /// @throws Error, ShaderError
     void make_picture(const Options& options, const scene::Camera& camera, int width, int height);
 
+    /// Another way to find shadows, and the picture anew. @throws Error, ShaderError; then all is as it was
+    void set_visibility(Options& options, render::Visibility visibility, const scene::Camera& camera,
+                        int width, int height);
+
     /// What is edited; relight() brings it to the picture.
     Lighting& lighting() { return lighting_; }
     const Lighting& lighting() const { return lighting_; }

@@ -123,6 +123,11 @@ class Viewer:
         unfinished.write_text(text)
         unfinished.rename(file)
 
+    def screen(self, x: int, y: int) -> tuple[int, int, int]:
+        """A pixel of the screen, when the window has drawn what it has to draw."""
+        time.sleep(0.3)
+        return self.display.pixels()(x, y)
+
     def shot(self, exr: bool = True) -> Path:
         """A screenshot by the viewer's own key."""
         suffix = ".exr" if exr else ".png"

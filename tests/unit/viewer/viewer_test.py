@@ -101,6 +101,28 @@ def editing_lights(display: Display):
     viewer.close()
 
 
+def asking_and_opening(display: Display):
+    """A pixel answers with its lights; a kept picture is compared; another file is opened by its path."""
+    viewer = Viewer(display, STERADIAN, SCRATCH / "ask", SCENES / "cornell.gltf", "--size", SIZE, "--samples", SAMPLES,
+                    "--gl-debug", "--exposure", "8")
+    viewer.done()
+    viewer.key("h")
+    viewer.click(WIDTH // 2, HEIGHT - 40)
+    viewer.wait(lambda: f"pixel {WIDTH // 2},{HEIGHT - 40} answers" in viewer.errors(), "an answer")
+    viewer.key("Escape", "b")
+    viewer.wait(lambda: "kept: " in viewer.errors(), "a kept picture")
+    before = viewer.screen(WIDTH // 4, HEIGHT // 2), viewer.screen(3 * WIDTH // 4, HEIGHT // 2)
+    viewer.changed_by(lambda: viewer.key("1"))
+    assert viewer.screen(3 * WIDTH // 4, HEIGHT // 2) == before[1], "the wipe's other side is not the kept picture"
+    assert viewer.screen(WIDTH // 4, HEIGHT // 2) != before[0], "the wipe's own side is not the new picture"
+    viewer.key("h", "ctrl+o")
+    viewer.changed_by(lambda: viewer.type(str(SCENES / "veach.gltf")))
+    assert "veach.gltf" in viewer.title(), viewer.title()
+    viewer.key("Escape")
+    assert same(viewer.shot(), rendered(SCENES / "veach.gltf", "main")), "the opened file is not what render makes of it"
+    viewer.close()
+
+
 def reloading(display: Display):
     """A broken shader is named with its line while the last picture goes on; mended, it shows. So does a saved scene."""
     shaders, scene = SCRATCH / "shaders" / "brdf", SCRATCH / "scene.gltf"
@@ -138,6 +160,7 @@ def main() -> int:
         no_file(display)
         looking_around(display)
         editing_lights(display)
+        asking_and_opening(display)
         reloading(display)
     finally:
         display.close()
