@@ -39,6 +39,23 @@ if(UNIX AND NOT APPLE)
   require_package(libegl-dev EGL_INCLUDE_DIR)
 endif()
 
+# Compressed glTF meshes and WebP textures: left out, and said so, where the libraries are not.
+find_package(meshoptimizer QUIET CONFIG)
+find_package(draco QUIET CONFIG)
+if(PKG_CONFIG_FOUND)
+  pkg_check_modules(WEBP QUIET IMPORTED_TARGET libwebp)
+endif()
+foreach(pair "meshoptimizer EXT_meshopt_compression libmeshoptimizer-dev" "draco KHR_draco_mesh_compression libdraco-dev"
+             "WEBP EXT_texture_webp libwebp-dev")
+  string(REPLACE " " ";" pair "${pair}")
+  list(GET pair 0 library)
+  list(GET pair 1 extension)
+  list(GET pair 2 package)
+  if(NOT ${library}_FOUND)
+    message(STATUS "glTF's ${extension} will not be read. To read it: sudo apt-get install ${package}")
+  endif()
+endforeach()
+
 if(BUILD_TESTING OR NOT DEFINED BUILD_TESTING)
   find_package(GTest QUIET)
   require_package(libgtest-dev GTest_FOUND)

@@ -12,7 +12,7 @@ uniform float exposure;
 uniform int curve;
 uniform bool is_false_color;
 uniform vec2 false_color_range; // log2 of the luminances at its ends
-uniform int comparison;         // 0: none, 1: wipe, 2: difference
+uniform int comparison;         // 0: none, 1: wipe, 2: difference, 3: the other's red, 0 to 1, as false colour
 uniform float wipe;             // where the other picture begins, 0 to 1
 
 out vec4 screen;
@@ -53,6 +53,7 @@ vec3 difference(vec3 L, vec3 other) {
 void main() {
     vec3 L = radiance(film_sum, film_weight);
     vec3 color = comparison == 2 ? difference(L, radiance(other_sum, other_weight)) : shown(L);
+    if (comparison == 3) color = false_color(radiance(other_sum, other_weight).r);
     if (comparison == 1) {
         float edge = gl_FragCoord.x - wipe * window_size.x;
         if (edge > 0.0) color = shown(radiance(other_sum, other_weight));

@@ -1,6 +1,7 @@
 // What one point on a light sends to x, whatever x makes of it: the light's own sample of reflected.glsl.
 //
 //   E = L_i/p · V · cosθ_i          [lx]
+#include "integrator/cosine.glsl"
 #include "integrator/point_on_light.glsl"
 #include "surface/surface.glsl"
 
@@ -12,7 +13,7 @@ struct Arriving {
 
 Arriving arriving_from(int k, Surface x) {
     LightSample light = point_on_light(k, x);
-    float cos_i = dot(x.n, light.wi);
+    float cos_i = cosine(x, light.wi);
     if (!(cos_i > 0.0)) return Arriving(light, vec3(0.0), vec3(0.0));
     vec3 E = light.Li_over_p * cos_i;
     return Arriving(light, E * V_of_point(k, x, light), E);

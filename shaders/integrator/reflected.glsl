@@ -7,6 +7,8 @@
 // Frames add up to the integral. This is the only loop over lights and the only cosine.
 #include "brdf/f_r.glsl"
 #include "brdf/sample_f_r.glsl"
+#include "integrator/cosine.glsl"
+#include "integrator/mirrored.glsl"
 #include "integrator/random_point.glsl"
 #include "integrator/rays.glsl"
 #include "integrator/shadowed.glsl"
@@ -15,7 +17,7 @@
 
 // f_r · L_i/p · V · cosθ_i: what one direction to light k adds, before its weight.
 vec3 integrand_over_p(Surface x, LightSample light, vec3 wo, int k, int ray) {
-    float cos_i = dot(x.n, light.wi);
+    float cos_i = cosine(x, light.wi);
     if (!(cos_i > 0.0) || light.Li_over_p == vec3(0.0)) return vec3(0.0);
     float V = visibility(x, light.wi, light.distance, k, ray);
     return f_r(x, light.wi, wo) * light.Li_over_p * V * cos_i;
@@ -28,6 +30,7 @@ float power_heuristic(float p, float q) {
 }
 
 vec3 reflected(Surface x, vec3 wo) {
+    if (is_mirror) return mirrored(x, wo);
     bool samples_brdf = has_lights_to_meet && has_peak(x);
     vec3 w_brdf = samples_brdf ? sample_f_r(x, wo, random_point(0u)) : vec3(0.0);
     float p_brdf = samples_brdf ? p_f_r(x, w_brdf, wo) : 0.0;

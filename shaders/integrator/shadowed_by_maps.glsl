@@ -9,6 +9,7 @@
 // it the mean over frames is exactly ∫ f_r L_e V cosθ dω. Where V is 1 this is U, where V is 0 it is 0; only penumbrae
 // see the points.
 #include "brdf/f_r.glsl"
+#include "integrator/cosine.glsl"
 #include "light/map_sample.glsl"
 #include "visibility/map.glsl"
 
@@ -23,7 +24,7 @@ vec3 shadowed(vec3 U, int k, Surface x, vec3 wo) {
     for (int i = 0; i < N || (i == N && n < 2.0); ++i) {
         MapPoint y = map_point(k, i);
         LightSample light = sample_from_point(k, y, x.position);
-        float cos_i = dot(x.n, light.wi);
+        float cos_i = cosine(x, light.wi);
         bool shines = light.Li_over_p != vec3(0.0);
         V = 0.0;
         if (shines) V = V_by_map(x, y, light.wi, light.distance, k);

@@ -19,5 +19,6 @@ void add_expand_command(CLI::App& app);
 void add_compare_command(CLI::App& app);
 void add_golden_command(CLI::App& app);
 void add_export_command(CLI::App& app);
+void add_brdf_command(CLI::App& app);
 
 } // namespace sr::cli

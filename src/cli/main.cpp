@@ -28,6 +28,7 @@ int main(int argc, char** argv) {
     add_compare_command(app);
     add_golden_command(app);
     add_export_command(app);
+    add_brdf_command(app);
     try {
         app.parse(argc, argv);
         return done;

@@ -20,11 +20,17 @@ SampleCounts counted(const std::vector<int>& samples) {
     return {sum / static_cast<double>(samples.size()), least, most};
 }
 
+std::string unit_of(const RenderCommand& command, scene::UnitSystem units) {
+    if (!command.view || !command.view->unit) return std::string(scene::radiance_unit(units));
+    const bool is_irradiance = std::string_view(command.view->unit) == "lx";
+    return is_irradiance && units == scene::UnitSystem::radiometric ? "W/m^2" : command.view->unit;
+}
+
 void describe(Picture& picture, const RenderCommand& command, const scene::Stage& stage,
               const gl::ContextInfo& gl) {
     std::vector<image::Attribute> attributes{
         {"steradian:version", STERADIAN_VERSION},
-        {"steradian:unit", std::string(scene::radiance_unit(stage.scene.units))},
+        {"steradian:unit", unit_of(command, stage.scene.units)},
         {"steradian:estimator", name_of(command.estimator)},
         {"steradian:visibility", std::string(render::name_of(command.visibility))},
         {"steradian:samples", std::to_string(picture.samples.most)},
@@ -36,6 +42,9 @@ void describe(Picture& picture, const RenderCommand& command, const scene::Stage
     const auto add = [&](const char* name, std::string value) {
         attributes.push_back({name, std::move(value)});
     };
+    if (command.denoises) add("steradian:denoised", "visibility");
+    if (command.view) add("steradian:view", command.view->name);
+    if (command.at) add("steradian:time", fmt::format("{:.9g} s", *command.at));
     if (command.estimator == render::Estimator::analytic)
         add("steradian:analytic_points", std::to_string(command.analytic_points));
     if (picture.samples.least < picture.samples.most) {
@@ -80,6 +89,12 @@ std::optional<float> write_outputs(const Picture& picture, const RenderCommand& 
         if (image::is_scene_referred(output)) {
             image::write(picture.layers && holds_layers(output) ? *picture.layers : film, output,
                          command.exr_type);
+            continue;
+        }
+        if (command.view && command.view->kind != ViewKind::light) {
+            image::Image shown = colors_of(*command.view, film);
+            shown.attributes = film.attributes;
+            image::write(shown, output, image::SampleType::integer8);
             continue;
         }
         if (!ev100) ev100 = command.ev100 ? *command.ev100 : image::auto_ev100(film);

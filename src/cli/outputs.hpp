@@ -24,6 +24,9 @@ struct Picture {
     Stop stop;
 };
 
+/// The unit of the film, or of the view that stands for it.
+std::string unit_of(const RenderCommand& command, scene::UnitSystem units);
+
 /// Says in the images' attributes how they were made and why they ended.
 void describe(Picture& picture, const RenderCommand& command, const scene::Stage& stage,
               const gl::ContextInfo& gl);

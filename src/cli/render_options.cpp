@@ -50,6 +50,13 @@ std::optional<std::optional<float>> parsed_exposure(const std::string& text) {
     return value;
 }
 
+std::string view_help() {
+    std::string text = "one term of the equation instead of radiance, as numbers in .exr and .hdr:";
+    for (const View& view : all_views()) text += std::string(" ") + view.name + " (" + view.what + "),";
+    text.back() = '.';
+    return text;
+}
+
 void declare_picture(CLI::App& command, RenderCommand& o) {
     parsed(command, "--size", "size of the picture (default: 720 rows in the camera's aspect ratio, or 16:9)",
            "WIDTHxHEIGHT", parsed_size, [&o](Size size) { o.size = size; });
@@ -93,6 +100,32 @@ void declare_picture(CLI::App& command, RenderCommand& o) {
         "emitters light the scene and are not seen: lights vanish, emissive surfaces only reflect");
 }
 
+void declare_moment(CLI::App& command, RenderCommand& o) {
+    command
+        .add_option("--at", o.at,
+                    "show the animation at this time (default: the file's rest pose, without its animations)")
+        ->type_name("SECONDS")
+        ->check(CLI::NonNegativeNumber);
+    command
+        .add_option("--animation", o.animation,
+                    "which one --at and --frames show: by name or index, or all at once (default: the first)")
+        ->type_name("NAME|INDEX|all");
+    command.add_option("--variant", o.variant, "which of the file's material variants (default: none)")
+        ->type_name("NAME");
+}
+
+void declare_sequence(CLI::App& command, RenderCommand& o) {
+    CLI::Option* frames = parsed(
+        command, "--frames",
+        "render frames A to B of the animation, or from A to its end; OUT has #### or %04d in its name",
+        "A:B|A:", parsed_frames, [&o](FrameRange range) { o.frames = range; });
+    frames->excludes(command.get_option("--at"));
+    command.add_option("--fps", o.fps, "frames a second: frame n is at n / fps seconds")
+        ->check(CLI::Range(1e-3, 1e6))
+        ->needs(frames)
+        ->capture_default_str();
+}
+
 void declare_stopping(CLI::App& command, RenderCommand& o) {
     parsed(command, "--error",
            "stop when the picture is this near to what it converges to: √rel_mse of `steradian compare`, "
@@ -101,6 +134,10 @@ void declare_stopping(CLI::App& command, RenderCommand& o) {
            "--samples is "
            "65536 by default",
            "PERCENT%", parsed_percentage, [&o](double error) { o.stop.error = error; });
+    command.add_flag(
+        "--denoise", o.denoises,
+        "with --estimator analytic: filter the shadows, the only noise it has, over pixels of the same "
+        "surface. Looks smooth and is biased: no measurement");
     parsed(command, "--time", "stop after this long; loading and --layers are not counted", "SECONDS|2s|5min",
            parsed_duration, [&o](double seconds) { o.stop.seconds = seconds; });
 }
@@ -133,6 +170,13 @@ void declare_output(CLI::App& command, RenderCommand& o) {
            "irradiance, "
            "object, material, samples, error; separated by commas",
            "NAME,NAME...", parsed_aovs, [&o](std::vector<Aov> aovs) { o.aovs = std::move(aovs); });
+    parsed(
+        command, "--view", view_help().c_str(), "NAME",
+        [](const std::string& name) -> std::optional<const View*> {
+            const View* view = view_named(name);
+            return view ? std::optional(view) : std::nullopt;
+        },
+        [&o](const View* view) { o.view = view; });
     command.add_flag("--json", o.json, "print a summary as JSON: times by phase, triangles, samples, …");
 }
 
@@ -148,12 +192,13 @@ void declare_machine(CLI::App& command, RenderCommand& o) {
 } // namespace
 
 bool RenderCommand::asks_for_error() const {
-    return stop.asks_for_error() || std::ranges::find(aovs, Aov::error) != aovs.end();
+    return stop.asks_for_error() || denoises || std::ranges::find(aovs, Aov::error) != aovs.end();
 }
 
 void declare_rendering(CLI::App& command, RenderCommand& options) {
     command.add_option("SCENE", options.scene, "a .gltf or .glb file")->required();
     declare_picture(command, options);
+    declare_moment(command, options);
     declare_estimator(command, options);
     declare_machine(command, options);
 }
@@ -175,6 +220,7 @@ void declare(CLI::App& command, RenderCommand& options) {
         ->type_name("OUT")
         ->allow_extra_args(false) // one a flag: what follows may be the scene
         ->required();
+    declare_sequence(command, options);
     declare_stopping(command, options);
     declare_output(command, options);
     command.footer(
@@ -184,7 +230,10 @@ void declare(CLI::App& command, RenderCommand& options) {
         "  steradian render scene.glb -o converged.exr --error 0.5%\n"
         "  steradian render scene.glb -o quick.png --time 2s --error 2%    (whichever comes first)\n"
         "  steradian render scene.glb -o layers.exr --layers lights --aov depth,normal,object\n"
+        "  steradian render scene.glb -o luminance.png --view luminance\n"
         "  steradian render scene.glb -o front.png --camera auto --exposure 9.5 --tone-curve agx\n"
+        "  steradian render dancer.glb -o pose.png --animation Walk --at 0.5\n"
+        "  steradian render dancer.glb -o walk.####.png --frames 0:47 --fps 24\n"
         "  steradian render scene.glb -o mine.png --shaders my_shaders    (my_shaders/brdf/f_r.glsl wins)");
 }
 

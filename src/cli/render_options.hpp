@@ -2,7 +2,9 @@
 // The options of `steradian render`, one struct with the defaults.
 #include "cli/aovs.hpp"
 #include "cli/arguments.hpp"
+#include "cli/frame_names.hpp"
 #include "cli/stopping.hpp"
+#include "cli/views.hpp"
 #include "gl/context.hpp"
 #include "image/display.hpp"
 #include "image/file.hpp"
@@ -22,6 +24,11 @@ struct RenderCommand {
     std::optional<Size> size;         // absent: 720 rows in the camera's aspect ratio, 16:9 if it has none
     std::string camera;
     std::optional<int> scene_index;
+    std::string variant;              // of KHR_materials_variants; empty: none
+    std::string animation;            // by name, by index, or "all"; empty: the first
+    std::optional<double> at;         // [s]; absent: the file's rest pose
+    std::optional<FrameRange> frames; // a sequence of pictures instead of one
+    double fps = 24.0;
     StopRule stop;
     render::Visibility visibility = render::Visibility::ray;
     render::MapOptions maps;
@@ -33,8 +40,10 @@ struct RenderCommand {
     bool hide_emitters = false;
     std::optional<float> ev100; // absent: automatic
     image::ToneCurve tone_curve = image::ToneCurve::neutral;
-    bool light_layers = false; // in .exr: a layer a light
-    std::vector<Aov> aovs;     // in .exr: further channels
+    bool light_layers = false;  // in .exr: a layer a light
+    std::vector<Aov> aovs;      // in .exr: further channels
+    bool denoises = false;      // the shadows of the analytic estimator
+    const View* view = nullptr; // one term instead of radiance
 
     /// Whether the picture has to know its error, that is, takes its samples from two sequences.
     bool asks_for_error() const;

@@ -9,13 +9,16 @@ namespace {
 
 constexpr int first_look = 8;
 
+/// Before that no pixel rests: what one sample in fifty finds has to be seen, or it is taken for darkness.
+constexpr int first_rest = 64;
+
 /// The part of a target's square that a pixel's surroundings must be under to rest. Those that rest early are
 /// not the ones that matter; without it, too many would end just under the target.
 constexpr float resting_share = 0.5f;
 
 /// The side of the blocks of pixels that rest together: enough to tell an error by, few enough to follow a
 /// penumbra.
-constexpr int block_side = 8;
+constexpr int block_side = 4;
 
 /// A picture of blocks.
 struct Blocks {
@@ -53,7 +56,7 @@ Blocks block_squares(const ErrorEstimate& estimate) {
 
 /// The largest value of each block and the eight around it: an edge that has just entered one block is in the
 /// next.
-Blocks with_surroundings(Blocks& blocks) {
+Blocks with_surroundings(Blocks blocks) {
     Blocks largest = blocks;
     for (int row = 0; row < blocks.rows; ++row) {
         for (int column = 0; column < blocks.columns; ++column) {
@@ -74,31 +77,39 @@ bool is_time_to_look(int samples) {
 }
 
 void Convergence::look(Renderer& renderer) {
-    const int samples = renderer.sample_count();
     seen_ = renderer.error_estimate();
-    // Independent halves can agree by chance. Variance falls at least as fast as samples grow, so what was
-    // seen before is a bound as well, and one chance has to follow another to deceive.
-    const double ratio = samples_ > 0 ? static_cast<double>(samples_) / samples : 0.0;
-    error_ = std::max(seen_->error, samples_ > 0 ? last_error_ * std::sqrt(ratio) : 0.0);
-    last_error_ = seen_->error;
-    Blocks blocks = block_squares(*seen_);
-    const std::vector<float> now = blocks.values;
-    if (blocks_.size() == now.size())
-        for (std::size_t i = 0; i < now.size(); ++i)
-            blocks.values[i] = std::max(now[i], blocks_[i] * static_cast<float>(ratio));
-    blocks_ = now;
-    is_confirmed_ = samples_ > 0;
+    const std::vector<int> samples = renderer.pixel_samples();
+    is_confirmed_ = !samples_.empty();
+    if (is_confirmed_) remember(samples);
+    squares_ = seen_->squares;
     samples_ = samples;
-    if (target_ == 0.0 || is_reached() || !is_confirmed_) return;
-    const float enough = resting_share * static_cast<float>(target_ * target_);
-    Blocks largest = with_surroundings(blocks);
-    PixelMask resting;
-    resting.reserve(seen_->squares.size());
-    for (int y = 0; y < seen_->height; ++y)
-        for (int x = 0; x < seen_->width; ++x)
-            resting.push_back(largest.at(x / block_side, y / block_side) <= enough ? 1 : 0);
+    if (target_ == 0.0 || is_reached() || renderer.sample_count() < first_rest) return;
+    const PixelMask resting = enough();
     if (std::ranges::find(resting, 0) == resting.end()) return; // someone has to go on
     renderer.rest(resting);
+}
+
+void Convergence::remember(const std::vector<int>& samples) {
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        if (samples[i] == samples_[i])
+            seen_->squares[i] = squares_[i]; // it rests
+        else {
+            const float ratio = static_cast<float>(samples_[i]) / static_cast<float>(samples[i]);
+            seen_->squares[i] = 0.5f * (seen_->squares[i] + ratio * squares_[i]);
+        }
+    }
+    sum_up(*seen_);
+}
+
+PixelMask Convergence::enough() const {
+    const float most = resting_share * static_cast<float>(target_ * target_);
+    Blocks largest = with_surroundings(block_squares(*seen_));
+    PixelMask mask;
+    mask.reserve(seen_->squares.size());
+    for (int y = 0; y < seen_->height; ++y)
+        for (int x = 0; x < seen_->width; ++x)
+            mask.push_back(largest.at(x / block_side, y / block_side) <= most ? 1 : 0);
+    return mask;
 }
 
 } // namespace sr::render

@@ -18,22 +18,25 @@ public:
     /// two samples at least.
     void look(Renderer& renderer);
 
-    /// What was seen last; absent before the first look.
+    /// What was seen last, with what was remembered; absent before the first look.
     const std::optional<ErrorEstimate>& seen() const { return seen_; }
-    /// The estimate that counts: what was seen, but no less than the look before lets expect. Infinite at
-    /// first.
-    double error() const { return error_; }
+    /// Infinite before the first look.
+    double error() const { return seen_ ? seen_->error : std::numeric_limits<double>::infinity(); }
     /// Never after one look alone.
-    bool is_reached() const { return is_confirmed_ && error_ <= target_; }
+    bool is_reached() const { return is_confirmed_ && error() <= target_; }
 
 private:
+    /// Halves can agree by chance, all the more where samples are few and a pixel is half on an edge. So a
+    /// pixel's square is the mean of what is seen and what was seen before, scaled as slowly as variance can
+    /// fall.
+    void remember(const std::vector<int>& samples);
+    PixelMask enough() const; // the pixels that may rest
+
     double target_;
     std::optional<ErrorEstimate> seen_;
-    double error_ = std::numeric_limits<double>::infinity();
-    double last_error_ = 0.0;   // at the look before
-    int samples_ = 0;           // at the look before
-    bool is_confirmed_ = false; // there was a look before
-    std::vector<float> blocks_; // at the look before: the mean square of each block
+    bool is_confirmed_ = false;  // there was a look before
+    std::vector<float> squares_; // at the look before: of each pixel
+    std::vector<int> samples_;
 };
 
 } // namespace sr::render

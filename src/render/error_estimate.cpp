@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace sr::render {
 namespace {
@@ -82,19 +83,20 @@ ErrorEstimate estimated_error(const image::Image& mean, const image::Image& firs
     estimate.width = mean.width;
     estimate.height = mean.height;
     estimate.squares.resize(samples.size());
-    double sum = 0.0;
-    for (std::size_t i = 0; i < samples.size(); ++i) {
-        const double square =
-            square_at(&mean.pixels[4 * i], &first.pixels[4 * i], samples[i], estimate.floor);
-        estimate.squares[i] = static_cast<float>(square);
-        sum += square;
-    }
-    const double relative_mean_square = sum / static_cast<double>(samples.size());
-    constexpr double allowance = 2.0; // standard errors
-    const double uncertainty = standard_error(block_means(estimate.squares, mean.width, mean.height));
-    estimate.expected = std::sqrt(relative_mean_square);
-    estimate.error = std::sqrt(relative_mean_square + allowance * uncertainty);
+    for (std::size_t i = 0; i < samples.size(); ++i)
+        estimate.squares[i] = static_cast<float>(
+            square_at(&mean.pixels[4 * i], &first.pixels[4 * i], samples[i], estimate.floor));
+    sum_up(estimate);
     return estimate;
+}
+
+void sum_up(ErrorEstimate& estimate) {
+    const double sum = std::accumulate(estimate.squares.begin(), estimate.squares.end(), 0.0);
+    const double rel_mse = sum / static_cast<double>(estimate.squares.size());
+    constexpr double allowance = 2.0; // standard errors
+    const double uncertainty = standard_error(block_means(estimate.squares, estimate.width, estimate.height));
+    estimate.expected = std::sqrt(rel_mse);
+    estimate.error = std::sqrt(rel_mse + allowance * uncertainty);
 }
 
 } // namespace sr::render

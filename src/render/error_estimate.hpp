@@ -20,6 +20,9 @@ struct ErrorEstimate {
     std::vector<float> squares;
 };
 
+/// Sets `error` and `expected` from the squares.
+void sum_up(ErrorEstimate& estimate);
+
 /// `mean` of all samples, RGBA, and of the `first` half's, of which a pixel has one more than of the second
 /// if their number, `samples`, is odd. Each pixel has two at least.
 ///

@@ -32,6 +32,21 @@ struct Features {
     bool has_specular_color_texture = false;
     bool has_vertex_colors = false;
 
+    scene::Model model = scene::Model::metallic_roughness;
+    bool has_anisotropy = false;
+    bool has_clearcoat = false;
+    bool has_sheen = false;
+    bool has_iridescence = false;
+    bool has_energy_compensation = false;
+    bool has_anisotropy_texture = false;
+    bool has_clearcoat_texture = false;
+    bool has_clearcoat_roughness_texture = false;
+    bool has_clearcoat_normal_texture = false;
+    bool has_sheen_color_texture = false;
+    bool has_sheen_roughness_texture = false;
+    bool has_iridescence_texture = false;
+    bool has_film_thickness_texture = false;
+
     int rays_per_light = 1;               // that a point sends to each light
     bool has_transparent_casters = false; // masked or blended surfaces cast shadows
 
@@ -43,6 +58,16 @@ struct Features {
 
     /// The text that stands for interface/features.glsl.
     std::string glsl() const;
+
+    /// The text that stands for brdf/model.glsl: the one BRDF that the material has.
+    std::string model_glsl() const;
+
+    /// Whether the analytic estimator can take the BRDF: one GGX lobe without a direction, or none.
+    /// Others are sampled.
+    bool is_analytic() const;
+
+    /// How many of the material's textures shading reads.
+    int material_texture_count() const;
 };
 
 /// What these lights take, whatever they shine on. A point sends each of them a ray to a point of its, and,

@@ -44,6 +44,7 @@ struct RenderOptions {
     /// that error_estimate() can tell how far the picture is from converged. Without it they come from one
     /// sequence, which converges a little faster.
     bool knows_error = false;
+    bool has_shadows = true; // false: V = 1, whatever casts them
 };
 
 class Renderer {
@@ -71,12 +72,18 @@ public:
     int width() const { return options_.width; }
     int height() const { return options_.height; }
 
+    /// Starts over from here, with all lights: the scene was updated.
+    void restart(const scene::Camera& camera);
+
     /// Starts over with an empty film, in which every pixel will rest when it did: after as many samples as
     /// before, the film has the very same ones.
     void repeat();
 
     /// Renders one frame, one sample of every pixel that does not rest, and adds it to the film.
     void add_sample();
+    /// The same by parts, the next `count` rows at a time, so that others can work in between. The film is to
+    /// be read only when the sample is complete, or starts over before. @return whether it is complete
+    bool add_rows(int count);
     /// The samples of the pixels that do not rest.
     int sample_count() const { return sample_count_; }
 
@@ -91,6 +98,10 @@ public:
     /// How far the film is from what it converges to, as far as two halves of its samples tell; absent before
     /// both have one. Reads the film back. Only with RenderOptions::knows_error.
     std::optional<ErrorEstimate> error_estimate() const;
+
+    /// The mean of the first sequence's samples, of which a pixel has one more if their number is odd. Only
+    /// with RenderOptions::knows_error.
+    image::Image first_half() const;
 
     /// The mean of all samples so far: L_o [cd/m²] in RGB, coverage in A.
     image::Image film() const;
@@ -110,8 +121,10 @@ private:
     void ask_for_shadows();
     View begin_frame();
     Window window() const; // what this frame draws
+    void draw(const Window& part);
     void keep_to(const Window& window) const;
     VisibilityTerm opaque_visibility() const;
+    VisibilityTerm blended_visibility() const;
     void shade_opaque(const Window& window);
     void accumulate();
     image::Image mean_of(const Target& sum, const std::vector<int>& samples) const;
@@ -128,9 +141,11 @@ private:
     Resting resting_;
     FrameData frame_data_;
     std::optional<RayAnswers> ray_answers_;
+    int rays_per_point_ = 0; // that ray_answers_ was made for
     std::optional<DepthMaps> depth_maps_;
     gl::VertexArray no_vertices_{"no vertices"}; // core profile draws need one bound
     int sample_count_ = 0;
+    int rows_done_ = 0; // of the next sample
 };
 
 } // namespace sr::render

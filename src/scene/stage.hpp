@@ -2,6 +2,8 @@
 // Everything that a picture needs besides its size: what is seen, what lights it, who looks.
 #include "scene/scene.hpp"
 
+#include <optional>
+
 namespace sr::scene {
 
 enum class Rig { studio, none };
@@ -17,6 +19,9 @@ struct StageOptions {
     /// Leaves L_e out of what the camera sees, not out of the light: lights get no surface of their own, and
     /// emissive surfaces show only what they reflect. Unlit materials are no emitters and stay.
     bool hide_emitters = false;
+    /// All that a scene reaches while it moves: what "auto" and the rig fit, so that they stand still.
+    /// Absent: the scene as it is.
+    std::optional<Bounds> extent{};
 };
 
 struct Stage {

@@ -1,5 +1,6 @@
 #include "viewer/input.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #define GLFW_INCLUDE_NONE
@@ -70,6 +71,14 @@ Input::~Input() {
 std::vector<Event> Input::take() { return std::exchange(events_, {}); }
 
 bool Input::take_damage() { return std::exchange(is_damaged_, false); }
+
+bool Input::wants_to_stop() const {
+    return std::ranges::any_of(events_, [](const Event& event) {
+        const auto* key = std::get_if<KeyEvent>(&event);
+        return std::holds_alternative<CloseEvent>(event)
+               || (key && key->is_down && key->key == GLFW_KEY_ESCAPE);
+    });
+}
 
 bool Input::is_down(int key) const { return glfwGetKey(window_, key) == GLFW_PRESS; }
 

@@ -51,6 +51,9 @@ public:
     /// Whether the window's contents must be drawn anew: it was resized or uncovered.
     bool take_damage();
 
+    /// Whether Esc or closing the window waits to be taken: for work that looks up in between.
+    bool wants_to_stop() const;
+
     bool is_down(int key) const;
     vec2 pointer() const;
 

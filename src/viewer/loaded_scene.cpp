@@ -14,7 +14,11 @@ LoadedScene load_scene(const std::string& file, const Options& options, float as
     result.bounds = scene::bounds_of(loaded.scene);
     result.base = {loaded.scene.meshes.size(), loaded.scene.materials.size(), loaded.scene.instances.size(),
                    loaded.scene.lights.size()};
+    for (const scene::Material& material : loaded.scene.materials)
+        result.emission.push_back(material.emission);
     result.remarks = std::move(loaded.warnings);
+    result.contents = std::move(loaded.contents);
+    result.scene_index = options.scene_index;
     scene::StageOptions stage{options.camera, options.rig, aspect_ratio, options.hide_emitters};
     result.stage = scene::set_stage(std::move(loaded.scene), file, stage);
     result.remarks.insert(result.remarks.end(), result.stage.remarks.begin(), result.stage.remarks.end());

@@ -80,11 +80,12 @@ void help_panel(bool& is_open) {
     ImGui::Begin("Keys (Esc closes)", &is_open,
                  ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings);
     const std::vector<HelpLine> lines = help_lines();
-    const std::size_t half = (lines.size() + 1) / 2;
+    std::size_t half = (lines.size() + 1) / 2;
+    while (*lines[half].keys) --half; // the second column begins with a heading
     if (ImGui::BeginTable("keys", 4, ImGuiTableFlags_SizingFixedFit)) {
-        for (std::size_t i = 0; i < half; ++i) {
+        for (std::size_t i = 0; i < std::max(half, lines.size() - half); ++i) {
             ImGui::TableNextRow();
-            help_cells(lines[i]);
+            help_cells(i < half ? lines[i] : HelpLine{" ", ""});
             if (half + i < lines.size()) help_cells(lines[half + i]);
         }
         ImGui::EndTable();
@@ -130,9 +131,7 @@ CameraWish camera_panel(const Eye& eye, std::span<const scene::Camera> cameras) 
     button("level", Command::level);
     button("copy", Command::copy_view);
     button("paste", Command::paste_view);
-    ImGui::PushTextWrapPos();
     ImGui::TextDisabled("--camera %s", eye.argument().c_str());
-    ImGui::PopTextWrapPos();
     return wish;
 }
 
@@ -167,7 +166,7 @@ void legend(const Look& look, std::string_view unit) {
         IM_COL32(44, 114, 142, 255), IM_COL32(33, 145, 140, 255), IM_COL32(39, 174, 129, 255),
         IM_COL32(92, 200, 99, 255),  IM_COL32(170, 220, 50, 255), IM_COL32(253, 231, 36, 255)};
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    const float width = ImGui::GetContentRegionAvail().x, height = ImGui::GetFontSize();
+    const float width = ImGui::CalcItemWidth(), height = ImGui::GetFontSize();
     const float step = width / static_cast<float>(viridis.size() - 1);
     for (std::size_t i = 0; i + 1 < viridis.size(); ++i) {
         const float x = at.x + step * static_cast<float>(i);

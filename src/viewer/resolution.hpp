@@ -35,7 +35,7 @@ private:
     static constexpr int frames_to_grow = 3;
 
     double budget_;
-    int step_ = 0;
+    int step_ = 8; // a quarter: nothing is known yet
     int fitting_ = 0;
 };
 

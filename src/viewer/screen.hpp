@@ -9,7 +9,7 @@
 
 namespace sr::viewer {
 
-enum class Comparison { none, wipe, difference };
+enum class Comparison { none, wipe, difference, flip };
 
 /// What the screen shows of a film, and how.
 struct Look {

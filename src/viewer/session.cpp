@@ -62,14 +62,18 @@ void Session::run(const std::function<bool()>& is_interrupted) {
     while (!is_closing_ && !is_interrupted()) {
         wait();
         take_loaded();
+        take_flip();
+        watch_files();
         std::vector<Event> events = input_.take();
         if (input_.take_damage() || !events.empty()) frames_to_draw_ = frames_after_event;
+        if (lights_.wants_focus() || dialog_.wants_focus()) frames_to_draw_ = std::max(frames_to_draw_, 1);
         const bool has_work = show_ && !show_->picture().is_done();
         if (frames_to_draw_ <= 0 && !has_work && !hand_.is_flying()) continue;
         ui_.begin(); // before the events, so that it knows whose the pointer is
         for (const Event& event : events) handle(event);
         advance();
         draw();
+        if (question_) answer_question();
         window_.require_silence();
     }
 }
@@ -80,7 +84,7 @@ void Session::wait() {
     if (is_busy)
         glfwPollEvents();
     else
-        glfwWaitEventsTimeout(loading_ ? 0.01 : poll_interval);
+        glfwWaitEventsTimeout(loading_ || flipping_ ? 0.01 : poll_interval);
 }
 
 void Session::take_loaded() {
@@ -100,7 +104,7 @@ void Session::show(LoadedScene scene) {
     const bool is_same_file = show_ && show_->scene().file == scene.file;
     const float aspect = static_cast<float>(width_) / static_cast<float>(height_);
     Eye eye(named_camera(scene.stage, options_.camera), scene.bounds, aspect);
-    if (is_same_file) { // what a person looks at stays in sight
+    if (is_same_file && scene::is_look_at(eye_->argument())) { // a free camera stays where it is
         eye = *eye_;
         eye.set_bounds(scene.bounds);
     }
@@ -112,7 +116,10 @@ void Session::show(LoadedScene scene) {
     const bool is_first = !show_;
     show_ = std::move(shown);
     eye_ = std::move(eye);
-    if (!is_same_file) exposure_.forget();
+    if (!is_same_file)
+        exposure_.forget();
+    else
+        say("scene read anew");
     measured_samples_ = 0;
     if (is_first) {
         statistics_.start.emplace_back("upload", show_->upload_seconds());
@@ -122,6 +129,12 @@ void Session::show(LoadedScene scene) {
         say(remark);
         std::fprintf(stderr, "%s\n", remark.c_str());
     }
+    std::vector<std::filesystem::path> files = files_of(show_->scene().file);
+    files.emplace_back(show_->scene().file);
+    scene_watch_.set(std::move(files));
+    if (is_first) shader_watch_.set({options_.shaders.begin(), options_.shaders.end()});
+    lights_.selected.reset();
+    probe_.answer.reset();
     remember_file(show_->scene().file);
 }
 
@@ -141,8 +154,12 @@ void Session::advance() {
     }
     if (!show_) return;
     fly(seconds);
+    relight();
     Picture& picture = show_->picture();
-    if (was_moving_ && picture.is_moving()) statistics_.moving_frames.push_back(seconds);
+    if (was_moving_ && picture.is_moving()) {
+        statistics_.moving_frames.push_back(seconds);
+        statistics_.moving_scales.push_back(picture.scale());
+    }
     was_moving_ = picture.is_moving();
     const bool was_done = picture.is_done();
     picture.advance();
@@ -150,6 +167,7 @@ void Session::advance() {
         std::fprintf(stderr, "converged: %d samples, --camera '%s'\n", picture.samples(),
                      eye_->argument().c_str());
     measure_exposure();
+    advance_turntable();
     if (exposure_.advance(std::min(seconds, 0.1))) frames_to_draw_ = std::max(frames_to_draw_, 1);
 }
 
@@ -171,7 +189,7 @@ void Session::draw() {
     if (show_ && show_->picture().sample_count() > 0) {
         look_.ev100 = exposure_.ev100();
         const Picture& picture = show_->picture();
-        screen_.draw({&picture.film_sum(), picture.sample_count()}, {}, look_, width_, height_);
+        screen_.draw(picture.shown(), other_film(), look_, width_, height_);
     } else {
         glBindFramebuffer(GL_FRAMEBUFFER, 0);
         glClearColor(0.1f, 0.1f, 0.1f, 1.0f);
@@ -197,21 +215,30 @@ void Session::draw_panels() {
         return;
     }
     if (!has_panels_) return;
+    draw_dialog();
+    probe_.draw_directions(show_->scene().stage, projection(), ui_.scale());
+    probe_.draw(show_->scene().stage, show_->lighting(), lights_.selected);
+    lights_.draw_marks(show_->lighting(), projection(), ui_.scale());
     const Picture& picture = show_->picture();
     status_line({picture.sample_count(), picture.samples(), picture.is_moving(), picture.scale(),
                  picture.seconds_per_sample(), under_pointer(), message_});
     ImGui::SetNextWindowPos({10.0f, 10.0f}, ImGuiCond_FirstUseEver);
-    ImGui::SetNextWindowSize({300.0f * ui_.scale(), 0.0f}, ImGuiCond_FirstUseEver);
-    if (ImGui::Begin("Steradian")) {
-        ImGui::PushItemWidth(-110.0f * ui_.scale()); // the rest is for labels
+    ImGui::SetNextWindowSizeConstraints({0.0f, 0.0f}, {1e4f, 0.92f * window_size().y});
+    if (ImGui::Begin("Steradian", nullptr, ImGuiWindowFlags_AlwaysAutoResize)) {
+        ImGui::PushItemWidth(170.0f * ui_.scale());
+        ImGui::PushTextWrapPos(280.0f * ui_.scale());
         const scene::Scene& scene = show_->scene().stage.scene;
         const CameraWish wish = camera_panel(*eye_, scene.cameras);
         if (wish.command) obey(*wish.command);
         if (wish.file_camera) eye_->take(named_camera(scene.cameras, *wish.file_camera));
         if (wish.moved) eye_->move_to(*wish.moved);
         if (wish.file_camera || wish.moved) move_camera();
+        draw_lights();
         picture_panel(exposure_, look_, scene::radiance_unit(scene.units));
+        obey(compare_panel(look_, reference_ ? &*reference_ : nullptr, flip_result_,
+                           options_.rendering.estimator, options_.visibility));
         ImGui::TextDisabled("F1 or ? shows all keys");
+        ImGui::PopTextWrapPos();
         ImGui::PopItemWidth();
     }
     ImGui::End();
@@ -225,7 +252,7 @@ std::string Session::under_pointer() const {
     if (!(place.x >= 0.0f && place.x < 1.0f && place.y >= 0.0f && place.y < 1.0f)) return {};
     const int column = static_cast<int>(place.x * static_cast<float>(width_));
     const int row = static_cast<int>(place.y * static_cast<float>(height_));
-    const vec3 L = picture.pixel(column, row);
+    const vec3 L = picture.pixel(place);
     return fmt::format("{},{}: L {:.4g} {:.4g} {:.4g}, luminance {:.4g} {}", column, row, L.r, L.g, L.b,
                        image::luminance(L), scene::radiance_unit(show_->scene().stage.scene.units));
 }

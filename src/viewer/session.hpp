@@ -1,19 +1,32 @@
 #pragma once
 // One run of the viewer, from opening the window to closing it.
 #include "gl/window.hpp"
+#include "viewer/compare_panel.hpp"
 #include "viewer/exposure.hpp"
+#include "viewer/file_dialog.hpp"
 #include "viewer/hand.hpp"
 #include "viewer/input.hpp"
+#include "viewer/lights_panel.hpp"
+#include "viewer/probe_panel.hpp"
 #include "viewer/screen.hpp"
 #include "viewer/show.hpp"
 #include "viewer/statistics.hpp"
 #include "viewer/ui.hpp"
+#include "viewer/watch.hpp"
 
 #include <array>
 #include <functional>
 #include <future>
 
 namespace sr::viewer {
+
+/// A turn around the pivot that is being written, a PNG a step.
+struct Turntable {
+    static constexpr int steps = 36;
+
+    std::string folder;
+    int step = 0;
+};
 
 class Session {
 public:
@@ -48,19 +61,47 @@ private:
     void handle_key(const KeyEvent& event);
     void handle_pointer(const Event& event);
     void fly(double seconds);
-    void click(vec2 at);
     void obey(Command command);
     bool obey_picture(Command command);
     bool obey_program(Command command);
     void move_camera();
     void copy_view();
     void paste_view();
-    void open(const std::string& file);
-    void reload();
-    void write_png();
-    void write_exr();
     void toggle_fullscreen();
     void say(std::string message);
+
+    // session_lights.cpp: editing lights
+    Projection projection() const;
+    void click(vec2 at);
+    bool drag_arrow(const Event& event);
+    bool obey_light(Command command);
+    scene::Bounds selection() const;
+    void draw_lights();
+    void relight();
+
+    // session_compare.cpp: questions to the picture
+    void answer_question();
+    void obey(const CompareWish& wish);
+    void change_estimator(render::Estimator estimator);
+    void change_visibility(render::Visibility visibility);
+    void keep_picture();
+    void begin_flip();
+    void take_flip();
+    void load_reference(const std::string& file);
+    void next_comparison();
+    FilmSum other_film() const;
+
+    // session_files.cpp: what is read and written
+    void open(const std::string& file);
+    void reload();
+    void watch_files();
+    void reload_shaders();
+    void write_png();
+    void write_exr();
+    void begin_turntable();
+    void advance_turntable();
+    void draw_dialog();
+    void save_scene(const std::string& file);
     void fail(const std::string& title, const std::string& text);
 
     Options options_;
@@ -73,6 +114,20 @@ private:
     std::unique_ptr<Show> show_;
     std::optional<Eye> eye_;
     Hand hand_;
+    LightsPanel lights_;
+    LightChange change_ = LightChange::none; // of the lights, since the last frame
+    std::optional<int> arrow_;               // the axis that the pointer drags the selected light along
+    float arrow_at_ = 0.0f;
+    ProbePanel probe_;
+    std::optional<vec2> question_; // the place in the window that is to be asked
+    std::optional<Reference> reference_;
+    std::optional<Reference> flip_;
+    std::optional<std::future<FlipMap>> flipping_;
+    std::string flip_result_;
+    FileDialog dialog_;
+    std::optional<Turntable> turntable_;
+    Watch scene_watch_;
+    Watch shader_watch_;
     Exposure exposure_;
     Look look_;
     std::string message_;

@@ -3,7 +3,6 @@
 
 #include "core/error.hpp"
 #include "viewer/pick.hpp"
-#include "viewer/screenshot.hpp"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -31,14 +30,17 @@ void Session::handle(const Event& event) {
 }
 
 void Session::handle_key(const KeyEvent& event) {
-    if (!event.is_down || ui_.has_keyboard()) return;
+    if (!event.is_down) return;
+    if (ui_.has_keyboard() && event.key != GLFW_KEY_ESCAPE) return;
     if (hand_.is_flying() && !(event.modifiers & control)) return; // W A S D Q E fly, and nothing else
     if (const auto command = command_of(event.key, event.modifiers)) obey(*command);
 }
 
 void Session::handle_pointer(const Event& event) {
     if (!eye_) return;
-    if (ui_.has_pointer() && !hand_.is_dragging() && !std::holds_alternative<MotionEvent>(event)) return;
+    const bool is_held = hand_.is_dragging() || arrow_;
+    if (ui_.has_pointer() && !is_held && !std::holds_alternative<MotionEvent>(event)) return;
+    if (drag_arrow(event)) return;
     Viewpoint view = eye_->view();
     const auto point_under = [this](vec2 at) -> std::optional<vec3> {
         const Ray ray = ray_through(eye_->camera(), eye_->aspect_ratio(), place_of(at));
@@ -52,8 +54,6 @@ void Session::handle_pointer(const Event& event) {
     }
     if (effect.clicked) click(*effect.clicked);
 }
-
-void Session::click(vec2) {}
 
 void Session::fly(double seconds) {
     if (!hand_.is_flying()) return;
@@ -80,8 +80,8 @@ void Session::move_camera() {
 
 void Session::obey(Command command) {
     if (obey_program(command) || !show_) return;
-    if (obey_picture(command)) return;
-    if (eye_->obey(command, {})) move_camera();
+    if (obey_picture(command) || obey_light(command)) return;
+    if (eye_->obey(command, selection())) move_camera();
 }
 
 bool Session::obey_program(Command command) {
@@ -91,7 +91,15 @@ bool Session::obey_program(Command command) {
     case Command::quit: is_closing_ = true; return true;
     case Command::fullscreen: toggle_fullscreen(); return true;
     case Command::reload: reload(); return true;
-    case Command::cancel: has_help_ = false; return true;
+    case Command::open_file: dialog_.show(FileDialog::Purpose::open, options_.scene); return true;
+    case Command::cancel:
+        has_help_ = false;
+        lights_.selected.reset();
+        probe_.answer.reset();
+        dialog_.close();
+        turntable_.reset();
+        look_.comparison = Comparison::none;
+        return true;
     default: return false;
     }
 }
@@ -110,6 +118,10 @@ bool Session::obey_picture(Command command) {
     case Command::paste_view: paste_view(); return true;
     case Command::screenshot_png: write_png(); return true;
     case Command::screenshot_exr: write_exr(); return true;
+    case Command::save_as: dialog_.show(FileDialog::Purpose::save, show_->scene().file); return true;
+    case Command::turntable: begin_turntable(); return true;
+    case Command::compare: next_comparison(); return true;
+    case Command::ask: question_ = input_.pointer(); return true;
     case Command::file_camera:
         eye_->take(named_camera(show_->scene().stage, options_.camera));
         move_camera();
@@ -147,56 +159,6 @@ void Session::paste_view() {
     }
 }
 
-void Session::open(const std::string& file) {
-    if (loading_) {
-        say("still loading; drop the file again when that is done");
-        return;
-    }
-    const float aspect = static_cast<float>(width_) / static_cast<float>(height_);
-    Options options = options_;
-    if (show_ && file != options_.scene) options.camera.clear(); // it was the first file's
-    options_ = options;
-    options_.scene = file;
-    loading_ = std::async(std::launch::async, load_scene, file, options_, aspect);
-}
-
-void Session::reload() {
-    if (!show_) return;
-    ++statistics_.reloads;
-    open(show_->scene().file);
-}
-
-void Session::write_png() {
-    const std::string name = free_name(show_->scene().file, ".png");
-    try {
-        image::write(image::displayed(show_->picture().film(), look_.ev100, look_.curve), name,
-                     image::SampleType::integer8);
-        say("wrote " + name);
-    } catch (const Error& error) {
-        fail("No picture was written.", error.what());
-    }
-}
-
-void Session::write_exr() {
-    const std::string name = free_name(show_->scene().file, ".exr");
-    const Picture& picture = show_->picture();
-    image::Image film = picture.film();
-    film.channel_names = {"R", "G", "B", "A"};
-    film.attributes = {
-        {"steradian:version", STERADIAN_VERSION},
-        {"steradian:unit", std::string(scene::radiance_unit(show_->scene().stage.scene.units))},
-        {"steradian:samples", std::to_string(picture.sample_count())},
-        {"steradian:camera", eye_->argument()},
-        {"steradian:GL_RENDERER", window_.info().renderer},
-        {"steradian:GL_VERSION", window_.info().version}};
-    try {
-        image::write(film, name, image::SampleType::floating);
-        say("wrote " + name);
-    } catch (const Error& error) {
-        fail("No picture was written.", error.what());
-    }
-}
-
 void Session::toggle_fullscreen() {
     GLFWwindow* window = window_.handle();
     GLFWmonitor* monitor = glfwGetPrimaryMonitor();
@@ -215,12 +177,6 @@ void Session::toggle_fullscreen() {
 void Session::say(std::string message) {
     message_ = std::move(message);
     if (options_.is_verbose) std::fprintf(stderr, "%s\n", message_.c_str());
-}
-
-void Session::fail(const std::string& title, const std::string& text) {
-    error_title_ = title;
-    error_text_ = text;
-    if (options_.is_verbose) std::fprintf(stderr, "%s\n", text.c_str());
 }
 
 } // namespace sr::viewer

@@ -22,7 +22,9 @@ render::GpuScene uploaded(const LoadedScene& scene, render::Visibility visibilit
 } // namespace
 
 Show::Show(LoadedScene scene, const Options& options, const scene::Camera& camera, int width, int height)
-    : scene_(std::move(scene)), gpu_(uploaded(scene_, options.visibility, upload_seconds_)) {
+    : scene_(std::move(scene)),
+      gpu_(uploaded(scene_, options.visibility, upload_seconds_)),
+      lighting_(scene_, options.hide_emitters) {
     make_picture(options, camera, width, height);
 }
 
@@ -30,6 +32,27 @@ void Show::make_picture(const Options& options, const scene::Camera& camera, int
     const auto begin = Clock::now();
     picture_ = std::make_unique<Picture>(gpu_, camera, render_options(options, width, height));
     compile_seconds_ = seconds_since(begin);
+}
+
+void Show::set_visibility(Options& options, render::Visibility visibility, const scene::Camera& camera,
+                          int width, int height) {
+    const render::Visibility before = options.visibility;
+    gpu_ = uploaded(scene_, visibility, upload_seconds_);
+    options.visibility = visibility;
+    try {
+        make_picture(options, camera, width, height);
+    } catch (...) {
+        options.visibility = before;
+        gpu_ = uploaded(scene_, before, upload_seconds_);
+        make_picture(options, camera, width, height);
+        throw;
+    }
+}
+
+void Show::relight(bool casters_change) {
+    lighting_.apply(scene_);
+    gpu_.relight(scene_.stage.scene, scene_.stage.lights, scene_.base.meshes, casters_change);
+    picture_->relit();
 }
 
 render::RenderOptions render_options(const Options& options, int width, int height) {

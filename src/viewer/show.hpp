@@ -1,6 +1,6 @@
 #pragma once
 // A scene on the GPU and its picture.
-#include "viewer/loaded_scene.hpp"
+#include "viewer/lighting.hpp"
 #include "viewer/picture.hpp"
 
 #include <memory>
@@ -25,6 +25,16 @@ public:
     /// @throws Error, ShaderError
     void make_picture(const Options& options, const scene::Camera& camera, int width, int height);
 
+    /// Another way to find shadows, and the picture anew. @throws Error, ShaderError; then all is as it was
+    void set_visibility(Options& options, render::Visibility visibility, const scene::Camera& camera,
+                        int width, int height);
+
+    /// What is edited; relight() brings it to the picture.
+    Lighting& lighting() { return lighting_; }
+    const Lighting& lighting() const { return lighting_; }
+    /// `casters_change`: something that casts shadows has moved, come or gone. @throws Error
+    void relight(bool casters_change);
+
     double upload_seconds() const { return upload_seconds_; }
     double compile_seconds() const { return compile_seconds_; }
 
@@ -33,6 +43,7 @@ private:
     double upload_seconds_ = 0.0;
     double compile_seconds_ = 0.0;
     render::GpuScene gpu_;
+    Lighting lighting_;
     std::unique_ptr<Picture> picture_;
 };
 

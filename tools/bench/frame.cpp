@@ -9,6 +9,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdlib>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -24,6 +25,7 @@ struct Arguments {
     int frames = 60;
     bool own_lights = false;
     int softboxes = 0;
+    double resting = 0.0;
     std::string visibility = "ray";
     render::MapOptions maps;
     std::string backend = "auto";
@@ -62,6 +64,18 @@ std::vector<double> frame_times(render::Renderer& renderer, int frames) {
     return milliseconds;
 }
 
+/// This share of the picture's blocks of 16×16 pixels, evenly spread.
+render::PixelMask spread(double share, int width, int height) {
+    render::PixelMask mask;
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            const double place = 0.618034 * (x / 16 + 97 * (y / 16)); // the golden ratio's multiples
+            mask.push_back(place - std::floor(place) < share ? 1 : 0);
+        }
+    }
+    return mask;
+}
+
 void report_rays(const render::GpuScene& scene, const render::Renderer& renderer) {
     if (!scene.occluders()) return;
     if (const auto* maps = renderer.depth_maps()) {
@@ -92,6 +106,7 @@ void run(const Arguments& arguments) {
     render::Renderer renderer(gpu_scene, stage.camera, options);
     renderer.compile();
     const double first = frame_times(renderer, 1).front(); // includes what the driver compiles at first use
+    if (arguments.resting > 0.0) renderer.rest(spread(arguments.resting, options.width, options.height));
     std::vector<double> times = frame_times(renderer, arguments.frames);
     std::sort(times.begin(), times.end());
     double load[1] = {0.0};
@@ -118,6 +133,8 @@ int main(int argc, char** argv) {
     app.add_flag("--own-lights", arguments.own_lights,
                  "the scene's lights (or the studio rig) instead of one point light");
     app.add_option("--softboxes", arguments.softboxes, "this many rectangles of the studio rig instead");
+    app.add_option("--resting", arguments.resting, "this share of the pixels has enough samples")
+        ->check(CLI::Range(0.0, 0.99));
     app.add_option("--visibility", arguments.visibility)
         ->check(CLI::IsMember({"none", "ray", "ray-cpu", "ray-glsl", "map"}))
         ->capture_default_str();

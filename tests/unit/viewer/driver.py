@@ -107,6 +107,27 @@ class Viewer:
                  for part in ("mousemove", *(round(a + (b - a) * i / 4) for a, b in zip(begin, end)))]
         self.display.do("mousemove", *begin, "mousedown", button, *moves, "mouseup", button)
 
+    def click(self, x, y):
+        self.display.do("mousemove", x, y, "click", "1")
+
+    def type(self, text: str):
+        """Into the field that has the keyboard, and Enter."""
+        time.sleep(0.2)
+        self.display.do("type", "--delay", "20", text)
+        self.key("Return")
+
+    @staticmethod
+    def write(file: Path, text: str):
+        """Saves a file as editors do: whole."""
+        unfinished = file.with_suffix(".new")
+        unfinished.write_text(text)
+        unfinished.rename(file)
+
+    def screen(self, x: int, y: int) -> tuple[int, int, int]:
+        """A pixel of the screen, when the window has drawn what it has to draw."""
+        time.sleep(0.3)
+        return self.display.pixels()(x, y)
+
     def shot(self, exr: bool = True) -> Path:
         """A screenshot by the viewer's own key."""
         suffix = ".exr" if exr else ".png"

@@ -1,0 +1,16 @@
+#version 410 core
+// How steeply light falls: Σ E cosθ_i in r and Σ E in g, as luminance [lx]; their quotient is the mean cosθ_i.
+#include "integrator/arriving.glsl"
+#include "surface/at_fragment.glsl"
+
+out vec4 film;
+
+void main() {
+    Surface x = surface_at_fragment();
+    vec2 sums = vec2(0.0);
+    for (int k = first_light; !is_unlit && k < end_light; ++k) {
+        Arriving a = arriving_from(k, x);
+        sums += luminance(a.E) * vec2(dot(x.n, a.light.wi), 1.0);
+    }
+    film = vec4(sums * x.coverage, 0.0, x.coverage);
+}

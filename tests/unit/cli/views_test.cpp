@@ -1,0 +1,69 @@
+#include "cli/views.hpp"
+
+#include "image/false_color.hpp"
+#include "render/renderer.hpp"
+#include "support/address.hpp"
+#include "support/gl.hpp"
+#include "support/scenes.hpp"
+
+#include <limits>
+
+using namespace sr;
+using namespace sr::testing;
+
+namespace {
+
+constexpr int size = 17; // the middle pixel looks at the origin
+
+/// The middle pixel of a view of the scene from above.
+std::vector<float> middle_of(const char* view, const scene::Scene& scene, vec3 light) {
+    context();
+    const std::vector<scene::Light> lights{scene::PointLight{"", light, vec3(1.0f)}};
+    const render::GpuScene gpu_scene(scene, lights);
+    render::RenderOptions options;
+    options.width = options.height = size;
+    options.samples = 1;
+    options.shader = cli::view_named(view)->shader;
+    render::Renderer renderer(gpu_scene, camera_from_above(1.0f), options);
+    renderer.add_sample();
+    const image::Image numbers = cli::numbers_of(*cli::view_named(view), renderer.film());
+    const auto pixel = numbers.at(size / 2, size / 2);
+    return {pixel.begin(), pixel.end()};
+}
+
+// Normals bent towards a light below the plane let it in; a second plane in between keeps it out; straight
+// ones see neither.
+const Test leaks("unit.cli.views.leaks_are_told_from_what_is_kept_out", [] {
+    const vec3 below(3.0f, -1.0f, 0.0f);
+    scene::Scene plane = lambert_plane(1.0f);
+    EXPECT_EQ(middle_of("leaks", plane, below), (std::vector<float>{0, 0, 0, 1}));
+    for (vec3& n : plane.meshes[0].normals) n = vec3(0.8f, 0.6f, 0.0f);
+    EXPECT_EQ(middle_of("leaks", plane, below), (std::vector<float>{1, 1, 0, 1}));
+    EXPECT_EQ(middle_of("leaks", plane, {3.0f, 1.0f, 0.0f}), (std::vector<float>{0, 0, 0, 1}));
+    add_quad(plane, {0, -0.1f, 0}, {1, 0, 0}, {0, 0, -1}, lambert());
+    EXPECT_EQ(middle_of("leaks", plane, below), (std::vector<float>{0, 1, 0, 1}));
+});
+
+const Test terms("unit.cli.views.are_the_terms", [] {
+    const vec3 light(0.75f, 1.0f, 0.0f); // 3-4-5
+    const scene::Scene plane = lambert_plane(2.0f);
+    EXPECT_NEAR(middle_of("cosine", plane, light)[0], 0.8f, 1e-4f);
+    EXPECT_EQ(middle_of("visibility", plane, light)[0], 1.0f);
+    EXPECT_NEAR(middle_of("irradiance", plane, light)[0], 0.8f / 1.5625f, 1e-4f);
+    EXPECT_NEAR(middle_of("luminance", plane, light)[1], 0.8f / 1.5625f / pi, 1e-4f);
+    EXPECT_EQ(cli::view_named("beauty"), nullptr);
+});
+
+// The legend in src/image/README.md holds in every picture.
+const Test scale("unit.cli.views.luminance_has_one_scale", [] {
+    image::Image film(5, 1, 3);
+    const float L[]{100.0f, 31.6228f, 0.0f, 1e9f, std::numeric_limits<float>::quiet_NaN()};
+    const float expected[][3]{{0.2f, 0.75f, 0.15f}, {0.1f, 0.775f, 0.475f}, {0, 0, 0}, {1, 1, 1}, {1, 0, 1}};
+    for (int x = 0; x < 5; ++x)
+        for (std::size_t c = 0; c < 3; ++c) film.at(x, 0)[c] = L[x];
+    const image::Image colors = image::luminance_colors(film);
+    for (int x = 0; x < 5; ++x)
+        for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(colors.at(x, 0)[c], expected[x][c], 1e-4f) << x;
+});
+
+} // namespace
