@@ -42,6 +42,7 @@ void describe(Picture& picture, const RenderCommand& command, const scene::Stage
     const auto add = [&](const char* name, std::string value) {
         attributes.push_back({name, std::move(value)});
     };
+    if (command.denoises) add("steradian:denoised", "visibility");
     if (command.view) add("steradian:view", command.view->name);
     if (command.at) add("steradian:time", fmt::format("{:.9g} s", *command.at));
     if (command.estimator == render::Estimator::analytic)

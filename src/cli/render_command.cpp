@@ -1,4 +1,5 @@
 #include "cli/commands.hpp"
+#include "cli/denoising.hpp"
 #include "cli/layers.hpp"
 #include "cli/open_scene.hpp"
 #include "cli/outputs.hpp"
@@ -82,6 +83,16 @@ void check_view(const RenderCommand& command) {
                                    "this one takes points on the lights: leave --estimator at sampled");
 }
 
+/// Refuses to filter what has more noise than shadows, or numbers that would no longer belong together.
+void check_denoising(const RenderCommand& command) {
+    if (!command.denoises) return;
+    if (command.estimator != render::Estimator::analytic || command.visibility == render::Visibility::none)
+        throw CLI::ValidationError("--denoise", "only shadows are filtered, of --estimator analytic");
+    if (command.light_layers || command.view || command.stop.error)
+        throw CLI::ValidationError("--denoise", "a filtered picture has no --layers, --view or --error");
+    if (command.stop.samples < 2) throw CLI::ValidationError("--denoise", "takes --samples 2 at least");
+}
+
 /// Refuses what cannot be written before any work is done.
 void check_outputs(const RenderCommand& command) {
     for (const std::string& output : command.outputs) {
@@ -140,6 +151,11 @@ Picture draw(const Work& work) {
     picture.film = work.renderer.film();
     if (work.command.view) picture.film = numbers_of(*work.command.view, picture.film);
     work.times.end("read");
+    if (work.command.denoises && !work.interruption.has_come()) {
+        const AovSource source{work.scene, work.stage.camera, work.options, samples, {}};
+        picture.film = denoised(work.renderer, source, [&] { return !work.interruption.has_come(); });
+        work.times.end("denoise");
+    }
     const std::vector<Plane> planes = further_planes(work, picture, samples);
     if (!planes.empty()) picture.layers = with_planes(picture.film, planes);
     if (work.interruption.has_come()) picture.stop.by = StoppedBy::interruption;
@@ -253,6 +269,7 @@ void print_summary(const Rendering& rendering) {
 ExitStatus render(const RenderCommand& command) {
     PhaseTimes times;
     check_view(command);
+    check_denoising(command);
     check_outputs(command);
     OpenScene open = open_scene(command, times);
     render::GpuScene gpu_scene(open.stage.scene, open.stage.lights, command.visibility);

@@ -134,6 +134,10 @@ void declare_stopping(CLI::App& command, RenderCommand& o) {
            "--samples is "
            "65536 by default",
            "PERCENT%", parsed_percentage, [&o](double error) { o.stop.error = error; });
+    command.add_flag(
+        "--denoise", o.denoises,
+        "with --estimator analytic: filter the shadows, the only noise it has, over pixels of the same "
+        "surface. Looks smooth and is biased: no measurement");
     parsed(command, "--time", "stop after this long; loading and --layers are not counted", "SECONDS|2s|5min",
            parsed_duration, [&o](double seconds) { o.stop.seconds = seconds; });
 }
@@ -188,7 +192,7 @@ void declare_machine(CLI::App& command, RenderCommand& o) {
 } // namespace
 
 bool RenderCommand::asks_for_error() const {
-    return stop.asks_for_error() || std::ranges::find(aovs, Aov::error) != aovs.end();
+    return stop.asks_for_error() || denoises || std::ranges::find(aovs, Aov::error) != aovs.end();
 }
 
 void declare_rendering(CLI::App& command, RenderCommand& options) {

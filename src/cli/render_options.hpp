@@ -42,6 +42,7 @@ struct RenderCommand {
     image::ToneCurve tone_curve = image::ToneCurve::neutral;
     bool light_layers = false;  // in .exr: a layer a light
     std::vector<Aov> aovs;      // in .exr: further channels
+    bool denoises = false;      // the shadows of the analytic estimator
     const View* view = nullptr; // one term instead of radiance
 
     /// Whether the picture has to know its error, that is, takes its samples from two sequences.

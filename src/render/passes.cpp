@@ -80,13 +80,8 @@ void forward_pass(const Target& frame, const GpuScene& scene, ShaderLibrary& sha
     draw_visible(scene, shaders, shader, visibility);
 }
 
-VisibilityTerm blended_visibility(const GpuScene& scene) {
-    if (!scene.occluders()) return VisibilityTerm::none;
-    return scene.occluders()->map_stage() ? VisibilityTerm::map : VisibilityTerm::ray;
-}
-
 void blend_pass(const Target& frame, const GpuScene& scene, ShaderLibrary& shaders, const std::string& shader,
-                vec4 eye) {
+                vec4 eye, VisibilityTerm visibility) {
     if (scene.blended_draws().empty()) return;
     frame.bind();
     glEnable(GL_BLEND);
@@ -100,7 +95,7 @@ void blend_pass(const Target& frame, const GpuScene& scene, ShaderLibrary& shade
     std::stable_sort(draws.begin(), draws.end(),
                      [&](const Draw& a, const Draw& b) { return farness(a, eye) > farness(b, eye); });
     for (const Draw& draw : draws) {
-        shaders.mesh_program(shader, draw.features, blended_visibility(scene)).use();
+        shaders.mesh_program(shader, draw.features, visibility).use();
         if (draw.is_double_sided) {
             cull(false, GL_FRONT);
             scene.draw(draw);

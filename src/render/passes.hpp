@@ -23,13 +23,10 @@ void record_pass(const GpuScene& scene, ShaderLibrary& shaders, int attachments)
 void forward_pass(const Target& frame, const GpuScene& scene, ShaderLibrary& shaders,
                   const std::string& shader, VisibilityTerm visibility);
 
-/// How V is found on blended surfaces: by the shader, since several layers of a pixel can ask.
-VisibilityTerm blended_visibility(const GpuScene& scene);
-
 /// Blends the transparent instances over what is behind them, the farthest first; of double-sided ones the
 /// backs first. Instances that interpenetrate are not split.
 void blend_pass(const Target& frame, const GpuScene& scene, ShaderLibrary& shaders, const std::string& shader,
-                vec4 eye);
+                vec4 eye, VisibilityTerm visibility);
 
 /// Adds the frame to the film.
 void accumulate_pass(const Target& film, const Target& frame, ShaderLibrary& shaders);

@@ -72,8 +72,9 @@ void Renderer::resize(int width, int height, int samples) {
 
 void Renderer::ask_for_shadows() {
     depth_maps_.reset();
-    if (scene_.occluders() && scene_.occluders()->map_stage()) depth_maps_.emplace(scene_, options_.maps);
-    const bool is_asked = scene_.occluders() && scene_.occluders()->occlusion();
+    if (options_.has_shadows && scene_.occluders() && scene_.occluders()->map_stage())
+        depth_maps_.emplace(scene_, options_.maps);
+    const bool is_asked = options_.has_shadows && scene_.occluders() && scene_.occluders()->occlusion();
     const int rays_per_point = scene_.light_count() * scene_.rays_per_light();
     if (is_asked == ray_answers_.has_value() && rays_per_point == rays_per_point_) return;
     ray_answers_.reset();
@@ -90,7 +91,7 @@ void Renderer::compile() {
         if (ray_answers_) shaders_.mesh_program("record.frag", draw.features, VisibilityTerm::record);
     }
     for (const Draw& draw : scene_.blended_draws())
-        shaders_.mesh_program(options_.shader, draw.features, blended_visibility(scene_));
+        shaders_.mesh_program(options_.shader, draw.features, blended_visibility());
     shaders_.fullscreen_program("accumulate.frag");
 }
 
@@ -159,7 +160,7 @@ void Renderer::draw(const Window& part) {
     }
     shade_opaque(part);
     keep_to(part);
-    blend_pass(frame_, scene_, shaders_, options_.shader, view.eye);
+    blend_pass(frame_, scene_, shaders_, options_.shader, view.eye, blended_visibility());
     accumulate();
     glDisable(GL_SCISSOR_TEST);
 }
@@ -196,8 +197,14 @@ View Renderer::begin_frame() {
 }
 
 VisibilityTerm Renderer::opaque_visibility() const {
-    if (!scene_.occluders()) return VisibilityTerm::none;
-    return ray_answers_ ? VisibilityTerm::answered : blended_visibility(scene_);
+    if (!scene_.occluders() || !options_.has_shadows) return VisibilityTerm::none;
+    return ray_answers_ ? VisibilityTerm::answered : blended_visibility();
+}
+
+VisibilityTerm Renderer::blended_visibility() const {
+    if (!scene_.occluders() || !options_.has_shadows) return VisibilityTerm::none;
+    // Several layers of a pixel can ask, so the shader answers.
+    return scene_.occluders()->map_stage() ? VisibilityTerm::map : VisibilityTerm::ray;
 }
 
 void Renderer::shade_opaque(const Window& window) {
@@ -235,13 +242,17 @@ image::Image Renderer::film() const {
     return mean_of(film_, pixel_samples());
 }
 
+image::Image Renderer::first_half() const {
+    require(first_half_.has_value() && sample_count_ > 0, "the renderer knows its error, and has samples");
+    std::vector<int> samples = pixel_samples();
+    for (int& count : samples) count = samples_of_half(0, count);
+    return mean_of(*first_half_, samples);
+}
+
 std::optional<ErrorEstimate> Renderer::error_estimate() const {
     require(first_half_.has_value(), "the renderer knows its error");
     if (sample_count_ < 2) return std::nullopt;
-    const std::vector<int> samples = pixel_samples();
-    std::vector<int> first = samples;
-    for (int& count : first) count = samples_of_half(0, count);
-    return estimated_error(mean_of(film_, samples), mean_of(*first_half_, first), samples);
+    return estimated_error(film(), first_half(), pixel_samples());
 }
 
 } // namespace sr::render

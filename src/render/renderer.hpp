@@ -44,6 +44,7 @@ struct RenderOptions {
     /// that error_estimate() can tell how far the picture is from converged. Without it they come from one
     /// sequence, which converges a little faster.
     bool knows_error = false;
+    bool has_shadows = true; // false: V = 1, whatever casts them
 };
 
 class Renderer {
@@ -98,6 +99,10 @@ public:
     /// both have one. Reads the film back. Only with RenderOptions::knows_error.
     std::optional<ErrorEstimate> error_estimate() const;
 
+    /// The mean of the first sequence's samples, of which a pixel has one more if their number is odd. Only
+    /// with RenderOptions::knows_error.
+    image::Image first_half() const;
+
     /// The mean of all samples so far: L_o [cd/m²] in RGB, coverage in A.
     image::Image film() const;
 
@@ -119,6 +124,7 @@ private:
     void draw(const Window& part);
     void keep_to(const Window& window) const;
     VisibilityTerm opaque_visibility() const;
+    VisibilityTerm blended_visibility() const;
     void shade_opaque(const Window& window);
     void accumulate();
     image::Image mean_of(const Target& sum, const std::vector<int>& samples) const;

@@ -14,8 +14,8 @@ namespace {
 constexpr int size = 48;
 constexpr float half_extent = 1.57f; // the plane ends at 1, and around it nothing is to be done
 
-/// A glossy plane, a box over it and a small bright sheet in sight: a penumbra, a highlight, edges, and pixels that few
-/// samples find.
+/// A glossy plane, a box over it and a small bright sheet in sight: a penumbra, a highlight, edges, and
+/// pixels that few samples find.
 scene::Scene still_life() {
     scene::Scene scene = lambert_plane(1.0f, vec3(0.5f, 0.3f, 0.2f));
     scene.materials[0].specular = 1.0f;
@@ -59,7 +59,8 @@ struct Stopped {
     int most = 0;
 };
 
-Stopped stopped_at(double target, std::uint32_t seed, const render::GpuScene& scene, const image::Image& reference) {
+Stopped stopped_at(double target, std::uint32_t seed, const render::GpuScene& scene,
+                   const image::Image& reference) {
     render::RenderOptions halved = options(seed);
     halved.knows_error = true;
     render::Renderer renderer(scene, camera_from_above(half_extent), halved);
@@ -74,8 +75,8 @@ Stopped stopped_at(double target, std::uint32_t seed, const render::GpuScene& sc
             renderer.sample_count()};
 }
 
-// A picture that stops at an error has no more of it, nine times in ten; it did not get there by far too many samples;
-// and where many are taken, pixels that need few take few.
+// A picture that stops at an error has no more of it, nine times in ten; it did not get there by far too many
+// samples; and where many are taken, pixels that need few take few.
 const Test word("law.stopping.an_error_keeps_its_word", [] {
     context();
     const render::GpuScene scene(still_life(), lamps);
@@ -95,8 +96,9 @@ const Test word("law.stopping.an_error_keeps_its_word", [] {
         }
         EXPECT_GT(sum_of_ratios / 10.0, 0.3) << "too careful";
         if (target < 0.05) EXPECT_LT(sum_of_shares / 10.0, 0.8) << "of the most that any pixel took";
-        ::testing::Test::RecordProperty("true_over_target_at_" + std::to_string(static_cast<int>(100 * target)) + "_percent",
-                       std::to_string(sum_of_ratios / 10.0));
+        ::testing::Test::RecordProperty("true_over_target_at_"
+                                            + std::to_string(static_cast<int>(100 * target)) + "_percent",
+                                        std::to_string(sum_of_ratios / 10.0));
     }
     EXPECT_GE(kept, 0.9 * all) << "of " << all;
 });

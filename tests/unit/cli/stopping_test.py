@@ -49,9 +49,10 @@ class Stopping(cli_test.CommandLine):
                 self.assertLess(summary["samples_min"], summary["samples"])
                 self.assertIn(b"steradian:error", attributes)
 
-    def test_a_view_is_no_picture_of_radiance(self):
+    def test_what_does_not_go_together_is_refused(self):
         for arguments, word in ((("--view", "visibility", "--error", "1%"), "radiance"), (("--view", "beauty"), "beauty"),
                                 (("--view", "cosine", "--estimator", "analytic"), "sampled"),
+                                (("--denoise",), "analytic"), (("--denoise", "--estimator", "analytic", "--error", "1%"), "--error"),
                                 (("--aov", "depth"), ".exr"), (("--aov", "deep"), "deep")):
             result = self.render("a.png", *arguments)
             self.assertEqual((result.returncode, result.stdout), (2, ""), arguments)
