@@ -131,6 +131,10 @@ void show_frame(OpenScene& open, const RenderCommand& command, int frame) {
     open.stage = scene::set_stage(std::move(posed), command.scene, open.stage_options);
 }
 
+render::GpuScene uploaded(const OpenScene& open, const RenderCommand& command) {
+    return {open.stage.scene, open.stage.lights, command.visibility, command.has_energy_compensation};
+}
+
 render::RenderOptions render_options(const RenderCommand& command, Size size) {
     render::RenderOptions options;
     options.width = size.width;

@@ -30,6 +30,9 @@ double seconds_of(int frame, const RenderCommand& command);
 /// The scene at another of its frames.
 void show_frame(OpenScene& open, const RenderCommand& command, int frame);
 
+/// The scene and its lights in the GPU's memory. @throws Error for what is beyond the driver's limits
+render::GpuScene uploaded(const OpenScene& open, const RenderCommand& command);
+
 render::RenderOptions render_options(const RenderCommand& command, Size size);
 
 } // namespace sr::cli

@@ -269,8 +269,7 @@ ExitStatus render(const RenderCommand& command) {
     check_denoising(command);
     check_outputs(command);
     OpenScene open = open_scene(command, times);
-    render::GpuScene gpu_scene(open.stage.scene, open.stage.lights, command.visibility,
-                               command.has_energy_compensation);
+    render::GpuScene gpu_scene = uploaded(open, command);
     glFinish();
     times.end("upload");
     if (gpu_scene.occluders()) times.add("bvh (in upload)", gpu_scene.occluders()->build_seconds());
