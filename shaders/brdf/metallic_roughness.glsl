@@ -4,34 +4,38 @@
 //   metal      = F(base colour) D V
 //   dielectric = (1 - s max F(F0)) ρ/π + s F(F0) D V
 //
-// glTF 2.0 specification, Appendix B.2 and B.3; s, F0 and the maximum: KHR_materials_specular and KHR_materials_ior.
-// For materials that are half metal the appendix's closing simplification (B.3.5) weighs the diffuse part with the
-// blended F instead; the definition above is used. No energy compensation: rough metals lose what bounces twice.
+// glTF 2.0 specification, Appendix B.2 and B.3; s, F0 and the maximum: KHR_materials_specular and KHR_materials_ior. D V:
+// KHR_materials_anisotropy, F: KHR_materials_iridescence, where a material has them. For materials that are half metal the
+// appendix's closing simplification (B.3.5) weighs the diffuse part with the blended F instead; the definition above is
+// used. Unless it is asked for, no energy is compensated: rough metals lose what bounces twice.
+#include "brdf/energy_compensation.glsl"
 #include "brdf/fresnel.glsl"
-#include "brdf/ggx.glsl"
+#include "brdf/iridescence.glsl"
 #include "brdf/lambert.glsl"
-#include "surface/surface.glsl"
+#include "brdf/lobe_sum.glsl"
+#include "brdf/microfacets.glsl"
 
-float largest(vec3 v) { return max(v.x, max(v.y, v.z)); }
-
-struct Lobes {
-    vec3 diffuse;  // [1/sr]
-    vec3 specular; // [1/sr]
-};
+vec3 F_of(Surface x, vec3 F0, float cos_h) {
+    vec3 F = F_schlick(F0, cos_h);
+    if (!has_iridescence) return F;
+    return mix(F, F_thin_film(F0, x.film_ior, x.film_thickness, cos_h), x.iridescence);
+}
 
 Lobes metallic_roughness_lobes(Surface x, vec3 wi, vec3 wo) {
     float cos_i = dot(x.n, wi);
-    float cos_o = max(dot(x.n, wo), 0.0); // n is on the viewer's side; where it was bent there, but for rounding
     if (cos_i <= 0.0) return Lobes(vec3(0.0), vec3(0.0));
 
     vec3 h = normalize(wi + wo);
     float cos_h = dot(wo, h);
-    float DV = D_ggx(x.n, h, x.alpha) * V_smith_ggx(cos_i, cos_o, x.alpha);
-
-    vec3 F = x.specular * F_schlick(x.F0_dielectric, cos_h);
-    vec3 F_metal = F_schlick(x.base_color, cos_h);
-    return Lobes((1.0 - x.metallic) * (1.0 - largest(F)) * f_lambert(x.base_color),
-                 ((1.0 - x.metallic) * F + x.metallic * F_metal) * DV);
+    vec3 F = x.specular * F_of(x, x.F0_dielectric, cos_h);
+    vec3 F_metal = F_of(x, x.base_color, cos_h);
+    Lobes f = Lobes((1.0 - x.metallic) * (1.0 - largest(F)) * f_lambert(x.base_color),
+                    ((1.0 - x.metallic) * F + x.metallic * F_metal) * D_V(x, h, wi, wo));
+    if (has_energy_compensation) {
+        vec3 F_avg = mix(x.specular * mean_schlick(x.F0_dielectric), mean_schlick(x.base_color), x.metallic);
+        f.diffuse += f_compensation(x, wi, wo, F_avg);
+    }
+    return f;
 }
 
 vec3 f_metallic_roughness(Surface x, vec3 wi, vec3 wo) {

@@ -4,9 +4,8 @@
 // M = [a 0 b; 0 c 0; 0 0 1] in the frame where n = z and wo lies in y = 0. It leaves the horizon in place, so that
 // clipping stays exact and lobe and density vanish together. a, b, c are fitted to GGX (tools/ltc/).
 #include "base/constants.glsl"
+#include "brdf/albedo_table.glsl"
 #include "surface/surface.glsl"
-
-uniform sampler2D ltc_table; // 32 columns of √cosθ_o, 2 × 32 rows of roughness: a, b, c, ∫ D V cosθ; Schlick's part
 
 struct Warp {
     mat3 warped_from_world; // M⁻¹, after the turn into the frame
@@ -25,12 +24,6 @@ mat3 frame_towards(vec3 n, vec3 wo) {
 Warp diffuse_warp(Surface x, vec3 wo) {
     mat3 frame = frame_towards(x.n, wo);
     return Warp(transpose(frame), frame, 1.0);
-}
-
-vec2 ltc_place(float cos_o, float alpha, float layer) {
-    const float size = 32.0;
-    vec2 at = (vec2(sqrt(cos_o), sqrt(alpha)) * (size - 1.0) + 0.5) / size;
-    return vec2(at.x, 0.5 * (at.y + layer));
 }
 
 // The GGX lobe's. The table holds the numbers over what they are for α → 0 and at grazing: tools/ltc/fit.cpp.

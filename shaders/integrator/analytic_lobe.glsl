@@ -8,6 +8,7 @@
 // ratio: Heitz, Hill & McGuire 2018. Points where p is: Peters 2021, who draws them; these are a fixed fan.
 #include "brdf/lobes.glsl"
 #include "brdf/warp.glsl"
+#include "integrator/cosine.glsl"
 #include "interface/estimator.glsl"
 #include "light/fan.glsl"
 #include "light/outlined.glsl"
@@ -36,6 +37,7 @@ vec3 ratio_at(vec3 q, WarpedLobe lobe, Light light, int part, Surface x, vec3 wo
     vec3 w = lobe.warp.world_from_warped * q;
     float l = length(w);
     vec3 wi = w / l;
+    if (cosine(x, wi) <= 0.0) return vec3(0.0);
     float l2 = l * l;
     return lobe_of(lobe.is_specular, x, wi, wo) * radiance_towards(light, part, x.position, wi)
            * (pi * lobe.warp.determinant / (l2 * l2));

@@ -1,11 +1,9 @@
 // What one point on a light sends to x, whatever x makes of it: the light's own sample of reflected.glsl.
 //
 //   E = L_i/p · V · cosθ_i          [lx]
-#include "integrator/random_point.glsl"
-#include "integrator/rays.glsl"
-#include "light/sample_light.glsl"
+#include "integrator/cosine.glsl"
+#include "integrator/point_on_light.glsl"
 #include "surface/surface.glsl"
-#include "visibility/visibility.glsl"
 
 struct Arriving {
     LightSample light;
@@ -14,11 +12,11 @@ struct Arriving {
 };
 
 Arriving arriving_from(int k, Surface x) {
-    LightSample light = sample_light(k, x.position, random_point(uint(k) + 1u));
-    float cos_i = dot(x.n, light.wi);
+    LightSample light = point_on_light(k, x);
+    float cos_i = cosine(x, light.wi);
     if (!(cos_i > 0.0)) return Arriving(light, vec3(0.0), vec3(0.0));
     vec3 E = light.Li_over_p * cos_i;
-    return Arriving(light, E * visibility(x, light.wi, light.distance, k, towards_light), E);
+    return Arriving(light, E * V_of_point(k, x, light), E);
 }
 
 // 1/p, whose mean is the solid angle of an area light [sr]; 0 for emitters without extent.

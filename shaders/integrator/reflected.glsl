@@ -7,14 +7,17 @@
 // Frames add up to the integral. This is the only loop over lights and the only cosine.
 #include "brdf/f_r.glsl"
 #include "brdf/sample_f_r.glsl"
+#include "integrator/cosine.glsl"
+#include "integrator/mirrored.glsl"
 #include "integrator/random_point.glsl"
 #include "integrator/rays.glsl"
+#include "integrator/shadowed.glsl"
 #include "light/sample_light.glsl"
 #include "visibility/visibility.glsl"
 
 // f_r · L_i/p · V · cosθ_i: what one direction to light k adds, before its weight.
 vec3 integrand_over_p(Surface x, LightSample light, vec3 wo, int k, int ray) {
-    float cos_i = dot(x.n, light.wi);
+    float cos_i = cosine(x, light.wi);
     if (!(cos_i > 0.0) || light.Li_over_p == vec3(0.0)) return vec3(0.0);
     float V = visibility(x, light.wi, light.distance, k, ray);
     return f_r(x, light.wi, wo) * light.Li_over_p * V * cos_i;
@@ -27,6 +30,7 @@ float power_heuristic(float p, float q) {
 }
 
 vec3 reflected(Surface x, vec3 wo) {
+    if (is_mirror) return mirrored(x, wo);
     bool samples_brdf = has_lights_to_meet && has_peak(x);
     vec3 w_brdf = samples_brdf ? sample_f_r(x, wo, random_point(0u)) : vec3(0.0);
     float p_brdf = samples_brdf ? p_f_r(x, w_brdf, wo) : 0.0;
@@ -36,15 +40,16 @@ vec3 reflected(Surface x, vec3 wo) {
         vec2 u = has_area_lights ? random_point(uint(k) + 1u) : vec2(0.0);
         LightSample from_light = sample_light(k, x.position, u);
         float weight = from_light.p > 0.0 ? power_heuristic(from_light.p, p_f_r(x, from_light.wi, wo)) : 1.0;
-        L_r += weight * integrand_over_p(x, from_light, wo, k, towards_light);
+        vec3 L = weight * integrand_over_p(x, from_light, wo, k, towards_light);
 
-        if (!samples_brdf) continue;
-        LightSample along = light_along(k, x.position, w_brdf);
+        LightSample along = no_light;
+        if (samples_brdf) along = light_along(k, x.position, w_brdf);
         if (along.p > 0.0) { // the point came with density p_brdf, so that is what the integrand is over
             float odds = along.p / p_brdf;
             float weight_over_p = 1.0 / (odds + 1.0 / odds); // power_heuristic(p_brdf, along.p) * odds
-            L_r += weight_over_p * integrand_over_p(x, along, wo, k, along_brdf);
+            L += weight_over_p * integrand_over_p(x, along, wo, k, along_brdf);
         }
+        L_r += shadowed(L, k, x, wo);
     }
     return L_r;
 }

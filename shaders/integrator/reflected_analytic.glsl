@@ -3,6 +3,7 @@
 // as they are, and meshes of many triangles by samples.
 #include "integrator/analytic_shadow.glsl"
 #include "integrator/sampled_light.glsl"
+#include "integrator/shadowed.glsl"
 
 // The whole of a light that is evaluated by its outlines, times V in one direction: in the mean over frames the ratio
 // of shadowed to unshadowed light (Heitz, Hill & McGuire 2018), so that only penumbrae are noisy.
@@ -28,8 +29,8 @@ vec3 reflected(Surface x, vec3 wo) {
     for (int k = first_light; k < end_light; ++k) {
         Light light = light_at(k);
         int parts = outlines_of(light);
-        if (parts == 0) L_r += reflected_from_sample(k, x, wo);
-        else L_r += reflected_from_outlines(k, light, parts, x, wo);
+        vec3 L = parts == 0 ? reflected_from_sample(k, x, wo) : reflected_from_outlines(k, light, parts, x, wo);
+        L_r += shadowed(L, k, x, wo);
     }
     return L_r;
 }

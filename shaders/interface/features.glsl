@@ -1,6 +1,6 @@
 // What the program at hand has to deal with. The renderer overlays this file with the values of the scene and
-// the material (src/render/features.cpp), and the compiler drops the rest; as it stands it asks for everything,
-// so that every line is linted.
+// the material (src/render/features.cpp), and the compiler drops the rest; as it stands it asks for what a plain
+// material can have, and for every texture.
 const bool has_point_lights = true;
 const bool has_spot_lights = true;
 const bool has_directional_lights = true;
@@ -22,8 +22,25 @@ const bool has_specular_texture = true;
 const bool has_specular_color_texture = true;
 const bool has_vertex_colors = true;
 
+// Layers and forms that few materials have (KHR_materials_*, extras.steradian), and --energy-compensation.
+const bool has_anisotropy = false;
+const bool has_clearcoat = false;
+const bool has_sheen = false;
+const bool has_iridescence = false;
+const bool has_energy_compensation = false;
+const bool has_anisotropy_texture = true;
+const bool has_clearcoat_texture = true;
+const bool has_clearcoat_roughness_texture = true;
+const bool has_clearcoat_normal_texture = true;
+const bool has_sheen_color_texture = true;
+const bool has_sheen_roughness_texture = true;
+const bool has_iridescence_texture = true;
+const bool has_film_thickness_texture = true;
+
 const int rays_per_light = 2; // that a point sends to each light
+const bool has_transparent_casters = true; // masked or blended surfaces cast shadows
 
 const bool is_masked = true;  // alphaMode MASK
 const bool is_blended = true; // alphaMode BLEND
+const bool is_mirror = false; // brdf/models/mirror.glsl
 const bool is_unlit = false;  // KHR_materials_unlit

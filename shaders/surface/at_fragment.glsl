@@ -8,26 +8,72 @@
 // that a point light could be seen in; below 1e-4 the square of alpha² leaves the range of floats in comfort.
 const float smallest_alpha = 1e-4;
 
+float alpha_of(float roughness) { return max(roughness * roughness, smallest_alpha); }
+
 // wo: the unit direction from x to the viewer.
 vec3 direction_to_viewer() {
     return eye.w == 0.0 ? eye.xyz : normalize(eye.xyz - vertex_position);
+}
+
+// KHR_materials_anisotropy: along t the width grows, across it stays.
+void add_anisotropy(inout Surface x) {
+    vec3 along = anisotropy();
+    vec3 t = from_tangent_space(vec3(along.xy, 0.0));
+    x.t = normalize(t - dot(x.n, t) * x.n);
+    bool is_stated = anisotropy_factor.w >= 0.0; // extras.steradian
+    x.alphas = vec2(is_stated ? x.alpha : mix(x.alpha, 1.0, along.z * along.z),
+                    is_stated ? alpha_of(anisotropy_factor.w) : x.alpha);
+}
+
+void add_clearcoat(inout Surface x, vec3 wo) {
+    vec2 coat = clamp(clearcoat(), 0.0, 1.0);
+    x.clearcoat = coat.x;
+    x.clearcoat_alpha = alpha_of(coat.y);
+    x.clearcoat_n = on_seen_side(mapped_clearcoat_normal(), wo);
+    float m = 1.0 - max(dot(x.clearcoat_n, wo), 0.0); // the coat lies over what emits
+    x.emission *= 1.0 - coat.x * (0.04 + 0.96 * m * m * m * m * m);
+}
+
+void add_layers(inout Surface x, vec3 wo) {
+    if (has_anisotropy) add_anisotropy(x);
+    if (has_clearcoat) add_clearcoat(x, wo);
+    if (has_sheen) {
+        vec4 s = clamp(sheen(), 0.0, 1.0);
+        x.sheen_color = s.rgb;
+        x.sheen_alpha = alpha_of(s.a);
+    }
+    if (has_iridescence) {
+        vec2 film = iridescence();
+        x.iridescence = clamp(film.x, 0.0, 1.0);
+        x.film_ior = iridescence_factor.y;
+        x.film_thickness = film.y;
+    }
 }
 
 Surface surface_at_fragment() {
     vec4 color = base_color();
     vec2 rm = clamp(roughness_metallic(), 0.0, 1.0);
     vec4 layer = specular();
+    vec3 wo = direction_to_viewer();
 
     Surface x;
     x.position = vertex_position;
     x.triangle = first_triangle + gl_PrimitiveID;
-    x.n = shading_normal(direction_to_viewer());
+    x.n = shading_normal(wo);
+    x.unmapped_n = on_seen_side(normalize(vertex_normal), wo);
     x.base_color = color.rgb;
     x.metallic = rm.y;
-    x.alpha = max(rm.x * rm.x, smallest_alpha);
+    x.roughness = rm.x;
+    x.alpha = alpha_of(rm.x);
     x.F0_dielectric = min(F0_from_ior * layer.rgb, vec3(1.0));
     x.specular = layer.a;
+    x.specular_color = layer.rgb;
+    x.ior = ior_factor.rgb;
+    x.extinction = extinction_factor.rgb;
+    x.exponent = ior_factor.w;
+    x.measured_alpha = extinction_factor.w;
     x.emission = emission();
     x.coverage = is_blended ? color.a : 1.0;
+    add_layers(x, wo);
     return x;
 }

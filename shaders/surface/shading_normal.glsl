@@ -1,14 +1,24 @@
 // n: the normal that the BRDF sees.
 #include "surface/textures.glsl"
 
-// Tangent space as MikkTSpace defines it (Mikkelsen 2008): the interpolated vectors are used at the length they
+// From tangent space as MikkTSpace defines it (Mikkelsen 2008): the interpolated vectors are used at the length they
 // have, and the sum is normalised once.
+vec3 from_tangent_space(vec3 m) {
+    vec3 bitangent = vertex_tangent.w * cross(vertex_normal, vertex_tangent.xyz);
+    return normalize(m.x * vertex_tangent.xyz + m.y * bitangent + m.z * vertex_normal);
+}
+
 vec3 mapped_normal() {
     if (!has_normal_texture) return normalize(vertex_normal);
     vec3 m = texture(normal_texture, uv(normal_slot)).xyz * 2.0 - 1.0;
-    m.xy *= normal_scale;
-    vec3 bitangent = vertex_tangent.w * cross(vertex_normal, vertex_tangent.xyz);
-    return normalize(m.x * vertex_tangent.xyz + m.y * bitangent + m.z * vertex_normal);
+    return from_tangent_space(vec3(m.xy * normal_scale, m.z));
+}
+
+// The coat follows its own map, not that of what it covers (KHR_materials_clearcoat).
+vec3 mapped_clearcoat_normal() {
+    if (!has_clearcoat_normal_texture) return normalize(vertex_normal);
+    vec3 m = texture(clearcoat_normal_texture, uv(clearcoat_normal_slot)).xyz * 2.0 - 1.0;
+    return from_tangent_space(vec3(m.xy * clearcoat_factor.z, m.z));
 }
 
 // Where interpolation or a normal map turns n away from the viewer, it is bent back until wo grazes the surface:
@@ -18,7 +28,6 @@ vec3 facing(vec3 n, vec3 wo) {
     return cos_o >= 0.0 ? n : normalize(n - cos_o * wo);
 }
 
-vec3 shading_normal(vec3 wo) {
-    vec3 n = mapped_normal();
-    return facing(gl_FrontFacing ? n : -n, wo);
-}
+vec3 on_seen_side(vec3 n, vec3 wo) { return facing(gl_FrontFacing ? n : -n, wo); }
+
+vec3 shading_normal(vec3 wo) { return on_seen_side(mapped_normal(), wo); }

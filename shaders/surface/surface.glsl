@@ -1,7 +1,9 @@
-// A point x of a surface, with all that the equation asks of it.
+// A point x of a surface, with all that the equation asks of it. What the features of a material leave out
+// (interface/features.glsl) is not to be read.
 struct Surface {
     vec3 position;        // x [m]
     vec3 n;               // shading normal, unit, on the side of the viewer
+    vec3 unmapped_n;      // n as it is without its normal map
     vec3 base_color;      // linear
     float metallic;
     float alpha;          // GGX width: roughness²
@@ -10,4 +12,21 @@ struct Surface {
     vec3 emission;        // L_e [cd/m²]
     int triangle;         // that x lies on: its index among the shadow casters
     float coverage;       // alpha of the base colour, 1 if opaque
+
+    float roughness;      // as typed
+    vec3 t;               // unit, across n: along it the GGX width is alphas.x, across it alphas.y
+    vec2 alphas;
+    float clearcoat;      // weight of the coat
+    float clearcoat_alpha;
+    vec3 clearcoat_n;     // the coat's own shading normal
+    vec3 sheen_color;
+    float sheen_alpha;    // roughness² of the sheen
+    float iridescence;    // weight of the thin film
+    float film_ior;
+    float film_thickness; // [nm]
+    vec3 ior;             // n + ik of a conductor, by channel
+    vec3 extinction;
+    float exponent;       // of Phong's lobes
+    vec3 specular_color;  // albedo of Phong's lobes
+    float measured_alpha; // GGX width near a measured lobe
 };

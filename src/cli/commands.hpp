@@ -11,6 +11,7 @@ namespace sr::cli {
 /// Error).
 enum ExitStatus : int { done = 0, failed_check = 1, usage = 2, worlds_fault = 3, interrupted = 130 };
 
+void add_view_command(CLI::App& app);
 void add_render_command(CLI::App& app);
 void add_probe_command(CLI::App& app);
 void add_info_command(CLI::App& app);
@@ -18,5 +19,6 @@ void add_expand_command(CLI::App& app);
 void add_compare_command(CLI::App& app);
 void add_golden_command(CLI::App& app);
 void add_export_command(CLI::App& app);
+void add_brdf_command(CLI::App& app);
 
 } // namespace sr::cli

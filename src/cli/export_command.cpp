@@ -20,6 +20,7 @@ struct ExportCommand {
     std::string size;
     std::optional<int> scene_index;
     std::string rig = "studio";
+    gltf::LoadOptions moment;
 };
 
 /// What `render` would render, without the surfaces that it gives to lights.
@@ -38,7 +39,9 @@ scene::Stage staged(const ExportCommand& command, std::optional<Size> size, scen
 
 void export_scene(const ExportCommand& command) {
     const std::optional<Size> asked = command.size.empty() ? std::nullopt : parsed_size(command.size);
-    gltf::Loaded loaded = gltf::load(command.scene, {command.scene_index});
+    gltf::LoadOptions options = command.moment;
+    options.scene = command.scene_index;
+    gltf::Loaded loaded = gltf::load(command.scene, options);
     for (const std::string& warning : loaded.warnings) fmt::print(stderr, "{}\n", warning);
     const scene::Stage stage = staged(command, asked, std::move(loaded.scene));
     for (const std::string& remark : stage.remarks) fmt::print(stderr, "{}\n", remark);
@@ -72,6 +75,14 @@ void add_export_command(CLI::App& app) {
         ->add_option("--scene", options->scene_index,
                      "which of the file's scenes (default: the file's choice)")
         ->check(CLI::NonNegativeNumber);
+    command
+        ->add_option("--at", options->moment.at,
+                     "the moment of the animation (default: the file's rest pose)")
+        ->type_name("SECONDS")
+        ->check(CLI::NonNegativeNumber);
+    command->add_option("--animation", options->moment.animation,
+                        "which one, as render's (default: the first)");
+    command->add_option("--variant", options->moment.variant, "which of the file's material variants");
     command->add_option("--rig", options->rig, "what lights a file without any light")
         ->check(CLI::IsMember({"studio", "none"}))
         ->capture_default_str();

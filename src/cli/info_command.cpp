@@ -1,10 +1,12 @@
 #include "cli/commands.hpp"
 #include "cli/light_description.hpp"
 #include "gl/context.hpp"
+#include "gltf/extensions.hpp"
 #include "gltf/load.hpp"
 #include "scene/emitters.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <fmt/format.h>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -45,6 +47,25 @@ void print_backends(const ordered_json& backends) {
     }
 }
 
+ordered_json animations_json(const gltf::Contents& contents) {
+    ordered_json list = ordered_json::array();
+    for (const auto& animation : contents.animations)
+        list.push_back({{"name", animation.name},
+                        {"duration [s]", animation.duration},
+                        {"channels", animation.channels}});
+    return list;
+}
+
+/// Every extension that the file names, and whether it is required and honoured.
+ordered_json extensions_json(const gltf::Contents& contents) {
+    ordered_json list = ordered_json::array();
+    for (const std::string& name : contents.extensions_used)
+        list.push_back({{"name", name},
+                        {"required", std::ranges::count(contents.extensions_required, name) > 0},
+                        {"honoured", gltf::is_supported(name)}});
+    return list;
+}
+
 ordered_json scene_json(const std::string& file) {
     const gltf::Loaded loaded = gltf::load(file);
     const scene::Scene& s = loaded.scene;
@@ -62,7 +83,11 @@ ordered_json scene_json(const std::string& file) {
                       {"unit", scene::radiance_unit(s.units)},
                       {"cameras", cameras},
                       {"lights", lights},
-                      {"extensions_used", loaded.extensions_used},
+                      {"skins", loaded.contents.skins},
+                      {"morph_targets", loaded.contents.morph_targets},
+                      {"animations", animations_json(loaded.contents)},
+                      {"variants", loaded.contents.variants},
+                      {"extensions", extensions_json(loaded.contents)},
                       {"warnings", loaded.warnings}};
     if (!bounds.is_empty())
         json["bounds [m]"] = {{"min", {bounds.min.x, bounds.min.y, bounds.min.z}},

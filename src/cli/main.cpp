@@ -12,6 +12,7 @@ int main(int argc, char** argv) {
     app.set_version_flag("--version", STERADIAN_VERSION);
     app.require_subcommand(1);
     app.footer("Examples:\n"
+               "  steradian view scene.glb                         a window to look around in\n"
                "  steradian render scene.glb -o picture.png        a picture with automatic exposure\n"
                "  steradian render scene.glb -o radiance.exr       the same, as radiance in cd/m²\n"
                "  steradian probe scene.glb --pixel 640,360        the equation at a pixel, term by term\n"
@@ -19,6 +20,7 @@ int main(int argc, char** argv) {
                "  steradian render --help                          everything that render can do\n\n"
                "Exit status: 0 done, 1 a difference or a failed check, 2 usage, 3 a file, shader or driver "
                "is at fault.");
+    add_view_command(app);
     add_render_command(app);
     add_probe_command(app);
     add_info_command(app);
@@ -26,6 +28,7 @@ int main(int argc, char** argv) {
     add_compare_command(app);
     add_golden_command(app);
     add_export_command(app);
+    add_brdf_command(app);
     try {
         app.parse(argc, argv);
         return done;

@@ -1,36 +1,83 @@
 #include "cli/open_scene.hpp"
 
+#include "core/error.hpp"
 #include "gltf/load.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <fmt/format.h>
 #include <future>
+#include <numeric>
 
 namespace sr::cli {
 namespace {
 
-struct TimedLoad {
-    gltf::Loaded loaded;
-    double seconds = 0.0;
+/// The file, read, at the moment that is asked for.
+struct Opened {
+    gltf::Asset asset;
+    scene::Scene scene;
+    std::vector<int> animations;
+    std::vector<int> frames;
+    std::optional<scene::Bounds> extent; // of all frames
+    double seconds = 0.0;                // that it took
 };
 
-TimedLoad load_timed(const RenderCommand& command) {
-    PhaseTimes times;
-    TimedLoad result{gltf::load(command.scene, {command.scene_index}), 0.0};
-    result.seconds = times.total();
-    return result;
+/// @throws Error if the animation ends before
+std::vector<int> frames_of(const gltf::Asset& asset, const std::vector<int>& animations,
+                           const RenderCommand& command) {
+    const FrameRange& range = *command.frames;
+    constexpr int most = 1'000'000;
+    const double end = asset.duration(animations);
+    int last = range.last.value_or(static_cast<int>(std::min(end * command.fps, 2.0 * most)));
+    // A last key that was rounded to 32 bits may lie just before its frame.
+    const auto next_second = static_cast<float>(seconds_of(last + 1, command));
+    if (!range.last && next_second <= static_cast<float>(end)) ++last;
+    if (last - range.first >= most)
+        throw Error({command.scene}, fmt::format("frames {} to {} are more than {}", range.first, last, most),
+                    "name fewer with --frames A:B, or a lower --fps");
+    for (const int frame : {range.first, std::max(last, range.first)})
+        asset.require_within({animations, seconds_of(frame, command)});
+    std::vector<int> frames(static_cast<std::size_t>(last - range.first) + 1);
+    std::iota(frames.begin(), frames.end(), range.first);
+    return frames;
 }
 
-scene::Stage staged(const RenderCommand& command, gltf::Loaded&& loaded) {
-    for (const std::string& warning : loaded.warnings) fmt::print(stderr, "{}\n", warning);
+/// What the scene reaches in these frames, or in 64 of them.
+scene::Bounds extent_of(Opened& opened, const RenderCommand& command) {
+    constexpr std::size_t most = 64;
+    scene::Bounds all;
+    const std::size_t count = std::min(opened.frames.size(), most);
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t frame = count == 1 ? 0 : i * (opened.frames.size() - 1) / (count - 1);
+        opened.scene = opened.asset.posed(std::move(opened.scene),
+                                          {opened.animations, seconds_of(opened.frames[frame], command)});
+        const scene::Bounds bounds = scene::bounds_of(opened.scene);
+        if (bounds.is_empty()) continue;
+        all.extend(bounds.min);
+        all.extend(bounds.max);
+    }
+    return all;
+}
+
+Opened open(const RenderCommand& command) {
+    PhaseTimes times;
+    Opened opened{gltf::Asset(command.scene, {command.scene_index, command.variant}), {}, {}, {}, {}};
+    if (command.frames || command.at) opened.animations = opened.asset.animations_named(command.animation);
+    if (command.frames) opened.frames = frames_of(opened.asset, opened.animations, command);
+    opened.scene = gltf::scene_of(opened.asset, {{}, command.at, command.animation, {}});
+    if (command.frames) opened.extent = extent_of(opened, command);
+    opened.seconds = times.total();
+    return opened;
+}
+
+scene::StageOptions stage_options(const RenderCommand& command, const Opened& opened) {
     scene::StageOptions options{command.camera, command.rig};
     if (command.size)
         options.aspect_ratio =
             static_cast<float>(command.size->width) / static_cast<float>(command.size->height);
     options.hide_emitters = command.hide_emitters;
-    scene::Stage stage = scene::set_stage(std::move(loaded.scene), command.scene, options);
-    for (const std::string& remark : stage.remarks) fmt::print(stderr, "{}\n", remark);
-    return stage;
+    options.extent = opened.extent;
+    return options;
 }
 
 /// Says which lights the analytic estimator cannot do without noise.
@@ -51,16 +98,37 @@ OpenScene open_scene(const RenderCommand& command, PhaseTimes& times) {
     // long.
     auto context = gl::open_context({command.backend, command.gl_debug});
     times.end("start");
-    auto loading = std::async(std::launch::async, load_timed, std::cref(command));
+    auto loading = std::async(std::launch::async, open, std::cref(command));
     const auto preloading = image::preload(); // last, since no thread can start while it has that lock
-    TimedLoad load = loading.get();
+    Opened opened = loading.get();
     times.end("wait for load");
-    times.add("load (beside start)", load.seconds);
-    scene::Stage stage = staged(command, std::move(load.loaded));
-    remark_on_estimator(command, stage);
-    const Size size = command.size.value_or(picture_size(stage.camera.aspect_ratio()));
+    times.add("load (beside start)", opened.seconds);
+    for (const std::string& warning : opened.asset.warnings()) fmt::print(stderr, "{}\n", warning);
+    OpenScene result{std::move(context),
+                     {},
+                     {},
+                     std::move(opened.asset),
+                     stage_options(command, opened),
+                     std::move(opened.animations),
+                     std::move(opened.frames)};
+    result.stage.scene = std::move(opened.scene);
+    if (result.frames.empty())
+        result.stage = scene::set_stage(std::move(result.stage.scene), command.scene, result.stage_options);
+    else
+        show_frame(result, command, result.frames.front());
+    for (const std::string& remark : result.stage.remarks) fmt::print(stderr, "{}\n", remark);
+    remark_on_estimator(command, result.stage);
+    result.size = command.size.value_or(picture_size(result.stage.camera.aspect_ratio()));
     times.end("stage");
-    return {std::move(context), std::move(stage), size};
+    return result;
+}
+
+double seconds_of(int frame, const RenderCommand& command) { return frame / command.fps; }
+
+void show_frame(OpenScene& open, const RenderCommand& command, int frame) {
+    scene::Scene posed =
+        open.asset.posed(std::move(open.stage.scene), {open.animations, seconds_of(frame, command)});
+    open.stage = scene::set_stage(std::move(posed), command.scene, open.stage_options);
 }
 
 render::RenderOptions render_options(const RenderCommand& command, Size size) {
@@ -75,6 +143,7 @@ render::RenderOptions render_options(const RenderCommand& command, Size size) {
     options.estimator = command.estimator;
     options.analytic_points = command.analytic_points;
     if (command.view) options.shader = command.view->shader;
+    options.maps = command.maps;
     return options;
 }
 

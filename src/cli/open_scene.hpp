@@ -2,9 +2,11 @@
 // What every command that renders begins with: a context, and a scene set before a camera.
 #include "cli/render_options.hpp"
 #include "cli/summary.hpp"
+#include "gltf/asset.hpp"
 #include "render/renderer.hpp"
 
 #include <memory>
+#include <vector>
 
 namespace sr::cli {
 
@@ -12,10 +14,21 @@ struct OpenScene {
     std::unique_ptr<gl::Context> context;
     scene::Stage stage;
     Size size;
+    gltf::Asset asset; // what the scene was made of
+    scene::StageOptions stage_options;
+    std::vector<int> animations; // that play
+    std::vector<int> frames;     // of the sequence that was asked for; empty: a single picture
 };
 
-/// Opens a context and loads the scene beside it; warnings and remarks go to stderr. @throws Error
+/// Opens a context and loads the scene beside it, at the moment that is asked for, or at the first frame;
+/// warnings and remarks go to stderr. @throws Error, for a moment or a frame beyond the animation too
 OpenScene open_scene(const RenderCommand& command, PhaseTimes& times);
+
+/// When a frame is [s].
+double seconds_of(int frame, const RenderCommand& command);
+
+/// The scene at another of its frames.
+void show_frame(OpenScene& open, const RenderCommand& command, int frame);
 
 render::RenderOptions render_options(const RenderCommand& command, Size size);
 

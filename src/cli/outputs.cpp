@@ -44,6 +44,7 @@ void describe(Picture& picture, const RenderCommand& command, const scene::Stage
     };
     if (command.denoises) add("steradian:denoised", "visibility");
     if (command.view) add("steradian:view", command.view->name);
+    if (command.at) add("steradian:time", fmt::format("{:.9g} s", *command.at));
     if (command.estimator == render::Estimator::analytic)
         add("steradian:analytic_points", std::to_string(command.analytic_points));
     if (picture.samples.least < picture.samples.most) {

@@ -3,6 +3,7 @@
 #include "cli/layers.hpp"
 #include "cli/open_scene.hpp"
 #include "cli/outputs.hpp"
+#include "cli/render_checks.hpp"
 #include "cli/render_options.hpp"
 #include "cli/summary.hpp"
 #include "core/error.hpp"
@@ -51,6 +52,8 @@ ordered_json stopping(const Picture& picture) {
 ordered_json shadows(const render::GpuScene& scene, const render::Renderer& renderer) {
     const render::Occluders* occluders = scene.occluders();
     if (!occluders) return nullptr;
+    if (const render::DepthMaps* maps = renderer.depth_maps())
+        return {{"by", "maps"}, {"maps_a_sample", maps->map_count()}, {"map_size", maps->size()}};
     const render::RayAnswers* answers = renderer.ray_answers();
     ordered_json json{{"by", answers ? "cpu" : "glsl"},
                       {"bvh_triangles", occluders->triangle_count()},
@@ -64,42 +67,10 @@ ordered_json shadows(const render::GpuScene& scene, const render::Renderer& rend
 }
 
 ordered_json seconds(const PhaseTimes& times) {
-    ordered_json json;
-    for (const auto& [phase, duration] : times.phases()) json[phase] = duration;
+    ordered_json json = ordered_json::object();
+    for (const auto& [phase, duration] : times.phases()) json[phase] = json.value(phase, 0.0) + duration;
     json["total"] = times.total();
     return json;
-}
-
-/// Refuses what a view is no picture of.
-void check_view(const RenderCommand& command) {
-    if (!command.view) return;
-    if (command.light_layers || command.asks_for_error())
-        throw CLI::ValidationError(
-            "--view", "only pictures of radiance have --layers, --error, --time and --aov error");
-    if (command.estimator != render::Estimator::sampled && command.view->kind != ViewKind::luminance)
-        throw CLI::ValidationError("--view",
-                                   "this one takes points on the lights: leave --estimator at sampled");
-}
-
-/// Refuses to filter what has more noise than shadows, or numbers that would no longer belong together.
-void check_denoising(const RenderCommand& command) {
-    if (!command.denoises) return;
-    if (command.estimator != render::Estimator::analytic || command.visibility == render::Visibility::none)
-        throw CLI::ValidationError("--denoise", "only shadows are filtered, of --estimator analytic");
-    if (command.light_layers || command.view || command.stop.error)
-        throw CLI::ValidationError("--denoise", "a filtered picture has no --layers, --view or --error");
-    if (command.stop.samples < 2) throw CLI::ValidationError("--denoise", "takes --samples 2 at least");
-}
-
-/// Refuses what cannot be written before any work is done.
-void check_outputs(const RenderCommand& command) {
-    for (const std::string& output : command.outputs) image::is_scene_referred(output);
-    if (std::ranges::find(command.aovs, Aov::error) != command.aovs.end() && command.stop.samples < 2)
-        throw CLI::ValidationError("--aov", "error takes --samples 2 at least");
-    if (std::ranges::any_of(command.outputs, holds_layers)) return;
-    for (const auto& [is_asked, option] :
-         {std::pair(command.light_layers, "--layers"), std::pair(!command.aovs.empty(), "--aov")})
-        if (is_asked) throw CLI::ValidationError(option, "only .exr files hold layers: name one with -o");
 }
 
 /// A rendering at work.
@@ -111,6 +82,7 @@ struct Work {
     render::Renderer& renderer;
     const Interruption& interruption;
     PhaseTimes& times;
+    std::string what = "rendering";
 };
 
 /// The channels beside the film that were asked for; those of an interrupted step are left out.
@@ -135,7 +107,7 @@ std::vector<Plane> further_planes(const Work& work, const Picture& picture, cons
 /// Takes the samples, and what else was asked for; after an interruption, what there is.
 Picture draw(const Work& work) {
     Picture picture;
-    picture.stop = add_samples(work.renderer, work.command.stop, work.interruption);
+    picture.stop = add_samples(work.renderer, work.command.stop, work.interruption, work.what);
     const std::vector<int> samples = work.renderer.pixel_samples();
     picture.samples = counted(samples);
     work.times.end("draw");
@@ -167,45 +139,112 @@ void remark_on_stop(const Picture& picture, const RenderCommand& command) {
                    100.0 * picture.stop.error.value_or(INFINITY), 100.0 * *command.stop.error);
 }
 
+/// Draws, and writes the files. @return absent if the program was asked to leave, and for a frame that was
+/// interrupted: then nothing was written
+std::optional<std::pair<Picture, std::optional<float>>> make_picture(const Work& work,
+                                                                     const gl::Context& context) {
+    Picture picture = draw(work);
+    if (work.interruption.asks_to_leave()) {
+        fmt::print(stderr, "asked to leave after {} samples: nothing was written\n",
+                   work.renderer.sample_count());
+        return std::nullopt;
+    }
+    if (work.command.frames && work.interruption.has_come()) {
+        fmt::print(stderr, "interrupted in {}: the frames before are written\n", work.what);
+        return std::nullopt;
+    }
+    context.require_silence();
+    remark_on(picture.film, work.command, work.stage);
+    describe(picture, work.command, work.stage, context.info());
+    const auto ev100 = write_outputs(picture, work.command);
+    work.times.end("write");
+    remark_on_stop(picture, work.command);
+    return std::pair(std::move(picture), ev100);
+}
+
+/// What a rendering works with, and what it wrote.
+struct Rendering {
+    const RenderCommand& command;
+    OpenScene& open;
+    render::GpuScene& scene;
+    render::RenderOptions options;
+    render::Renderer& renderer;
+    PhaseTimes& times;
+    std::vector<std::string> written{};
+    std::optional<float> ev100{}; // automatic, or as it was asked for
+    std::optional<Picture> last{};
+};
+
+/// @return whether everything was written; so far as it was it stands in `rendering`
+bool make_frames(Rendering& rendering) {
+    auto& [command, open, scene, options, renderer, times, written, ev100, last] = rendering;
+    const Interruption interruption;
+    RenderCommand picture = command;
+    for (const int frame : open.frames) {
+        if (frame != open.frames.front()) {
+            show_frame(open, command, frame);
+            times.end("pose");
+            scene.relight(open.stage.scene, open.stage.lights, 0, true);
+            renderer.resize(open.size.width, open.size.height, command.stop.samples);
+            renderer.look_from(open.stage.camera);
+            times.end("update");
+        }
+        picture.at = seconds_of(frame, command);
+        for (std::size_t i = 0; i < command.outputs.size(); ++i)
+            picture.outputs[i] = *numbered(command.outputs[i], frame);
+        const auto what =
+            fmt::format("frame {} ({} of {})", frame, frame - open.frames.front() + 1, open.frames.size());
+        auto made = make_picture({picture, open.stage, scene, options, renderer, interruption, times, what},
+                                 *open.context);
+        if (!made) return false;
+        if (made->second) picture.ev100 = ev100 = made->second; // that of the first frame for all of them
+        last = std::move(made->first);
+        written.insert(written.end(), picture.outputs.begin(), picture.outputs.end());
+    }
+    return true;
+}
+
+bool make_single(Rendering& rendering) {
+    const Interruption interruption;
+    auto made = make_picture({rendering.command, rendering.open.stage, rendering.scene, rendering.options,
+                              rendering.renderer, interruption, rendering.times},
+                             *rendering.open.context);
+    if (!made) return false;
+    rendering.written = rendering.command.outputs;
+    rendering.ev100 = made->second;
+    rendering.last = std::move(made->first);
+    return true;
+}
+
+void print_summary(const Rendering& rendering) {
+    ordered_json json =
+        summary(rendering.command, rendering.open.stage, *rendering.open.context, rendering.open.size);
+    json["outputs"] = rendering.written;
+    json.update(stopping(*rendering.last));
+    json["draw_calls"] = rendering.scene.opaque_draws().size() * 2 + rendering.scene.blended_draws().size();
+    json["programs"] = rendering.renderer.program_count();
+    json["shadows"] = shadows(rendering.scene, rendering.renderer);
+    if (rendering.ev100) json["ev100"] = *rendering.ev100;
+    json["seconds"] = seconds(rendering.times);
+    fmt::print("{}\n", json.dump(2, ' ', false, ordered_json::error_handler_t::replace));
+}
+
 ExitStatus render(const RenderCommand& command) {
     PhaseTimes times;
-    check_view(command);
-    check_denoising(command);
-    check_outputs(command);
-    const OpenScene open = open_scene(command, times);
-    const auto& [context, stage, size] = open;
-    const render::GpuScene gpu_scene(stage.scene, stage.lights, command.visibility);
+    check(command);
+    OpenScene open = open_scene(command, times);
+    render::GpuScene gpu_scene(open.stage.scene, open.stage.lights, command.visibility);
     glFinish();
     times.end("upload");
     if (gpu_scene.occluders()) times.add("bvh (in upload)", gpu_scene.occluders()->build_seconds());
-    const render::RenderOptions options = render_options(command, size);
-    render::Renderer renderer(gpu_scene, stage.camera, options);
+    const render::RenderOptions options = render_options(command, open.size);
+    render::Renderer renderer(gpu_scene, open.stage.camera, options);
     renderer.compile();
     times.end("compile");
-    const Interruption interruption;
-    Picture picture = draw({command, stage, gpu_scene, options, renderer, interruption, times});
-    if (interruption.asks_to_leave()) {
-        fmt::print(stderr, "asked to leave after {} samples: nothing was written\n", renderer.sample_count());
-        return interrupted;
-    }
-    context->require_silence();
-    remark_on(picture.film, command, stage);
-    describe(picture, command, stage, context->info());
-    const auto ev100 = write_outputs(picture, command);
-    times.end("write");
-    remark_on_stop(picture, command);
-
-    if (command.json) {
-        ordered_json json = summary(command, stage, *context, size);
-        json.update(stopping(picture));
-        json["draw_calls"] = gpu_scene.opaque_draws().size() * 2 + gpu_scene.blended_draws().size();
-        json["programs"] = renderer.program_count();
-        json["shadows"] = shadows(gpu_scene, renderer);
-        if (ev100) json["ev100"] = *ev100;
-        json["seconds"] = seconds(times);
-        fmt::print("{}\n", json.dump(2, ' ', false, ordered_json::error_handler_t::replace));
-    }
-    return picture.stop.by == StoppedBy::interruption ? interrupted : done;
+    Rendering rendering{command, open, gpu_scene, options, renderer, times};
+    if (!(command.frames ? make_frames(rendering) : make_single(rendering))) return interrupted;
+    if (command.json) print_summary(rendering);
+    return rendering.last->stop.by == StoppedBy::interruption ? interrupted : done;
 }
 
 } // namespace

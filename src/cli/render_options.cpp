@@ -62,7 +62,8 @@ void declare_picture(CLI::App& command, RenderCommand& o) {
            "WIDTHxHEIGHT", parsed_size, [&o](Size size) { o.size = size; });
     command.add_option(
         "--camera", o.camera,
-        "camera by name or index, or auto, which frames the scene (default: the first, or auto)");
+        "camera by name or index; auto, which frames the scene; or a view, eye=X,Y,Z;target=X,Y,Z with "
+        "up=X,Y,Z fov=DEGREES near= far= if wanted, as the viewer copies it (default: the first, or auto)");
     command.add_option("--scene", o.scene_index, "which of the file's scenes (default: the file's choice)")
         ->check(CLI::NonNegativeNumber);
     command
@@ -72,11 +73,24 @@ void declare_picture(CLI::App& command, RenderCommand& o) {
         ->capture_default_str();
     command.add_option("--seed", o.seed, "another seed is another, equally good set of samples")
         ->capture_default_str();
-    parsed(
-        command, "--visibility",
-        "shadows: a ray to each sample, on the CPU in software GL, in GLSL elsewhere; or none (default: ray)",
-        "ray|ray-cpu|ray-glsl|none", render::visibility_named,
-        [&o](render::Visibility visibility) { o.visibility = visibility; });
+    parsed(command, "--visibility",
+           "shadows: a ray to each sample, on the CPU in software GL, in GLSL elsewhere; depth maps from "
+           "points on "
+           "the emitters; or none (default: ray)",
+           "ray|ray-cpu|ray-glsl|map|none", render::visibility_named,
+           [&o](render::Visibility visibility) { o.visibility = visibility; });
+    command
+        .add_option(
+            "--map-points", o.maps.points,
+            "with --visibility map: points on each emitter that a sample has, each with its depth maps")
+        ->check(CLI::Range(1, 32))
+        ->capture_default_str();
+    command
+        .add_option(
+            "--map-size", o.maps.size,
+            "with --visibility map: texels on a map's side; halved until a sample's maps fit into 256 MiB")
+        ->check(CLI::Range(16, 8192))
+        ->capture_default_str();
     parsed(command, "--background", "radiance where there is no surface [cd/m²] (default: 0)", "L or R,G,B",
            parsed_color, [&o](vec3 color) { o.background = color; });
     parsed(command, "--rig", "what lights a file without a lamp; glowing details are none (default: studio)",
@@ -84,6 +98,32 @@ void declare_picture(CLI::App& command, RenderCommand& o) {
     command.add_flag(
         "--hide-emitters", o.hide_emitters,
         "emitters light the scene and are not seen: lights vanish, emissive surfaces only reflect");
+}
+
+void declare_moment(CLI::App& command, RenderCommand& o) {
+    command
+        .add_option("--at", o.at,
+                    "show the animation at this time (default: the file's rest pose, without its animations)")
+        ->type_name("SECONDS")
+        ->check(CLI::NonNegativeNumber);
+    command
+        .add_option("--animation", o.animation,
+                    "which one --at and --frames show: by name or index, or all at once (default: the first)")
+        ->type_name("NAME|INDEX|all");
+    command.add_option("--variant", o.variant, "which of the file's material variants (default: none)")
+        ->type_name("NAME");
+}
+
+void declare_sequence(CLI::App& command, RenderCommand& o) {
+    CLI::Option* frames = parsed(
+        command, "--frames",
+        "render frames A to B of the animation, or from A to its end; OUT has #### or %04d in its name",
+        "A:B|A:", parsed_frames, [&o](FrameRange range) { o.frames = range; });
+    frames->excludes(command.get_option("--at"));
+    command.add_option("--fps", o.fps, "frames a second: frame n is at n / fps seconds")
+        ->check(CLI::Range(1e-3, 1e6))
+        ->needs(frames)
+        ->capture_default_str();
 }
 
 void declare_stopping(CLI::App& command, RenderCommand& o) {
@@ -116,12 +156,7 @@ void declare_estimator(CLI::App& command, RenderCommand& o) {
 }
 
 void declare_output(CLI::App& command, RenderCommand& o) {
-    parsed(command, "--exposure",
-           "EV100 for .png and .jpg (default: auto, the log-average becomes middle grey)", "EV|auto",
-           parsed_exposure, [&o](std::optional<float> ev) { o.ev100 = ev; });
-    parsed(command, "--tone-curve", "tone curve for .png and .jpg (default: neutral)",
-           "linear|aces|neutral|agx", image::tone_curve_named,
-           [&o](image::ToneCurve curve) { o.tone_curve = curve; });
+    declare_display(command, o);
     parsed(command, "--exr-type", "how .exr stores numbers (default: float)", "half|float", exr_type_named,
            [&o](image::SampleType type) { o.exr_type = type; });
     command
@@ -163,8 +198,18 @@ bool RenderCommand::asks_for_error() const {
 void declare_rendering(CLI::App& command, RenderCommand& options) {
     command.add_option("SCENE", options.scene, "a .gltf or .glb file")->required();
     declare_picture(command, options);
+    declare_moment(command, options);
     declare_estimator(command, options);
     declare_machine(command, options);
+}
+
+void declare_display(CLI::App& command, RenderCommand& o) {
+    parsed(command, "--exposure",
+           "EV100 for .png, .jpg and windows (default: auto, the log-average becomes middle grey)", "EV|auto",
+           parsed_exposure, [&o](std::optional<float> ev) { o.ev100 = ev; });
+    parsed(command, "--tone-curve", "tone curve for .png, .jpg and windows (default: neutral)",
+           "linear|aces|neutral|agx", image::tone_curve_named,
+           [&o](image::ToneCurve curve) { o.tone_curve = curve; });
 }
 
 void declare(CLI::App& command, RenderCommand& options) {
@@ -175,6 +220,7 @@ void declare(CLI::App& command, RenderCommand& options) {
         ->type_name("OUT")
         ->allow_extra_args(false) // one a flag: what follows may be the scene
         ->required();
+    declare_sequence(command, options);
     declare_stopping(command, options);
     declare_output(command, options);
     command.footer(
@@ -186,6 +232,8 @@ void declare(CLI::App& command, RenderCommand& options) {
         "  steradian render scene.glb -o layers.exr --layers lights --aov depth,normal,object\n"
         "  steradian render scene.glb -o luminance.png --view luminance\n"
         "  steradian render scene.glb -o front.png --camera auto --exposure 9.5 --tone-curve agx\n"
+        "  steradian render dancer.glb -o pose.png --animation Walk --at 0.5\n"
+        "  steradian render dancer.glb -o walk.####.png --frames 0:47 --fps 24\n"
         "  steradian render scene.glb -o mine.png --shaders my_shaders    (my_shaders/brdf/f_r.glsl wins)");
 }
 

@@ -2,6 +2,7 @@
 // The options of `steradian render`, one struct with the defaults.
 #include "cli/aovs.hpp"
 #include "cli/arguments.hpp"
+#include "cli/frame_names.hpp"
 #include "cli/stopping.hpp"
 #include "cli/views.hpp"
 #include "gl/context.hpp"
@@ -23,8 +24,14 @@ struct RenderCommand {
     std::optional<Size> size;         // absent: 720 rows in the camera's aspect ratio, 16:9 if it has none
     std::string camera;
     std::optional<int> scene_index;
+    std::string variant;              // of KHR_materials_variants; empty: none
+    std::string animation;            // by name, by index, or "all"; empty: the first
+    std::optional<double> at;         // [s]; absent: the file's rest pose
+    std::optional<FrameRange> frames; // a sequence of pictures instead of one
+    double fps = 24.0;
     StopRule stop;
     render::Visibility visibility = render::Visibility::ray;
+    render::MapOptions maps;
     std::uint32_t seed = 0;
     render::Estimator estimator = render::Estimator::sampled;
     int analytic_points = render::default_analytic_points;
@@ -52,5 +59,8 @@ void declare(CLI::App& command, RenderCommand& options);
 
 /// Declares those that say what is rendered and by what, without those that say where it goes.
 void declare_rendering(CLI::App& command, RenderCommand& options);
+
+/// Declares exposure and tone curve.
+void declare_display(CLI::App& command, RenderCommand& options);
 
 } // namespace sr::cli

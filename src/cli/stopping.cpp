@@ -33,11 +33,12 @@ std::string percent(double error) { return fmt::format("{:.3g} %", 100.0 * error
 /// The loop of add_samples.
 class Sampling {
 public:
-    Sampling(render::Renderer& renderer, const StopRule& rule)
+    Sampling(render::Renderer& renderer, const StopRule& rule, const std::string& what)
         : renderer_(renderer),
           rule_(rule),
           knows_error_(renderer.knows_error()),
-          convergence_(rule.error.value_or(0.0)) {}
+          convergence_(rule.error.value_or(0.0)),
+          progress_(what) {}
 
     StoppedBy run(const Interruption& interruption) {
         while (true) {
@@ -81,7 +82,7 @@ private:
     const StopRule& rule_;
     bool knows_error_;
     render::Convergence convergence_;
-    Progress progress_{"rendering"};
+    Progress progress_;
     Stopwatch watch_;
     int looked_at_ = 0;
     double first_error_ = 0.0;
@@ -99,8 +100,9 @@ const char* name_of(StoppedBy reason) {
     return "";
 }
 
-Stop add_samples(render::Renderer& renderer, const StopRule& rule, const Interruption& interruption) {
-    Sampling sampling(renderer, rule);
+Stop add_samples(render::Renderer& renderer, const StopRule& rule, const Interruption& interruption,
+                 const std::string& what) {
+    Sampling sampling(renderer, rule, what);
     return sampling.stopped(sampling.run(interruption));
 }
 

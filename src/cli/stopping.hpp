@@ -32,7 +32,8 @@ struct Stop {
 
 /// Adds samples until the rule or the interruption ends it, with a bar on stderr. At least one is taken. The
 /// renderer knows its error if the rule asks for it.
-Stop add_samples(render::Renderer& renderer, const StopRule& rule, const Interruption& interruption);
+Stop add_samples(render::Renderer& renderer, const StopRule& rule, const Interruption& interruption,
+                 const std::string& what);
 
 /// Adds the samples again that the renderer had before repeat(): `count` of them. @return whether all were
 /// added, and no interruption came.

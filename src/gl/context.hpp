@@ -34,8 +34,8 @@ struct ContextInfo {
     bool is_software() const;
 };
 
-/// A current OpenGL 4.1 core context without a visible surface. One at a time: opening one makes it current
-/// on this thread and loads the GL functions for it.
+/// A current OpenGL 4.1 core context; only window.hpp gives it a visible surface. One at a time: opening one
+/// makes it current on this thread and loads the GL functions for it.
 class Context {
 public:
     virtual ~Context() = default;

@@ -1,7 +1,8 @@
-// A GLFW window that is never shown: the way to a context where neither EGL nor OSMesa exists.
-#include "gl/backend.hpp"
+// Never shown, it is the way to a context where neither EGL nor OSMesa exists.
+#include "gl/window.hpp"
 
 #include "core/error.hpp"
+#include "gl/backend.hpp"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -16,49 +17,67 @@ std::string glfw_failure() {
     return text ? text : "unknown reason";
 }
 
-class WindowContext final : public Context {
-public:
-    explicit WindowContext(bool debug) {
-        if (!glfwInit())
-            throw Error(fmt::format("window: {}", glfw_failure()),
-                        "set DISPLAY, or use --backend egl or osmesa");
-        glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
-        glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
-        glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 1);
-        glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
-        glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE); // macOS offers no other core profile
-        glfwWindowHint(GLFW_OPENGL_DEBUG_CONTEXT, debug ? GLFW_TRUE : GLFW_FALSE);
-        window_ = glfwCreateWindow(16, 16, "Steradian", nullptr, nullptr);
-        if (!window_) {
-            const std::string failure = glfw_failure();
-            glfwTerminate();
-            throw Error(fmt::format("window: {}", failure),
-                        "update the driver, or use --backend egl or osmesa");
-        }
-        glfwMakeContextCurrent(window_);
-        try {
-            loaded("window", glfwGetProcAddress, debug);
-        } catch (...) {
-            close();
-            throw;
-        }
-    }
-    ~WindowContext() override {
-        debug_.reset();
-        close();
-    }
+void hint(const WindowOptions& options) {
+    glfwWindowHint(GLFW_VISIBLE, options.is_visible ? GLFW_TRUE : GLFW_FALSE);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 1);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE); // macOS offers no other core profile
+    glfwWindowHint(GLFW_OPENGL_DEBUG_CONTEXT, options.debug ? GLFW_TRUE : GLFW_FALSE);
+    // The picture goes from the Film to the window pixel by pixel: it needs no depth of the window's own.
+    glfwWindowHint(GLFW_DEPTH_BITS, 0);
+    glfwWindowHint(GLFW_STENCIL_BITS, 0);
+}
 
-private:
-    void close() {
-        glfwDestroyWindow(window_);
-        glfwTerminate();
-    }
-
-    GLFWwindow* window_ = nullptr;
-};
+GLFWwindow* open(const WindowOptions& options) {
+    if (!options.is_fullscreen)
+        return glfwCreateWindow(options.width, options.height, options.title.c_str(), nullptr, nullptr);
+    GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+    const GLFWvidmode* mode = monitor ? glfwGetVideoMode(monitor) : nullptr;
+    return glfwCreateWindow(mode ? mode->width : options.width, mode ? mode->height : options.height,
+                            options.title.c_str(), monitor, nullptr);
+}
 
 } // namespace
 
-std::unique_ptr<Context> open_window(bool debug) { return std::make_unique<WindowContext>(debug); }
+Window::Window(const WindowOptions& options) {
+    if (!glfwInit())
+        throw Error(fmt::format("window: {}", glfw_failure()),
+                    options.is_visible ? "set DISPLAY to a display that can be reached, or render without a "
+                                         "window: steradian render"
+                                       : "set DISPLAY, or use --backend egl or osmesa");
+    hint(options);
+    window_ = open(options);
+    if (!window_) {
+        const std::string failure = glfw_failure();
+        glfwTerminate();
+        throw Error(fmt::format("window: {}", failure),
+                    options.is_visible ? "update the driver, or render without a window: steradian render"
+                                       : "update the driver, or use --backend egl or osmesa");
+    }
+    glfwMakeContextCurrent(window_);
+    try {
+        loaded("window", glfwGetProcAddress, options.debug);
+    } catch (...) {
+        close();
+        throw;
+    }
+}
+
+Window::~Window() {
+    debug_.reset();
+    close();
+}
+
+void Window::close() {
+    glfwDestroyWindow(window_);
+    glfwTerminate();
+}
+
+std::unique_ptr<Context> open_window(bool debug) {
+    WindowOptions options;
+    options.debug = debug;
+    return std::make_unique<Window>(options);
+}
 
 } // namespace sr::gl

@@ -22,6 +22,12 @@ Root Root::folder(const fs::path& folder) {
 
 Root Root::memory(std::string label, Files files) { return {std::move(label), std::move(files)}; }
 
+Root Root::single(std::string place, std::string name, std::string text) {
+    Root root = memory(std::move(place), {{std::move(name), std::move(text)}});
+    root.is_single_ = true;
+    return root;
+}
+
 std::optional<std::string> Root::text_of(std::string_view name) const {
     if (const Files* files = std::get_if<Files>(&place_)) {
         const auto found = files->find(name);
@@ -40,7 +46,7 @@ std::optional<std::string> Root::text_of(std::string_view name) const {
 
 std::string Root::place_of(std::string_view name) const {
     if (const fs::path* folder = std::get_if<fs::path>(&place_)) return (*folder / name).string();
-    return fmt::format("{}/{}", label_, name);
+    return is_single_ ? label_ : fmt::format("{}/{}", label_, name);
 }
 
 } // namespace sr::glsl

@@ -21,6 +21,9 @@ public:
     /// `label` stands before the files' names in errors, like a folder.
     static Root memory(std::string label, Files files);
 
+    /// One text that stands for the file `name`, whatever its own place is called: errors say `place`.
+    static Root single(std::string place, std::string name, std::string text);
+
     /// The text of a file, or absent if the root has no such file.
     /// @throws Error if a file is there and cannot be read.
     std::optional<std::string> text_of(std::string_view name) const;
@@ -36,6 +39,7 @@ private:
 
     std::string label_;
     std::variant<std::filesystem::path, Files> place_;
+    bool is_single_ = false;
 };
 
 /// The shaders/ tree as it was when the program was built; its places read "shaders/brdf/ggx.glsl".

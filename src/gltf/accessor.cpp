@@ -154,29 +154,39 @@ int components_of(const Document& document, int accessor) {
     return tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(at(document, accessor).type));
 }
 
-template<int N>
-std::vector<glm::vec<N, float>> vectors(const Document& document, int accessor) {
+std::vector<float> numbers(const Document& document, int accessor) {
     const tinygltf::Accessor& a = at(document, accessor);
-    if (components_of(document, accessor) != N)
-        document.fail(fmt::format("/accessors/{} has {} components, and {} are needed", accessor,
-                                  components_of(document, accessor), N),
-                      export_again);
-    const std::size_t element_size = size_of(a.componentType) * N;
+    const int components = components_of(document, accessor);
+    const auto width = static_cast<std::size_t>(components);
+    const std::size_t element_size = size_of(a.componentType) * width;
     Elements from;
     if (a.bufferView >= 0)
         from = elements_of(document, accessor, element_size);
     else
         check_zeros(document, accessor);
 
-    std::vector<glm::vec<N, float>> elements(a.count);
-    if (from.count > 0) decode(from, a, N, &elements[0].x);
+    std::vector<float> elements(a.count * width);
+    if (from.count > 0) decode(from, a, components, elements.data());
     if (!a.sparse.isSparse) return elements;
 
     const std::vector<std::uint32_t> places = sparse_places(document, accessor);
-    std::vector<glm::vec<N, float>> values(places.size());
+    std::vector<float> values(places.size() * width);
     const Elements replacing = sparse_values(document, accessor, element_size);
-    if (!values.empty()) decode(replacing, a, N, &values[0].x);
-    for (std::size_t i = 0; i < places.size(); ++i) elements[places[i]] = values[i];
+    if (!values.empty()) decode(replacing, a, components, values.data());
+    for (std::size_t i = 0; i < places.size(); ++i)
+        std::copy_n(&values[i * width], width, &elements[places[i] * width]);
+    return elements;
+}
+
+template<int N>
+std::vector<glm::vec<N, float>> vectors(const Document& document, int accessor) {
+    if (components_of(document, accessor) != N)
+        document.fail(fmt::format("/accessors/{} has {} components, and {} are needed", accessor,
+                                  components_of(document, accessor), N),
+                      export_again);
+    const std::vector<float> flat = numbers(document, accessor);
+    std::vector<glm::vec<N, float>> elements(flat.size() / N);
+    if (!flat.empty()) std::memcpy(&elements[0].x, flat.data(), flat.size() * sizeof(float));
     return elements;
 }
 

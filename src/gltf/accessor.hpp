@@ -12,6 +12,10 @@ std::size_t count_of(const Document& document, int accessor);
 /// How many components an element has: 1 to 4, 16 for a MAT4.
 int components_of(const Document& document, int accessor);
 
+/// The components of all elements, one element after the other; those of a matrix column by column.
+/// Errors as of vectors().
+std::vector<float> numbers(const Document& document, int accessor);
+
 /// All elements as vectors of N floats. Without a buffer view they are zeros, before sparse values replace
 /// some.
 /// @throws Error if it has another number of components, or reaches beyond its buffer view

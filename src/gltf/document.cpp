@@ -1,6 +1,7 @@
 #include "gltf/document.hpp"
 
 #include "core/error.hpp"
+#include "gltf/compression.hpp"
 #include "gltf/container.hpp"
 #include "gltf/extensions.hpp"
 #include "gltf/json.hpp"
@@ -64,6 +65,34 @@ void list_images(Document& document, json& images) {
                                    static_cast<int>(image.value("bufferView", -1))});
 }
 
+void list_skins(Document& document, json& skins) {
+    for (json& skin : skins)
+        document.skins.push_back({skin.value("name", ""), skin.at("joints").get<std::vector<int>>(),
+                                  static_cast<int>(skin.value("inverseBindMatrices", -1))});
+}
+
+/// What a channel moves, as a JSON pointer whether or not the file has it as one.
+std::string pointer_of(const json& target) {
+    const std::string path = target.at("path");
+    if (path != "pointer")
+        return target.contains("node") ? fmt::format("/nodes/{}/{}", target.at("node").get<int>(), path) : "";
+    const json::json_pointer pointer("/extensions/KHR_animation_pointer/pointer");
+    return target.contains(pointer) ? target.at(pointer).get<std::string>() : "";
+}
+
+void list_animations(Document& document, json& animations) {
+    for (json& animation : animations) {
+        AnimationSource source{animation.value("name", ""), {}, {}};
+        for (json& sampler : animation.at("samplers"))
+            source.samplers.push_back({sampler.at("input").get<int>(), sampler.at("output").get<int>(),
+                                       sampler.value("interpolation", "LINEAR")});
+        for (json& channel : animation.at("channels"))
+            source.channels.push_back(
+                {channel.at("sampler").get<std::size_t>(), pointer_of(channel.at("target"))});
+        document.animations.push_back(std::move(source));
+    }
+}
+
 } // namespace
 
 void Document::fail(std::string_view what, std::string_view what_to_do) const {
@@ -99,8 +128,13 @@ Document read_document(const std::filesystem::path& file) {
 
     if (root.contains("buffers")) read_buffers(document, root["buffers"], container.bin);
     if (root.contains("images")) list_images(document, root["images"]);
-    if (root.contains("animations")) document.animation_count = root["animations"].size();
+    if (root.contains("skins")) list_skins(document, root["skins"]);
+    if (root.contains("animations")) list_animations(document, root["animations"]);
+    if (root.contains("extensionsRequired"))
+        document.extensions_required = root["extensionsRequired"].get<std::vector<std::string>>();
     document.model = model_of(std::move(root), document.name);
+    unpack_meshopt(document);
+    unpack_draco(document);
     return document;
 }
 

@@ -19,6 +19,30 @@ struct ImageSource {
     int buffer_view = -1;
 };
 
+/// An entry of the JSON's `skins`.
+struct SkinSource {
+    std::string name;
+    std::vector<int> joints;        // nodes
+    int inverse_bind_matrices = -1; // an accessor; negative: none
+};
+
+/// An entry of the JSON's `animations`.
+struct AnimationSource {
+    struct Sampler {
+        int input = 0;  // an accessor
+        int output = 0; // an accessor
+        std::string interpolation;
+    };
+    struct Channel {
+        std::size_t sampler = 0; // perhaps out of range
+        std::string pointer;     // to the property it moves; empty: it moves nothing
+    };
+
+    std::string name;
+    std::vector<Sampler> samplers;
+    std::vector<Channel> channels;
+};
+
 struct Document {
     std::string name; // what errors call the file
     std::filesystem::path folder;
@@ -26,7 +50,9 @@ struct Document {
     tinygltf::Model model;
     std::vector<std::optional<Bytes>> buffers; // absent: the file says of what size, but not where
     std::vector<ImageSource> images;
-    std::size_t animation_count = 0;                                       // nothing more of them is read yet
+    std::vector<SkinSource> skins;
+    std::vector<AnimationSource> animations;
+    std::vector<std::string> extensions_required;
     std::vector<std::unique_ptr<const std::vector<std::uint8_t>>> storage; // what `buffers` look into
 
     /// The bytes of a buffer view. `pointer` ("/images/0") says in errors who wants them.

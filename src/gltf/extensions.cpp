@@ -1,7 +1,9 @@
 #include "gltf/extensions.hpp"
 
 #include "core/error.hpp"
+#include "gltf/compression.hpp"
 #include "gltf/text.hpp"
+#include "image/webp.hpp"
 
 #include <algorithm>
 #include <array>
@@ -10,17 +12,23 @@
 namespace sr::gltf {
 namespace {
 
-constexpr std::array<std::string_view, 9> supported{
-    "EXT_lights_area",       "EXT_lights_ies",
-    "KHR_lights_punctual",   "KHR_materials_emissive_strength",
-    "KHR_materials_ior",     "KHR_materials_specular",
-    "KHR_materials_unlit",   "KHR_mesh_quantization",
-    "KHR_texture_transform",
-};
+constexpr std::array<std::string_view, 17> supported{
+    "EXT_lights_area",         "EXT_lights_ies",
+    "EXT_mesh_gpu_instancing", "KHR_animation_pointer",
+    "KHR_lights_punctual",     "KHR_materials_anisotropy",
+    "KHR_materials_clearcoat", "KHR_materials_emissive_strength",
+    "KHR_materials_ior",       "KHR_materials_iridescence",
+    "KHR_materials_sheen",     "KHR_materials_specular",
+    "KHR_materials_unlit",     "KHR_materials_variants",
+    "KHR_mesh_quantization",   "KHR_node_visibility",
+    "KHR_texture_transform"};
 
 } // namespace
 
 bool is_supported(std::string_view extension) {
+    if (extension == "EXT_meshopt_compression") return reads_meshopt();
+    if (extension == "KHR_draco_mesh_compression") return reads_draco();
+    if (extension == "EXT_texture_webp") return image::decodes_webp();
     return std::find(supported.begin(), supported.end(), extension) != supported.end();
 }
 
@@ -32,8 +40,12 @@ void check_required_extensions(const nlohmann::json& root, const std::string& na
         if (extension.is_string() && !is_supported(extension.get_ref<const std::string&>()))
             missing.push_back(in_quotes(extension.get_ref<const std::string&>()));
     if (missing.empty()) return;
+    const bool is_left_out = std::ranges::any_of(
+        missing, [](const std::string& extension) { return extension.ends_with("_compression\""); });
     throw Error({name}, fmt::format("it requires what is not supported yet, {}", fmt::join(missing, ", ")),
-                "export it without");
+                is_left_out
+                    ? "build Steradian with libmeshoptimizer-dev and libdraco-dev, or export it without"
+                    : "export it without");
 }
 
 void warn_of_unsupported(const std::vector<std::string>& extensions_used, Warnings& warnings) {

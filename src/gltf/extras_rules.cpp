@@ -1,5 +1,6 @@
 #include "gltf/extras_rules.hpp"
 
+#include "scene/conductor.hpp"
 #include "scene/units.hpp"
 
 namespace sr::gltf {
@@ -23,6 +24,17 @@ struct Rules {
                   .properties = {{"value", &number, true}, {"unit", &unit, true}},
                   .is_closed = true};
 
+    Rule text{.kind = Kind::text};
+    Rule brdf{
+        .kind = Kind::text,
+        .words = {"lambert", "oren_nayar", "mirror", "phong", "blinn_phong", "ggx", "conductor", "merl"}};
+    Rule metal{.kind = Kind::text, .words = scene::metal_names()};
+    Rule complex_ior{.kind = Kind::record,
+                     .properties = {{"n", &three_numbers, true}, {"k", &three_numbers, true}},
+                     .is_closed = true};
+    Rule ior_point{.kind = Kind::list, .element = &number, .length = 3};
+    Rule ior_spectrum{.kind = Kind::list, .element = &ior_point};
+
     // clang-format off
     Rule node{.kind = Kind::record, .properties = {
         {"shape", &shape}, {"width", &number}, {"height", &number}, {"radius", &number}, {"length", &number},
@@ -33,7 +45,9 @@ struct Rules {
         {"radius", &number}, {"angular_diameter", &number}, {"quantity", &quantity}, {"color", &three_numbers},
         {"temperature", &number}, {"spectrum", &spectrum}, {"visible", &boolean}}, .is_closed = true};
     Rule material{.kind = Kind::record, .properties = {
-        {"quantity", &quantity}, {"color", &three_numbers}, {"temperature", &number}, {"spectrum", &spectrum}},
+        {"quantity", &quantity}, {"color", &three_numbers}, {"temperature", &number}, {"spectrum", &spectrum},
+        {"brdf", &brdf}, {"roughness_across", &number}, {"exponent", &number}, {"specular_color", &three_numbers},
+        {"metal", &metal}, {"complex_ior", &complex_ior}, {"ior_spectrum", &ior_spectrum}, {"file", &text}},
         .is_closed = true};
     Rule asset{.kind = Kind::record, .properties = {{"units", &system}}, .is_closed = true};
     // clang-format on

@@ -1,5 +1,5 @@
 #pragma once
-// The rules of extras.steradian: what glTF cannot say of lights. Their published form is
+// The rules of extras.steradian: what glTF cannot say of lights and materials. Their published form is
 // assets/extras.schema.json, and a test holds the two together.
 #include "gltf/schema.hpp"
 

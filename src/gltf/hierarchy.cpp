@@ -59,6 +59,13 @@ glm::dmat4 parent_from_node(const Document& document, int index) {
     return matrix;
 }
 
+/// What the node says of itself and of those below it.
+bool says_visible(const tinygltf::Node& node) {
+    const tinygltf::Value* visibility = extension(node.extensions, "KHR_node_visibility");
+    if (!visibility || !visibility->Has("visible")) return true;
+    return visibility->Get("visible").Get<bool>();
+}
+
 void check_finite(const Document& document, const PlacedNode& placed) {
     for (int column = 0; column < 4; ++column)
         for (int row = 0; row < 4; ++row)
@@ -92,7 +99,7 @@ std::vector<PlacedNode> placed_nodes(const Document& document, std::optional<int
     std::vector<PlacedNode> pending;
     const std::vector<int> first = roots(document, scene);
     for (auto root = first.rbegin(); root != first.rend(); ++root)
-        pending.push_back({*root, parent_from_node(document, *root)});
+        pending.push_back({*root, parent_from_node(document, *root), says_visible(at(document, *root))});
 
     std::vector<PlacedNode> placed;
     std::vector<bool> is_placed(document.model.nodes.size(), false);
@@ -107,7 +114,8 @@ std::vector<PlacedNode> placed_nodes(const Document& document, std::optional<int
         placed.push_back(here);
         const std::vector<int>& children = at(document, here.node).children;
         for (auto child = children.rbegin(); child != children.rend(); ++child)
-            pending.push_back({*child, here.world_from_node * parent_from_node(document, *child)});
+            pending.push_back({*child, here.world_from_node * parent_from_node(document, *child),
+                               here.is_visible && says_visible(at(document, *child))});
     }
     return placed;
 }

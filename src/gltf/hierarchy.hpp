@@ -13,6 +13,7 @@ namespace sr::gltf {
 struct PlacedNode {
     int node = 0;
     glm::dmat4 world_from_node{1.0};
+    bool is_visible = true; // KHR_node_visibility: neither it nor a node above it says no
 };
 
 /// The nodes of the scene asked for, else of the file's default scene, else of its first, else (a file

@@ -19,11 +19,13 @@ public:
     /// Textures of emitters are asked for in `textures`.
     LightTable(const Document& document, TextureTable& textures) : document_(document), textures_(textures) {}
 
-    /// Appends the lights that a node carries.
+    /// Appends the lights that a node carries, whether or not it is visible.
     /// @throws Error naming a light with a quantity, a cone, a shape or a profile that makes no sense
     void append(const PlacedNode& placed);
 
     const std::vector<scene::Light>& lights() const { return lights_; }
+    /// Forgets the lights, and keeps their profiles: what comes next is another moment of the same file.
+    void clear() { lights_.clear(); }
     const std::vector<scene::LightProfile>& profiles() const { return profiles_; }
 
 private:

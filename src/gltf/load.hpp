@@ -1,29 +1,32 @@
 #pragma once
 // glTF 2.0 → Scene.
-#include "scene/scene.hpp"
-
-#include <filesystem>
-#include <optional>
-#include <string>
-#include <vector>
+#include "gltf/asset.hpp"
 
 namespace sr::gltf {
 
 struct LoadOptions {
     /// Which of the file's scenes; absent: its default scene, or the first.
-    std::optional<int> scene;
+    std::optional<int> scene{};
+    /// When [s]; absent: the file's rest pose.
+    std::optional<double> at{};
+    /// As Asset::animations_named() takes it.
+    std::string animation{};
+    /// A name of KHR_materials_variants; empty: none.
+    std::string variant{};
 };
 
 struct Loaded {
     scene::Scene scene;
     /// One line each, already prefixed with the file's name: what the file asks for and does not get.
     std::vector<std::string> warnings;
-    std::vector<std::string> extensions_used;
+    Contents contents;
 };
 
 /// Reads a .gltf or .glb file and everything it refers to.
-/// @throws Error on any file that is not valid enough to be rendered, and on a required extension that is not
-/// supported.
+/// @throws Error as Asset does, and for a moment beyond the animation's end
 Loaded load(const std::filesystem::path& file, const LoadOptions& options = {});
+
+/// The scene that the options ask for, of an asset that has given none yet.
+scene::Scene scene_of(Asset& asset, const LoadOptions& options);
 
 } // namespace sr::gltf

@@ -12,14 +12,6 @@ namespace {
 using scene::ColorSpace;
 using tinygltf::Value;
 
-// The numbers of an extension's array; the rules (rules.cpp) have checked their count.
-vec3 three_in(const Value& object, const std::string& key, vec3 fallback) {
-    if (!object.Has(key)) return fallback;
-    const Value& list = object.Get(key);
-    for (int i = 0; i < 3; ++i) fallback[i] = static_cast<float>(list.Get(i).GetNumberAsDouble());
-    return fallback;
-}
-
 vec2 two_in(const Value& object, const std::string& key, vec2 fallback) {
     if (!object.Has(key)) return fallback;
     const Value& list = object.Get(key);
@@ -45,6 +37,15 @@ scene::AlphaMode alpha_mode_of(const std::string& name) {
     return scene::AlphaMode::opaque;
 }
 
+} // namespace
+
+vec3 three_in(const Value& object, const std::string& key, vec3 fallback) {
+    if (!object.Has(key)) return fallback;
+    const Value& list = object.Get(key);
+    for (int i = 0; i < 3; ++i) fallback[i] = static_cast<float>(list.Get(i).GetNumberAsDouble());
+    return fallback;
+}
+
 vec3 not_negative(const Document& document, vec3 value, const char* factor, const std::string& material) {
     if (!(value.x >= 0.0f && value.y >= 0.0f && value.z >= 0.0f))
         document.fail(fmt::format("material {}: {} is {} {} {}", in_quotes(material), factor, value.x,
@@ -52,8 +53,6 @@ vec3 not_negative(const Document& document, vec3 value, const char* factor, cons
                       "give zero or more");
     return value;
 }
-
-} // namespace
 
 MaterialTable::MaterialTable(const Document& document, Warnings& warnings)
     : document_(document), warnings_(warnings), textures_(document, warnings) {}
@@ -186,6 +185,11 @@ scene::Material MaterialTable::read(const tinygltf::Material& from) {
         document_.fail(fmt::format("material {}: ior is {}", in_quotes(from.name), to.ior),
                        "give 0, or 1 and more");
     read_specular(from, to);
+    read_anisotropy(from, to);
+    read_clearcoat(from, to);
+    read_sheen(from, to);
+    read_iridescence(from, to);
+    read_brdf(from, to);
 
     to.alpha_mode = alpha_mode_of(from.alphaMode);
     to.alpha_cutoff = static_cast<float>(from.alphaCutoff);

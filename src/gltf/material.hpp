@@ -18,6 +18,8 @@ public:
     int material(int gltf_material);
 
     const std::vector<scene::Material>& materials() const { return materials_; }
+    /// What Material::measured counts in.
+    const std::vector<scene::MeasuredBrdf>& measured() const { return measured_; }
     /// Lights ask for textures, too.
     TextureTable& textures() { return textures_; }
 
@@ -34,6 +36,12 @@ private:
     void read_emission(const tinygltf::Material& from, scene::Material& to);
     scene::Material read(const tinygltf::Material& from);
     void read_specular(const tinygltf::Material& from, scene::Material& to);
+    void read_anisotropy(const tinygltf::Material& from, scene::Material& to);
+    void read_clearcoat(const tinygltf::Material& from, scene::Material& to);
+    void read_sheen(const tinygltf::Material& from, scene::Material& to);
+    void read_iridescence(const tinygltf::Material& from, scene::Material& to);
+    void read_brdf(const tinygltf::Material& from, scene::Material& to);
+    int measured(const std::string& uri, const std::string& title);
     scene::TextureSlot slot(const tinygltf::Value& info, scene::ColorSpace color_space);
     scene::TextureSlot slot(int texture, int texcoord, const tinygltf::ExtensionMap& extensions,
                             scene::ColorSpace color_space);
@@ -43,8 +51,16 @@ private:
     Warnings& warnings_;
     TextureTable textures_;
     std::vector<scene::Material> materials_;
+    std::vector<scene::MeasuredBrdf> measured_;
+    std::map<std::string, int> measured_at_; // by uri
     std::map<int, int> number_of_;
     std::map<int, StatedFlux> fluxes_; // by number
 };
+
+/// Three numbers of an extension's object, which the rules (rules.cpp) have counted.
+vec3 three_in(const tinygltf::Value& object, const std::string& key, vec3 fallback);
+
+/// @throws Error unless all components are zero or more
+vec3 not_negative(const Document& document, vec3 value, const char* factor, const std::string& material);
 
 } // namespace sr::gltf

@@ -15,19 +15,6 @@
 namespace sr::gltf {
 namespace {
 
-// The accessor of an attribute, checked to have an element for every vertex.
-std::optional<int> attribute(const Document& document, const tinygltf::Primitive& primitive, const char* name,
-                             std::size_t vertex_count, const PrimitivePlace& place) {
-    const auto found = primitive.attributes.find(name);
-    if (found == primitive.attributes.end()) return std::nullopt;
-    const std::size_t count = count_of(document, found->second);
-    if (count != vertex_count)
-        document.fail(
-            fmt::format("{} has {} of {} and {} of POSITION", place.pointer(), count, name, vertex_count),
-            "export the file again");
-    return found->second;
-}
-
 std::vector<std::uint32_t> corners(const Document& document, const tinygltf::Primitive& primitive,
                                    std::size_t vertex_count, const PrimitivePlace& place) {
     if (primitive.indices < 0) {
@@ -80,8 +67,8 @@ std::vector<vec4> colors(const Document& document, int accessor) {
 // Specification, section 3.7.2.1: the file's tangents count only together with its normals.
 void read_frame(const Document& document, const tinygltf::Primitive& primitive, const PrimitivePlace& place,
                 bool needs_tangents, scene::Mesh& mesh) {
-    const auto normal = attribute(document, primitive, "NORMAL", mesh.positions.size(), place);
-    const auto tangent = attribute(document, primitive, "TANGENT", mesh.positions.size(), place);
+    const auto normal = attribute(document, primitive.attributes, "NORMAL", mesh.positions.size(), place);
+    const auto tangent = attribute(document, primitive.attributes, "TANGENT", mesh.positions.size(), place);
     if (normal) mesh.normals = vectors<3>(document, *normal);
     if (normal && tangent && needs_tangents) mesh.tangents = vectors<4>(document, *tangent);
 }
@@ -89,7 +76,7 @@ void read_frame(const Document& document, const tinygltf::Primitive& primitive, 
 void read_surface(const Document& document, const tinygltf::Primitive& primitive, const PrimitivePlace& place,
                   scene::Mesh& mesh, Warnings& warnings) {
     const std::size_t count = mesh.positions.size();
-    if (const auto color = attribute(document, primitive, "COLOR_0", count, place))
+    if (const auto color = attribute(document, primitive.attributes, "COLOR_0", count, place))
         mesh.colors = colors(document, *color);
     for (const vec4 color : mesh.colors)
         if (!is_finite(vec3(color)) || !std::isfinite(color.w))
@@ -97,7 +84,7 @@ void read_surface(const Document& document, const tinygltf::Primitive& primitive
                           "export the file again");
     const char* names[2] = {"TEXCOORD_0", "TEXCOORD_1"};
     for (int set = 0; set < 2; ++set) {
-        const auto texcoord = attribute(document, primitive, names[set], count, place);
+        const auto texcoord = attribute(document, primitive.attributes, names[set], count, place);
         if (!texcoord) continue;
         mesh.texcoords[set] = vectors<2>(document, *texcoord);
         std::size_t bad_count = 0;
@@ -107,24 +94,22 @@ void read_surface(const Document& document, const tinygltf::Primitive& primitive
     }
 }
 
-void finish_frame(scene::Mesh& mesh, const scene::Material& material, Warnings& warnings) {
+void finish_frame(SourcedMesh& mesh, const scene::Material& material, Warnings& warnings) {
     if (mesh.normals.empty())
         add_flat_normals(mesh);
     else
         warnings.add("a normal is zero or not finite", "it is replaced by that of its faces",
                      repair_normals(mesh));
-    if (!material.normal_texture.is_present()) return;
+    if (!scene::needs_tangents(material)) return;
     if (mesh.tangents.empty())
-        add_tangents(mesh, material.normal_texture.texcoord);
+        add_tangents(mesh, scene::tangent_texcoord(material));
     else
         warnings.add("a tangent is zero, not finite or along its normal", "it is replaced by one across",
                      repair_tangents(mesh));
 }
 
 void warn_of_absent_texcoords(const scene::Mesh& mesh, const scene::Material& material, Warnings& warnings) {
-    for (const scene::TextureSlot* slot :
-         {&material.base_color_texture, &material.metallic_roughness_texture, &material.normal_texture,
-          &material.emission_texture, &material.specular_texture, &material.specular_color_texture})
+    for (const scene::TextureSlot* slot : scene::texture_slots(material))
         if (slot->is_present() && mesh.texcoords[slot->texcoord].empty())
             warnings.add(
                 fmt::format("mesh {} has a texture and no TEXCOORD_{}", in_quotes(mesh.name), slot->texcoord),
@@ -137,7 +122,19 @@ std::string PrimitivePlace::pointer() const {
     return fmt::format("/meshes/{}/primitives/{}", mesh, primitive);
 }
 
-std::optional<scene::Mesh> mesh_of(const Document& document, const PrimitivePlace& place,
+std::optional<int> attribute(const Document& document, const std::map<std::string, int>& attributes,
+                             const char* name, std::size_t vertex_count, const PrimitivePlace& place) {
+    const auto found = attributes.find(name);
+    if (found == attributes.end()) return std::nullopt;
+    const std::size_t count = count_of(document, found->second);
+    if (count != vertex_count)
+        document.fail(
+            fmt::format("{} has {} of {} and {} of POSITION", place.pointer(), count, name, vertex_count),
+            "export the file again");
+    return found->second;
+}
+
+std::optional<SourcedMesh> mesh_of(const Document& document, const PrimitivePlace& place,
                                    const scene::Material& material, Warnings& warnings) {
     const tinygltf::Mesh& source = document.model.meshes[static_cast<std::size_t>(place.mesh)];
     const tinygltf::Primitive& primitive = source.primitives[static_cast<std::size_t>(place.primitive)];
@@ -150,14 +147,13 @@ std::optional<scene::Mesh> mesh_of(const Document& document, const PrimitivePlac
         warnings.add("a primitive has no positions", "it is left out");
         return std::nullopt;
     }
-    if (!primitive.targets.empty())
-        warnings.add("a primitive with morph targets is not supported yet", "shown in its rest pose");
-
-    scene::Mesh mesh;
+    SourcedMesh mesh;
     mesh.name = source.name;
     mesh.positions = vectors<3>(document, position->second);
+    mesh.sources.resize(mesh.positions.size());
+    std::iota(mesh.sources.begin(), mesh.sources.end(), 0u);
     mesh.indices = triangles(corners(document, primitive, mesh.positions.size(), place), primitive.mode);
-    read_frame(document, primitive, place, material.normal_texture.is_present(), mesh);
+    read_frame(document, primitive, place, scene::needs_tangents(material), mesh);
     read_surface(document, primitive, place, mesh, warnings);
     drop_infinite_triangles(mesh, warnings);
     drop_unused(mesh);

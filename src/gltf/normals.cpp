@@ -1,7 +1,5 @@
 #include "gltf/normals.hpp"
 
-#include "gltf/vertices.hpp"
-
 #include <cmath>
 
 namespace sr::gltf {
@@ -29,12 +27,17 @@ bool is_direction(vec3 v) {
 
 } // namespace
 
-void add_flat_normals(scene::Mesh& mesh) {
+void add_flat_normals(SourcedMesh& mesh) {
     mesh.normals.clear();
     unweld(mesh);
     mesh.normals.resize(mesh.positions.size());
+    flatten_normals(mesh);
+}
+
+void flatten_normals(scene::Mesh& mesh) {
     for (std::size_t i = 0; i < mesh.indices.size(); i += 3)
-        mesh.normals[i] = mesh.normals[i + 1] = mesh.normals[i + 2] = unit_or_z(area_normal(mesh, i));
+        mesh.normals[mesh.indices[i]] = mesh.normals[mesh.indices[i + 1]] =
+            mesh.normals[mesh.indices[i + 2]] = unit_or_z(area_normal(mesh, i));
 }
 
 std::size_t repair_normals(scene::Mesh& mesh) {

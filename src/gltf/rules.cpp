@@ -1,6 +1,7 @@
 // The rules of glTF 2.0 (its JSON schema) for the parts that are read, and of the extensions that are
 // supported.
 #include "gltf/extras_rules.hpp"
+#include "gltf/motion_rules.hpp"
 #include "gltf/schema.hpp"
 
 namespace sr::gltf {
@@ -20,7 +21,6 @@ const Rule three_numbers{.kind = Kind::list, .element = &number, .length = 3};
 const Rule four_numbers{.kind = Kind::list, .element = &number, .length = 4};
 const Rule sixteen_numbers{.kind = Kind::list, .element = &number, .length = 16};
 const Rule object{.kind = Kind::record};
-const Rule objects{.kind = Kind::list, .element = &object};
 const Rule texts{.kind = Kind::list, .element = &text};
 
 Rule index_into(std::string_view pointer) { return {.kind = Kind::index, .pool = pointer}; }
@@ -60,7 +60,7 @@ const Rule buffer_view = record({{"buffer", &buffer_index, true},
                                  {"byteStride", &whole},
                                  {"target", &whole},
                                  {"name", &text},
-                                 {"extensions", &object}});
+                                 {"extensions", &view_extensions_rule()}});
 // BYTE, UNSIGNED_BYTE, SHORT, UNSIGNED_SHORT, UNSIGNED_INT, FLOAT
 const Rule component_type = number_out_of({5120, 5121, 5122, 5123, 5125, 5126});
 const Rule index_component_type = number_out_of({5121, 5123, 5125});
@@ -92,7 +92,7 @@ const Rule primitive = record({{"attributes", &attributes, true},
                                {"material", &material_index},
                                {"mode", &mode},
                                {"targets", &targets},
-                               {"extensions", &object}});
+                               {"extensions", &primitive_extensions_rule()}});
 const Rule primitives = list_of(primitive);
 const Rule mesh = record(
     {{"primitives", &primitives, true}, {"weights", &numbers}, {"name", &text}, {"extensions", &object}});
@@ -118,7 +118,28 @@ const Rule specular = record({{"specularFactor", &number},
                               {"specularTexture", &texture_info},
                               {"specularColorFactor", &three_numbers},
                               {"specularColorTexture", &texture_info}});
-const Rule material_extensions = record({{"KHR_materials_emissive_strength", &emissive_strength},
+const Rule anisotropy = record(
+    {{"anisotropyStrength", &number}, {"anisotropyRotation", &number}, {"anisotropyTexture", &texture_info}});
+const Rule clearcoat = record({{"clearcoatFactor", &number},
+                               {"clearcoatTexture", &texture_info},
+                               {"clearcoatRoughnessFactor", &number},
+                               {"clearcoatRoughnessTexture", &texture_info},
+                               {"clearcoatNormalTexture", &texture_info}});
+const Rule sheen = record({{"sheenColorFactor", &three_numbers},
+                           {"sheenColorTexture", &texture_info},
+                           {"sheenRoughnessFactor", &number},
+                           {"sheenRoughnessTexture", &texture_info}});
+const Rule iridescence = record({{"iridescenceFactor", &number},
+                                 {"iridescenceTexture", &texture_info},
+                                 {"iridescenceIor", &number},
+                                 {"iridescenceThicknessMinimum", &number},
+                                 {"iridescenceThicknessMaximum", &number},
+                                 {"iridescenceThicknessTexture", &texture_info}});
+const Rule material_extensions = record({{"KHR_materials_anisotropy", &anisotropy},
+                                         {"KHR_materials_clearcoat", &clearcoat},
+                                         {"KHR_materials_sheen", &sheen},
+                                         {"KHR_materials_iridescence", &iridescence},
+                                         {"KHR_materials_emissive_strength", &emissive_strength},
                                          {"KHR_materials_ior", &ior},
                                          {"KHR_materials_specular", &specular},
                                          {"KHR_materials_unlit", &object}});
@@ -142,8 +163,12 @@ const Rule sampler = record({{"magFilter", &magnification},
                              {"wrapS", &wrap},
                              {"wrapT", &wrap},
                              {"name", &text}});
-const Rule texture =
-    record({{"source", &image_index}, {"sampler", &sampler_index}, {"name", &text}, {"extensions", &object}});
+const Rule webp = record({{"source", &image_index, true}});
+const Rule texture_extensions = record({{"EXT_texture_webp", &webp}});
+const Rule texture = record({{"source", &image_index},
+                             {"sampler", &sampler_index},
+                             {"name", &text},
+                             {"extensions", &texture_extensions}});
 
 // --- cameras and lights
 const Rule perspective =
@@ -181,8 +206,10 @@ const Rule ies_light =
     record({{"uri", &text}, {"bufferView", &view_index}, {"mimeType", &text}, {"name", &text}});
 const Rule ies_lights = list_of(ies_light);
 const Rule ies = record({{"lights", &ies_lights, true}});
-const Rule root_extensions =
-    record({{"KHR_lights_punctual", &punctual}, {"EXT_lights_area", &area}, {"EXT_lights_ies", &ies}});
+const Rule root_extensions = record({{"KHR_lights_punctual", &punctual},
+                                     {"EXT_lights_area", &area},
+                                     {"EXT_lights_ies", &ies},
+                                     {"KHR_materials_variants", &variants_rule()}});
 
 // --- nodes
 const Rule node_punctual = record({{"light", &punctual_light_index, true}});
@@ -191,7 +218,9 @@ const Rule node_ies =
     record({{"light", &ies_light_index, true}, {"multiplier", &number}, {"color", &three_numbers}});
 const Rule node_extensions = record({{"KHR_lights_punctual", &node_punctual},
                                      {"EXT_lights_area", &node_area},
-                                     {"EXT_lights_ies", &node_ies}});
+                                     {"EXT_lights_ies", &node_ies},
+                                     {"EXT_mesh_gpu_instancing", &instancing_rule()},
+                                     {"KHR_node_visibility", &visibility_rule()}});
 const Rule node = record({{"name", &text},
                           {"children", &node_indices},
                           {"mesh", &mesh_index},
@@ -216,6 +245,8 @@ const Rule samplers = list_of(sampler);
 const Rule textures = list_of(texture);
 const Rule cameras = list_of(camera);
 const Rule nodes = list_of(node);
+const Rule skins = list_of(skin_rule());
+const Rule animations = list_of(animation_rule());
 const Rule scenes = list_of(scene);
 const Rule asset = record({{"version", &text, true},
                            {"minVersion", &text},
@@ -238,8 +269,8 @@ const Rule root = record({{"asset", &asset, true},
                           {"nodes", &nodes},
                           {"scenes", &scenes},
                           {"scene", &scene_index},
-                          {"skins", &objects},
-                          {"animations", &objects},
+                          {"skins", &skins},
+                          {"animations", &animations},
                           {"extensions", &root_extensions},
                           {"extras", &anything}});
 

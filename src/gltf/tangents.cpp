@@ -17,7 +17,7 @@ vec3 perpendicular(vec3 normal) {
 
 // A vertex takes the tangent of its first corner; corners that differ get copies, chained so that they are
 // reused.
-void split_by_tangent(scene::Mesh& mesh, const std::vector<vec4>& corner_tangents) {
+void split_by_tangent(SourcedMesh& mesh, const std::vector<vec4>& corner_tangents) {
     constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
     const auto vertex_count = static_cast<std::uint32_t>(mesh.positions.size());
     std::vector<std::uint32_t> sources(vertex_count);
@@ -52,7 +52,7 @@ void split_by_tangent(scene::Mesh& mesh, const std::vector<vec4>& corner_tangent
 
 } // namespace
 
-void add_tangents(scene::Mesh& mesh, int texcoord_set) {
+void add_tangents(SourcedMesh& mesh, int texcoord_set) {
     const std::vector<vec2>& texcoords = mesh.texcoords[texcoord_set];
     if (texcoords.empty()) {
         mesh.tangents.clear();
@@ -60,6 +60,18 @@ void add_tangents(scene::Mesh& mesh, int texcoord_set) {
         return;
     }
     split_by_tangent(mesh, mikktspace(mesh.positions, mesh.normals, texcoords, mesh.indices));
+}
+
+void renew_tangents(scene::Mesh& mesh, int texcoord_set) {
+    const std::vector<vec2>& texcoords = mesh.texcoords[texcoord_set];
+    if (texcoords.empty()) {
+        for (std::size_t v = 0; v < mesh.normals.size(); ++v)
+            mesh.tangents[v] = vec4(perpendicular(mesh.normals[v]), 1.0f);
+        return;
+    }
+    const std::vector<vec4> corners = mikktspace(mesh.positions, mesh.normals, texcoords, mesh.indices);
+    for (std::size_t corner = 0; corner < corners.size(); ++corner)
+        mesh.tangents[mesh.indices[corner]] = corners[corner];
 }
 
 std::size_t repair_tangents(scene::Mesh& mesh) {

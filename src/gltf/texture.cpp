@@ -1,5 +1,7 @@
 #include "gltf/texture.hpp"
 
+#include "image/webp.hpp"
+
 #include <algorithm>
 
 namespace sr::gltf {
@@ -33,6 +35,12 @@ scene::Sampler sampler_of(const tinygltf::Sampler& from) {
     return to;
 }
 
+/// EXT_texture_webp names a WebP beside the PNG or JPEG, which those read that cannot decode it.
+int source_of(const tinygltf::Texture& from) {
+    const tinygltf::Value* webp = extension(from.extensions, "EXT_texture_webp");
+    return webp && image::decodes_webp() ? whole_in(*webp, "source", from.source) : from.source;
+}
+
 } // namespace
 
 TextureTable::TextureTable(const Document& document, Warnings& warnings)
@@ -40,12 +48,13 @@ TextureTable::TextureTable(const Document& document, Warnings& warnings)
 
 int TextureTable::texture(int gltf_texture, scene::ColorSpace color_space) {
     const tinygltf::Texture& from = document_.model.textures[static_cast<std::size_t>(gltf_texture)];
-    if (from.source < 0) {
+    const int source = source_of(from);
+    if (source < 0) {
         warnings_.add("a texture has no image in a supported format", "the material is shown without it");
         return -1;
     }
-    const auto [image, is_new] = image_of_source_.try_emplace(from.source, static_cast<int>(sources_.size()));
-    if (is_new) sources_.push_back(from.source);
+    const auto [image, is_new] = image_of_source_.try_emplace(source, static_cast<int>(sources_.size()));
+    if (is_new) sources_.push_back(source);
 
     scene::Texture texture;
     texture.image = image->second;

@@ -7,7 +7,8 @@
 
 namespace sr::gltf {
 
-/// Maps a checked glTF JSON onto tinygltf's structs. The model has no buffers, images, skins or animations.
+/// Maps a checked glTF JSON onto tinygltf's structs. The model has no buffers, images, skins or animations:
+/// Document has those.
 /// @throws Error calling the file `name`
 tinygltf::Model model_of(nlohmann::json root, const std::string& name);
 

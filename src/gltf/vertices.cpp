@@ -17,20 +17,21 @@ void gather(std::vector<T>& values, std::span<const std::uint32_t> sources) {
 
 } // namespace
 
-void gather(scene::Mesh& mesh, std::span<const std::uint32_t> sources) {
+void gather(SourcedMesh& mesh, std::span<const std::uint32_t> sources) {
     gather(mesh.positions, sources);
     gather(mesh.normals, sources);
     gather(mesh.tangents, sources);
     for (auto& texcoords : mesh.texcoords) gather(texcoords, sources);
     gather(mesh.colors, sources);
+    gather(mesh.sources, sources);
 }
 
-void unweld(scene::Mesh& mesh) {
+void unweld(SourcedMesh& mesh) {
     gather(mesh, mesh.indices);
     std::iota(mesh.indices.begin(), mesh.indices.end(), 0u);
 }
 
-void drop_unused(scene::Mesh& mesh) {
+void drop_unused(SourcedMesh& mesh) {
     constexpr std::uint32_t unused = std::numeric_limits<std::uint32_t>::max();
     std::vector<std::uint32_t> renumbered(mesh.positions.size(), unused);
     std::vector<std::uint32_t> sources;

@@ -2,11 +2,13 @@
 
 #include "core/error.hpp"
 #include "image/codec.hpp"
+#include "image/webp.hpp"
 #include "image/whole_file.hpp"
 
 #include <algorithm>
 #include <cctype>
 #include <fmt/format.h>
+#include <string_view>
 
 namespace sr::image {
 namespace {
@@ -51,8 +53,15 @@ Image read(const fs::path& file) {
     return codec().read(file);
 }
 
+bool is_webp(std::span<const std::uint8_t> bytes) {
+    constexpr std::string_view riff = "RIFF";
+    constexpr std::string_view webp = "WEBP"; // after the size
+    return bytes.size() >= 12 && std::equal(riff.begin(), riff.end(), bytes.begin())
+           && std::equal(webp.begin(), webp.end(), bytes.begin() + 8);
+}
+
 DecodedTexture decode_texture(std::span<const std::uint8_t> bytes, const std::string& name) {
-    return codec().decode(bytes, name);
+    return is_webp(bytes) ? decode_webp(bytes, name) : codec().decode(bytes, name);
 }
 
 } // namespace sr::image

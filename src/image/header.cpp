@@ -82,10 +82,8 @@ std::optional<Header> jpeg_header(Bytes bytes) {
 
 /// A name for what else people put into a glTF file.
 std::string_view other_format(Bytes bytes) {
-    constexpr std::array<std::uint8_t, 4> riff{'R', 'I', 'F', 'F'};
     constexpr std::array<std::uint8_t, 7> ktx2{0xAB, 'K', 'T', 'X', ' ', '2', '0'};
     constexpr std::array<std::uint8_t, 4> dds{'D', 'D', 'S', ' '};
-    if (starts_with(bytes, riff)) return "a WebP image";
     if (starts_with(bytes, ktx2)) return "a KTX2 image";
     if (starts_with(bytes, dds)) return "a DDS image";
     return "neither PNG nor JPEG";
@@ -103,12 +101,16 @@ Header header_of(Bytes bytes, const std::string& name) {
     if (!header || header->width == 0 || header->height == 0)
         throw Error(where, is_png ? "a broken or truncated PNG" : "a broken or truncated JPEG",
                     "export it again");
-    const std::uint64_t texels = std::uint64_t{header->width} * header->height;
-    if (header->width > max_texture_size || header->height > max_texture_size || texels > max_texture_texels)
-        throw Error(where, fmt::format("{} x {} texels are too many", header->width, header->height),
+    check_size(header->width, header->height, name);
+    return *header;
+}
+
+void check_size(std::uint32_t width, std::uint32_t height, const std::string& name) {
+    const std::uint64_t texels = std::uint64_t{width} * height;
+    if (width > max_texture_size || height > max_texture_size || texels > max_texture_texels)
+        throw Error({name}, fmt::format("{} x {} texels are too many", width, height),
                     fmt::format("scale it to at most {} texels along an edge and {} in all", max_texture_size,
                                 max_texture_texels));
-    return *header;
 }
 
 } // namespace sr::image

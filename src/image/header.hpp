@@ -18,6 +18,9 @@ struct Header {
 /// @throws Error in the file `name`: not a PNG or JPEG, no size in sight, too large, truncated.
 Header header_of(std::span<const std::uint8_t> bytes, const std::string& name);
 
+/// @throws Error in the file `name` if so many texels are too many
+void check_size(std::uint32_t width, std::uint32_t height, const std::string& name);
+
 inline constexpr std::uint32_t max_texture_size = 16384; // [texels] along an edge: what OpenGL drivers take
 inline constexpr std::uint64_t max_texture_texels = 1ull << 26; // 256 MiB of 8-bit RGBA
 

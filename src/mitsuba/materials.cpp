@@ -1,15 +1,9 @@
 #include "mitsuba/materials.hpp"
 
-#include <array>
 #include <fmt/format.h>
 
 namespace sr::mitsuba {
 namespace {
-
-std::array<const scene::TextureSlot*, 6> slots_of(const scene::Material& m) {
-    return {&m.base_color_texture, &m.metallic_roughness_texture, &m.normal_texture,
-            &m.emission_texture,   &m.specular_texture,           &m.specular_color_texture};
-}
 
 /// ((ior - 1) / (ior + 1))²; 0 stands for an infinite ior (KHR_materials_ior).
 float F0_from_ior(float ior) {
@@ -27,7 +21,7 @@ void write_attribute(Xml& xml, std::string_view name) {
 } // namespace
 
 int texcoord_of(const scene::Material& material) {
-    for (const scene::TextureSlot* slot : slots_of(material))
+    for (const scene::TextureSlot* slot : scene::texture_slots(material))
         if (slot->is_present()) return slot->texcoord;
     return 0;
 }
@@ -69,7 +63,7 @@ void Materials::warn(const scene::Material& material) {
     };
     if (material.alpha_mode == scene::AlphaMode::mask) add("has an alpha mask: exported as opaque");
     if (material.alpha_mode == scene::AlphaMode::blend) add("is blended: exported as opaque");
-    for (const scene::TextureSlot* slot : slots_of(material))
+    for (const scene::TextureSlot* slot : scene::texture_slots(material))
         if (slot->is_present() && slot->texcoord != texcoord_of(material))
             return add("reads two sets of texture coordinates: exported with the first for all its textures");
 }

@@ -2,6 +2,7 @@
 // The C++ twins of the uniform blocks in shaders/interface/ (std140; a test compares the layouts with the
 // linker's).
 #include "core/math.hpp"
+#include "scene/material.hpp"
 
 #include <array>
 #include <cstdint>
@@ -37,27 +38,30 @@ struct RaysBlock {
     std::int32_t first_row;
 };
 
-/// Texture units, and indices into MaterialBlock's uv rows.
-enum Slot : unsigned {
-    base_color_slot,
-    metallic_roughness_slot,
-    normal_slot,
-    emission_slot,
-    specular_slot,
-    specular_color_slot,
-    slot_count
-};
+/// Texture units: a material's slots (scene::Slot, also indices into MaterialBlock's uv rows), and behind
+/// them what is not the material's. OpenGL 4.1 has 80 units in all; what is scarce is how many one shader
+/// reads (16 are certain), and which these are the features decide (ShaderLibrary counts them).
+using scene::slot_count;
 inline constexpr unsigned light_table_unit = slot_count;
 inline constexpr unsigned emission_texels_unit = slot_count + 1;
 inline constexpr unsigned answers_unit = slot_count + 2;
 inline constexpr unsigned ltc_table_unit = slot_count + 3;
 inline constexpr unsigned last_rays_unit = slot_count + 4;
+inline constexpr unsigned map_triangles_unit = answers_unit; // depth maps answer where no rays do
+inline constexpr unsigned map_points_unit = last_rays_unit;
 inline constexpr unsigned first_caster_unit = slot_count + 5; // five of them, see gpu_casters.hpp
+inline constexpr unsigned measured_unit = slot_count + 10;
 
 struct MaterialBlock {
     vec4 base_color_factor;
     vec4 emission_factor;
     vec4 specular_color_factor;
+    vec4 anisotropy_factor;
+    vec4 clearcoat_factor;
+    vec4 sheen_factor;
+    vec4 iridescence_factor;
+    vec4 ior_factor;
+    vec4 extinction_factor;
     float metallic_factor;
     float roughness_factor;
     float normal_scale;

@@ -1,5 +1,7 @@
 #include "render/features.hpp"
 
+#include <algorithm>
+#include <array>
 #include <fmt/format.h>
 
 namespace sr::render {
@@ -32,37 +34,113 @@ void ask_for(Features& f, const scene::MeshLight& light) {
     f.has_emission_maps |= light.texture >= 0;
 }
 
+// What goes into GLSL as `const bool`, by the member's own name.
+struct Flag {
+    const char* name;
+    bool Features::*member;
+};
+
+constexpr std::array light_flags{Flag{"has_point_lights", &Features::has_point_lights},
+                                 Flag{"has_spot_lights", &Features::has_spot_lights},
+                                 Flag{"has_directional_lights", &Features::has_directional_lights},
+                                 Flag{"has_rectangle_lights", &Features::has_rectangle_lights},
+                                 Flag{"has_disk_lights", &Features::has_disk_lights},
+                                 Flag{"has_sphere_lights", &Features::has_sphere_lights},
+                                 Flag{"has_tube_lights", &Features::has_tube_lights},
+                                 Flag{"has_polygon_lights", &Features::has_polygon_lights},
+                                 Flag{"has_mesh_lights", &Features::has_mesh_lights},
+                                 Flag{"has_sun_disks", &Features::has_sun_disks},
+                                 Flag{"has_profiles", &Features::has_profiles},
+                                 Flag{"has_emission_maps", &Features::has_emission_maps}};
+
+constexpr std::array texture_flags{
+    Flag{"has_base_color_texture", &Features::has_base_color_texture},
+    Flag{"has_metallic_roughness_texture", &Features::has_metallic_roughness_texture},
+    Flag{"has_normal_texture", &Features::has_normal_texture},
+    Flag{"has_emission_texture", &Features::has_emission_texture},
+    Flag{"has_specular_texture", &Features::has_specular_texture},
+    Flag{"has_specular_color_texture", &Features::has_specular_color_texture},
+    Flag{"has_anisotropy_texture", &Features::has_anisotropy_texture},
+    Flag{"has_clearcoat_texture", &Features::has_clearcoat_texture},
+    Flag{"has_clearcoat_roughness_texture", &Features::has_clearcoat_roughness_texture},
+    Flag{"has_clearcoat_normal_texture", &Features::has_clearcoat_normal_texture},
+    Flag{"has_sheen_color_texture", &Features::has_sheen_color_texture},
+    Flag{"has_sheen_roughness_texture", &Features::has_sheen_roughness_texture},
+    Flag{"has_iridescence_texture", &Features::has_iridescence_texture},
+    Flag{"has_film_thickness_texture", &Features::has_film_thickness_texture}};
+
+constexpr std::array other_flags{Flag{"has_vertex_colors", &Features::has_vertex_colors},
+                                 Flag{"has_anisotropy", &Features::has_anisotropy},
+                                 Flag{"has_clearcoat", &Features::has_clearcoat},
+                                 Flag{"has_sheen", &Features::has_sheen},
+                                 Flag{"has_iridescence", &Features::has_iridescence},
+                                 Flag{"has_energy_compensation", &Features::has_energy_compensation},
+                                 Flag{"has_transparent_casters", &Features::has_transparent_casters},
+                                 Flag{"is_masked", &Features::is_masked},
+                                 Flag{"is_blended", &Features::is_blended},
+                                 Flag{"is_unlit", &Features::is_unlit}};
+
+/// Whether a model has GGX microfacets, which lose energy.
+bool takes_compensation(scene::Model model) {
+    return model == scene::Model::metallic_roughness || model == scene::Model::ggx
+           || model == scene::Model::conductor;
+}
+
+/// What the layers of glTF's own model take of this mesh.
+void ask_for_layers(Features& f, const scene::Material& m, bool has_tangents) {
+    f.has_anisotropy = m.is_anisotropic() && has_tangents;
+    f.has_anisotropy_texture = f.has_anisotropy && m.anisotropy_texture.is_present();
+    f.has_clearcoat = m.clearcoat > 0.0f;
+    f.has_clearcoat_texture = f.has_clearcoat && m.clearcoat_texture.is_present();
+    f.has_clearcoat_roughness_texture = f.has_clearcoat && m.clearcoat_roughness_texture.is_present();
+    f.has_clearcoat_normal_texture =
+        f.has_clearcoat && m.clearcoat_normal_texture.is_present() && has_tangents;
+    f.has_energy_compensation &= takes_compensation(m.model);
+    f.has_sheen = m.has_sheen();
+    f.has_sheen_color_texture = f.has_sheen && m.sheen_color_texture.is_present();
+    f.has_sheen_roughness_texture = f.has_sheen && m.sheen_roughness_texture.is_present();
+    f.has_iridescence = m.iridescence > 0.0f;
+    f.has_iridescence_texture = f.has_iridescence && m.iridescence_texture.is_present();
+    f.has_film_thickness_texture = f.has_iridescence && m.film_thickness_texture.is_present();
+}
+
 } // namespace
 
 std::string Features::glsl() const {
     std::string text;
-    const auto constant = [&](const char* name, bool value) {
-        text += fmt::format("const bool {} = {};\n", name, value);
+    const auto append = [&](const auto& flags) {
+        for (const Flag& flag : flags)
+            text += fmt::format("const bool {} = {};\n", flag.name, this->*flag.member);
     };
-    constant("has_point_lights", has_point_lights);
-    constant("has_spot_lights", has_spot_lights);
-    constant("has_directional_lights", has_directional_lights);
-    constant("has_rectangle_lights", has_rectangle_lights);
-    constant("has_disk_lights", has_disk_lights);
-    constant("has_sphere_lights", has_sphere_lights);
-    constant("has_tube_lights", has_tube_lights);
-    constant("has_polygon_lights", has_polygon_lights);
-    constant("has_mesh_lights", has_mesh_lights);
-    constant("has_sun_disks", has_sun_disks);
-    constant("has_profiles", has_profiles);
-    constant("has_emission_maps", has_emission_maps);
-    constant("has_base_color_texture", has_base_color_texture);
-    constant("has_metallic_roughness_texture", has_metallic_roughness_texture);
-    constant("has_normal_texture", has_normal_texture);
-    constant("has_emission_texture", has_emission_texture);
-    constant("has_specular_texture", has_specular_texture);
-    constant("has_specular_color_texture", has_specular_color_texture);
-    constant("has_vertex_colors", has_vertex_colors);
-    text += fmt::format("const int rays_per_light = {};\n", rays_per_light);
-    constant("is_masked", is_masked);
-    constant("is_blended", is_blended);
-    constant("is_unlit", is_unlit);
-    return text;
+    append(light_flags);
+    append(texture_flags);
+    append(other_flags);
+    text += fmt::format("const bool is_mirror = {};\n", model == scene::Model::mirror);
+    return text + fmt::format("const int rays_per_light = {};\n", rays_per_light);
+}
+
+std::string Features::model_glsl() const {
+    return fmt::format("#include \"brdf/models/{}.glsl\"\n", scene::name_of(model));
+}
+
+bool Features::is_analytic() const {
+    switch (model) {
+    case scene::Model::metallic_roughness:
+    case scene::Model::ggx:
+    case scene::Model::conductor: return !has_anisotropy && !has_clearcoat && !has_sheen;
+    case scene::Model::lambert:
+    case scene::Model::oren_nayar: return true;
+    case scene::Model::mirror:
+    case scene::Model::phong:
+    case scene::Model::blinn_phong:
+    case scene::Model::merl: return false;
+    }
+    return false;
+}
+
+int Features::material_texture_count() const {
+    return static_cast<int>(
+        std::ranges::count_if(texture_flags, [this](const Flag& flag) { return this->*flag.member; }));
 }
 
 Features light_features(std::span<const scene::Light> lights) {
@@ -75,6 +153,14 @@ Features light_features(std::span<const scene::Light> lights) {
     return f;
 }
 
+bool has_transparent_casters(const scene::Scene& scene) {
+    return std::ranges::any_of(scene.instances, [&](const scene::Instance& instance) {
+        const auto material =
+            static_cast<std::size_t>(scene.meshes[static_cast<std::size_t>(instance.mesh)].material);
+        return scene.materials[material].alpha_mode != scene::AlphaMode::opaque;
+    });
+}
+
 Features shading_features(const scene::Scene& scene, const scene::Mesh& mesh, const Features& lights) {
     const scene::Material& material = scene.materials[mesh.material];
     Features f = lights;
@@ -85,6 +171,8 @@ Features shading_features(const scene::Scene& scene, const scene::Mesh& mesh, co
     f.has_specular_texture = material.specular_texture.is_present();
     f.has_specular_color_texture = material.specular_color_texture.is_present();
     f.has_vertex_colors = !mesh.colors.empty();
+    f.model = material.model;
+    ask_for_layers(f, material, !mesh.tangents.empty());
     f.is_masked = material.alpha_mode == scene::AlphaMode::mask;
     f.is_blended = material.alpha_mode == scene::AlphaMode::blend;
     f.is_unlit = material.is_unlit;
@@ -92,9 +180,14 @@ Features shading_features(const scene::Scene& scene, const scene::Mesh& mesh, co
 }
 
 Features depth_features(const Features& shading) {
+    return shading.is_masked ? caster_features(shading) : Features{};
+}
+
+Features caster_features(const Features& shading) {
     Features f;
-    if (!shading.is_masked) return f;
-    f.is_masked = true;
+    if (!shading.is_masked && !shading.is_blended) return f;
+    f.is_masked = shading.is_masked;
+    f.is_blended = shading.is_blended;
     f.has_base_color_texture = shading.has_base_color_texture;
     f.has_vertex_colors = shading.has_vertex_colors;
     return f;

@@ -32,7 +32,23 @@ struct Features {
     bool has_specular_color_texture = false;
     bool has_vertex_colors = false;
 
-    int rays_per_light = 1; // that a point sends to each light
+    scene::Model model = scene::Model::metallic_roughness;
+    bool has_anisotropy = false;
+    bool has_clearcoat = false;
+    bool has_sheen = false;
+    bool has_iridescence = false;
+    bool has_energy_compensation = false;
+    bool has_anisotropy_texture = false;
+    bool has_clearcoat_texture = false;
+    bool has_clearcoat_roughness_texture = false;
+    bool has_clearcoat_normal_texture = false;
+    bool has_sheen_color_texture = false;
+    bool has_sheen_roughness_texture = false;
+    bool has_iridescence_texture = false;
+    bool has_film_thickness_texture = false;
+
+    int rays_per_light = 1;               // that a point sends to each light
+    bool has_transparent_casters = false; // masked or blended surfaces cast shadows
 
     bool is_masked = false;
     bool is_blended = false;
@@ -42,16 +58,32 @@ struct Features {
 
     /// The text that stands for interface/features.glsl.
     std::string glsl() const;
+
+    /// The text that stands for brdf/model.glsl: the one BRDF that the material has.
+    std::string model_glsl() const;
+
+    /// Whether the analytic estimator can take the BRDF: one GGX lobe without a direction, or none.
+    /// Others are sampled.
+    bool is_analytic() const;
+
+    /// How many of the material's textures shading reads.
+    int material_texture_count() const;
 };
 
 /// What these lights take, whatever they shine on. A point sends each of them a ray to a point of its, and,
 /// where a direction of the BRDF's choice can meet any of them, another along that.
 Features light_features(std::span<const scene::Light> lights);
 
+/// Whether any surface of the scene is masked or blended, and so lets some light through.
+bool has_transparent_casters(const scene::Scene& scene);
+
 /// What shading this mesh takes under lights that take `lights`.
 Features shading_features(const scene::Scene& scene, const scene::Mesh& mesh, const Features& lights);
 
 /// What the depth pre-pass needs of `shading`: nothing, unless the material is masked.
 Features depth_features(const Features& shading);
+
+/// What depth maps need of `shading`: what alpha takes, unless the material is opaque.
+Features caster_features(const Features& shading);
 
 } // namespace sr::render

@@ -2,6 +2,8 @@
 
 #include "render/blocks.hpp"
 
+#include <numeric>
+
 namespace sr::render {
 namespace {
 
@@ -59,7 +61,16 @@ std::vector<std::int32_t> places_of(const Casters& casters, const shadow::Bvh& b
     return places;
 }
 
+shadow::Bvh without_boxes(const Casters& casters) {
+    shadow::Bvh bvh;
+    bvh.order.resize(casters.triangle_count());
+    std::iota(bvh.order.begin(), bvh.order.end(), 0u);
+    return bvh;
+}
+
 } // namespace
+
+GpuCasters::GpuCasters(const Casters& casters) : GpuCasters(casters, without_boxes(casters)) {}
 
 GpuCasters::GpuCasters(const Casters& casters, const shadow::Bvh& bvh) {
     constexpr auto what_to_do = "render with --visibility none, or simplify the scene";

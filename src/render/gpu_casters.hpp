@@ -14,6 +14,9 @@ public:
     /// @throws Error if the driver's buffer textures are too small.
     GpuCasters(const shadow::Casters& casters, const shadow::Bvh& bvh);
 
+    /// Without a tree, the triangles in their own order. @throws Error as above
+    explicit GpuCasters(const shadow::Casters& casters);
+
     void bind() const;
 
 private:

@@ -1,9 +1,11 @@
 #include "render/gpu_scene.hpp"
 
+#include "core/error.hpp"
 #include "render/gpu_texture.hpp"
 #include "render/light_table.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <future>
 #include <glm/gtc/matrix_inverse.hpp>
@@ -42,23 +44,26 @@ ObjectBlock packed_object(const scene::Instance& instance, std::size_t first_tri
             material};
 }
 
-std::array<const scene::TextureSlot*, slot_count> slots_of(const scene::Material& m) {
-    return {&m.base_color_texture, &m.metallic_roughness_texture, &m.normal_texture,
-            &m.emission_texture,   &m.specular_texture,           &m.specular_color_texture};
-}
-
-MaterialBlock packed_material(const scene::Material& m) {
+MaterialBlock packed_material(const scene::Material& m, const scene::Scene& scene) {
     MaterialBlock block{};
     block.base_color_factor = m.base_color;
     block.emission_factor = vec4(m.emission, 0.0f);
     block.specular_color_factor = vec4(m.specular_color, m.specular);
+    block.anisotropy_factor = vec4(m.anisotropy, std::cos(m.anisotropy_rotation),
+                                   std::sin(m.anisotropy_rotation), m.roughness_across);
+    block.clearcoat_factor = vec4(m.clearcoat, m.clearcoat_roughness, m.clearcoat_normal_scale, 0.0f);
+    block.sheen_factor = vec4(m.sheen_color, m.sheen_roughness);
+    block.iridescence_factor =
+        vec4(m.iridescence, m.film_ior, m.least_film_thickness, m.largest_film_thickness);
+    block.ior_factor = vec4(m.conductor.n, m.exponent);
+    block.extinction_factor = vec4(m.conductor.k, m.measured < 0 ? 1.0f : scene.measured[m.measured].alpha);
     block.metallic_factor = m.metallic;
     block.roughness_factor = m.roughness;
     block.normal_scale = m.normal_scale;
     block.alpha_cutoff = m.alpha_cutoff;
     const float r = (m.ior - 1.0f) / (m.ior + 1.0f);
     block.F0_from_ior = m.ior == 0.0f ? 1.0f : r * r; // KHR_materials_ior: 0 stands for infinity
-    const auto slots = slots_of(m);
+    const auto slots = scene::texture_slots(m);
     for (unsigned s = 0; s < slot_count; ++s) {
         const mat3 rows = glm::transpose(slots[s]->uv_transform);
         const auto set = static_cast<float>(slots[s]->texcoord);
@@ -98,17 +103,36 @@ vec3 center_of(const scene::Mesh& mesh, const mat4& world_from_object) {
 
 } // namespace
 
-GpuScene::GpuScene(const scene::Scene& scene, std::span<const scene::Light> lights, Visibility visibility) {
-    meshes_.reserve(scene.meshes.size());
-    for (const scene::Mesh& mesh : scene.meshes) meshes_.emplace_back(mesh);
+GpuScene::GpuScene(const scene::Scene& scene, std::span<const scene::Light> lights, Visibility visibility,
+                   bool has_energy_compensation)
+    : visibility_(visibility), has_energy_compensation_(has_energy_compensation) {
     upload_textures(scene);
+    update(scene, lights);
+}
+
+void GpuScene::update(const scene::Scene& scene, std::span<const scene::Light> lights) {
+    require(image_of_texture_.size() == scene.textures.size(), "a scene keeps its textures");
+    relight(scene, lights, 0, true);
+}
+
+void GpuScene::relight(const scene::Scene& scene, std::span<const scene::Light> lights,
+                       std::size_t first_mesh, bool casters_change) {
+    meshes_.erase(meshes_.begin() + static_cast<std::ptrdiff_t>(std::min(first_mesh, meshes_.size())),
+                  meshes_.end());
+    meshes_.reserve(scene.meshes.size());
+    for (std::size_t i = meshes_.size(); i < scene.meshes.size(); ++i) meshes_.emplace_back(scene.meshes[i]);
     upload_objects(scene);
     upload_materials(scene);
     upload_lights(scene, lights);
     list_draws(scene, lights);
-    rays_per_light_ = light_features(lights).rays_per_light;
-    if (visibility != Visibility::none && !lights.empty())
-        occluders_ = std::make_unique<Occluders>(scene, lights, visibility, !blended_.empty());
+    if (casters_change || visibility_ == Visibility::map)
+        cast_shadows(scene, lights); // maps know where lights are
+}
+
+void GpuScene::cast_shadows(const scene::Scene& scene, std::span<const scene::Light> lights) {
+    occluders_.reset();
+    if (visibility_ != Visibility::none && !lights.empty())
+        occluders_ = std::make_unique<Occluders>(scene, lights, visibility_, !blended_.empty());
 }
 
 void GpuScene::upload_textures(const scene::Scene& scene) {
@@ -137,6 +161,7 @@ void GpuScene::upload_textures(const scene::Scene& scene) {
         images_.push_back(upload(image.rounded ? *image.rounded : scene.images[uses[i].image],
                                  uses[i].color_space, image.levels));
     }
+    for (const scene::MeasuredBrdf& measured : scene.measured) measured_.push_back(upload(measured));
 }
 
 void GpuScene::upload_objects(const scene::Scene& scene) {
@@ -152,10 +177,13 @@ void GpuScene::upload_objects(const scene::Scene& scene) {
 
 void GpuScene::upload_materials(const scene::Scene& scene) {
     std::vector<MaterialBlock> blocks;
+    textures_of_material_.clear();
+    measured_of_material_.clear();
     for (const scene::Material& material : scene.materials) {
-        blocks.push_back(packed_material(material));
+        blocks.push_back(packed_material(material, scene));
+        measured_of_material_.push_back(material.measured);
         std::array<int, slot_count> textures{};
-        const auto slots = slots_of(material);
+        const auto slots = scene::texture_slots(material);
         std::transform(slots.begin(), slots.end(), textures.begin(),
                        [](const auto* slot) { return slot->texture; });
         textures_of_material_.push_back(textures);
@@ -168,6 +196,7 @@ void GpuScene::upload_lights(const scene::Scene& scene, std::span<const scene::L
     light_table_.upload(pack_lights(scene, lights, maps), "use fewer emissive triangles");
     emission_texels_.upload(maps.texels(), "use smaller emissive textures");
     light_count_ = static_cast<int>(lights.size());
+    rays_per_light_ = light_features(lights).rays_per_light;
 }
 
 void GpuScene::bind_lights() const {
@@ -179,7 +208,11 @@ void GpuScene::bind_lights() const {
 }
 
 void GpuScene::list_draws(const scene::Scene& scene, std::span<const scene::Light> lights) {
-    const Features lit = light_features(lights);
+    Features lit = light_features(lights);
+    lit.has_energy_compensation = has_energy_compensation_;
+    lit.has_transparent_casters = has_transparent_casters(scene);
+    opaque_.clear();
+    blended_.clear();
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {
         const scene::Instance& instance = scene.instances[i];
         const scene::Mesh& mesh = scene.meshes[instance.mesh];
@@ -206,6 +239,10 @@ void GpuScene::list_draws(const scene::Scene& scene, std::span<const scene::Ligh
 void GpuScene::bind_material(int material) const {
     glBindBufferRange(GL_UNIFORM_BUFFER, material_block, materials_.id(), material * material_stride_,
                       sizeof(MaterialBlock));
+    if (measured_of_material_[material] >= 0) {
+        measured_[measured_of_material_[material]].bind(measured_unit);
+        glBindSampler(measured_unit, 0);
+    }
     for (unsigned slot = 0; slot < slot_count; ++slot) {
         const int texture = textures_of_material_[material][slot];
         if (texture < 0) continue;

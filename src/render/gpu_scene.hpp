@@ -26,8 +26,20 @@ class GpuScene {
 public:
     /// Uploads `scene`, lit by `lights` (not by scene.lights). @throws Error for a texture beyond the
     /// driver's limits.
+    /// `has_energy_compensation`: GGX gives back what its microfacets block
+    /// (shaders/brdf/energy_compensation.glsl).
     GpuScene(const scene::Scene& scene, std::span<const scene::Light> lights,
-             Visibility visibility = Visibility::ray);
+             Visibility visibility = Visibility::ray, bool has_energy_compensation = false);
+
+    /// Takes over other lights of the same scene, and what shows them: the meshes from `first_mesh` on, all
+    /// instances and all materials. Textures and the meshes before stay as they are. Shadows are made anew if
+    /// `casters_change`. @throws Error
+    void relight(const scene::Scene& scene, std::span<const scene::Light> lights, std::size_t first_mesh,
+                 bool casters_change);
+
+    /// The same scene at another moment: everything is uploaded anew but the images and textures, which must
+    /// be the same. Renderers of this scene must restart().
+    void update(const scene::Scene& scene, std::span<const scene::Light> lights);
 
     int light_count() const { return light_count_; }
     int rays_per_light() const { return rays_per_light_; } // that a point of a surface sends
@@ -48,14 +60,19 @@ private:
     void upload_materials(const scene::Scene& scene);
     void upload_lights(const scene::Scene& scene, std::span<const scene::Light> lights);
     void list_draws(const scene::Scene& scene, std::span<const scene::Light> lights);
+    void cast_shadows(const scene::Scene& scene, std::span<const scene::Light> lights);
     void bind_material(int material) const;
 
+    Visibility visibility_;
+    bool has_energy_compensation_;
     std::vector<GpuMesh> meshes_;
     std::vector<gl::Texture> images_; // one per (image, colour space) in use
     std::vector<gl::Sampler> samplers_;
     std::vector<int> image_of_texture_;
     std::vector<int> sampler_of_texture_;
     std::vector<std::array<int, slot_count>> textures_of_material_; // -1: none
+    std::vector<int> measured_of_material_;                         // index into measured_; -1: none
+    std::vector<gl::Texture> measured_;
     gl::Buffer objects_{"objects"};
     gl::Buffer materials_{"materials"};
     GLsizeiptr object_stride_ = 0;

@@ -78,6 +78,16 @@ gl::Texture upload(const scene::TextureImage& image, scene::ColorSpace color_spa
     return texture;
 }
 
+gl::Texture upload(const scene::MeasuredBrdf& measured) {
+    gl::Texture texture(GL_TEXTURE_3D, measured.name);
+    glTexImage3D(GL_TEXTURE_3D, 0, GL_RGB32F, scene::merl_azimuths, scene::merl_difference_angles,
+                 scene::merl_half_angles, 0, GL_RGB, GL_FLOAT, measured.values.data());
+    glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MAX_LEVEL, 0);
+    glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    return texture;
+}
+
 gl::Sampler sampler_object(const scene::Sampler& sampler) {
     gl::Sampler object("sampler");
     glSamplerParameteri(object.id(), GL_TEXTURE_WRAP_S, wrap_mode(sampler.wrap_u));

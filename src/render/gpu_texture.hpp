@@ -3,6 +3,7 @@
 #include "gl/object.hpp"
 #include "render/mip_chain.hpp"
 #include "scene/material.hpp"
+#include "scene/measured_brdf.hpp"
 
 namespace sr::render {
 
@@ -15,6 +16,9 @@ scene::TextureImage displayable(const scene::TextureImage& image);
 /// @throws Error naming the image if the driver's largest texture is smaller.
 gl::Texture upload(const scene::TextureImage& image, scene::ColorSpace color_space,
                    const std::vector<MipLevel>& levels);
+
+/// A measured BRDF as a texture of 180 φ_d × 90 θ_d × 90 θ_h (shaders/brdf/merl.glsl), 17.5 MB.
+gl::Texture upload(const scene::MeasuredBrdf& measured);
 
 /// The filtering and wrapping that a scene's sampler asks for.
 gl::Sampler sampler_object(const scene::Sampler& sampler);

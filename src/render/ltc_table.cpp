@@ -3,6 +3,7 @@
 #include "core/math.hpp"
 
 #include <array>
+#include <cmath>
 #include <vector>
 
 namespace sr::render {
@@ -11,6 +12,26 @@ namespace {
 constexpr std::array<float, ltc_grid * ltc_grid * ltc_numbers> table{
 #include "lut/ggx_ltc.inc"
 };
+
+constexpr std::array<float, ltc_grid * ltc_grid> sheen_albedo{
+#include "lut/charlie_albedo.inc"
+};
+
+/// 1 - E_avg of a row: 2 ∫ (1 - E) cosθ dcosθ = 4 ∫ (1 - E) s³ ds over s = √cosθ, exact for what is linear
+/// between the entries, as the shaders read them.
+float mean_loss(const float* row) {
+    double sum = 0.0;
+    for (int i = 0; i + 1 < ltc_grid; ++i) {
+        const double s0 = i / (ltc_grid - 1.0), s1 = (i + 1) / (ltc_grid - 1.0);
+        const double f0 = 1.0 - row[i * ltc_numbers + 3], f1 = 1.0 - row[(i + 1) * ltc_numbers + 3];
+        const double slope = (f1 - f0) / (s1 - s0), base = f0 - slope * s0;
+        const auto integral = [&](double s) {
+            return base * std::pow(s, 4.0) + 0.8 * slope * std::pow(s, 5.0);
+        };
+        sum += integral(s1) - integral(s0);
+    }
+    return static_cast<float>(sum);
+}
 
 } // namespace
 
@@ -22,7 +43,8 @@ gl::Texture upload_ltc_table() {
     for (std::size_t i = 0; i < entries; ++i) {
         const float* entry = &table[i * ltc_numbers];
         texels[i] = vec4(entry[0], entry[1], entry[2], entry[3]);
-        texels[entries + i] = vec4(entry[4], 0.0f, 0.0f, 0.0f);
+        const float* row = &table[i / ltc_grid * ltc_grid * ltc_numbers];
+        texels[entries + i] = vec4(entry[4], sheen_albedo[i], mean_loss(row), 0.0f);
     }
     gl::Texture texture(GL_TEXTURE_2D, "GGX as linearly transformed cosines");
     texture.bind(0);

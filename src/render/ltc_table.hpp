@@ -1,5 +1,5 @@
 #pragma once
-// GGX as linearly transformed cosines, on the GPU for shaders/brdf/ltc.glsl.
+// GGX as linearly transformed cosines, and what lobes reflect, on the GPU for shaders/brdf/albedo_table.glsl.
 #include "gl/object.hpp"
 
 #include <span>
@@ -15,7 +15,7 @@ inline constexpr int ltc_numbers = 5;
 std::span<const float> ltc_table();
 
 /// A texture of ltc_grid columns and twice as many rows, read linearly: a, b, c and the albedo; above them
-/// Schlick's part.
+/// Schlick's part, the albedo of sheen (assets/lut/charlie_albedo.inc) and the mean of 1 - albedo.
 gl::Texture upload_ltc_table();
 
 } // namespace sr::render

@@ -9,11 +9,11 @@
 namespace sr::render {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, Visibility>, 4> names{
-    {{"none", Visibility::none},
-     {"ray", Visibility::ray},
-     {"ray-cpu", Visibility::ray_on_cpu},
-     {"ray-glsl", Visibility::ray_in_glsl}}};
+constexpr std::array<std::pair<std::string_view, Visibility>, 5> names{{{"none", Visibility::none},
+                                                                        {"ray", Visibility::ray},
+                                                                        {"ray-cpu", Visibility::ray_on_cpu},
+                                                                        {"ray-glsl", Visibility::ray_in_glsl},
+                                                                        {"map", Visibility::map}}};
 
 bool is_for_cpu(Visibility visibility) {
     if (visibility != Visibility::ray) return visibility == Visibility::ray_on_cpu;
@@ -36,8 +36,13 @@ Occluders::Occluders(const scene::Scene& scene, std::span<const scene::Light> li
     require(visibility != Visibility::none, "somebody asks for shadows");
     const auto begin = std::chrono::steady_clock::now();
     casters_ = shadow::casters_of(scene, lights);
-    if (is_for_cpu(visibility)) occlusion_ = std::make_unique<shadow::Occlusion>(casters_);
-    if (!occlusion_ || has_blended_receivers) {
+    if (visibility == Visibility::map) {
+        map_stage_ = shadow::map_stage_of(scene, lights, casters_);
+        gpu_casters_.emplace(casters_);
+    } else if (is_for_cpu(visibility)) {
+        occlusion_ = std::make_unique<shadow::Occlusion>(casters_);
+    }
+    if (!map_stage_ && (!occlusion_ || has_blended_receivers)) {
         const shadow::Bvh bvh = shadow::bvh_of(casters_);
         node_count_ = bvh.nodes.size();
         gpu_casters_.emplace(casters_, bvh);

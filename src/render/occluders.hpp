@@ -1,6 +1,7 @@
 #pragma once
 // How V(x, y) of the equation is found.
 #include "render/gpu_casters.hpp"
+#include "shadow/map_stage.hpp"
 #include "shadow/occlusion.hpp"
 
 #include <memory>
@@ -9,13 +10,14 @@
 namespace sr::render {
 
 enum class Visibility {
-    none,       // V = 1: no shadows
-    ray,        // a ray to each sample: on the CPU where GL is software, in the shader elsewhere
-    ray_on_cpu, // by Embree
-    ray_in_glsl // by the shader's walk
+    none,        // V = 1: no shadows
+    ray,         // a ray to each sample: on the CPU where GL is software, in the shader elsewhere
+    ray_on_cpu,  // by Embree
+    ray_in_glsl, // by the shader's walk
+    map          // depth maps from points on the emitters, new ones each frame
 };
 
-/// "ray", "ray-cpu", "ray-glsl", "none"; absent for any other name.
+/// "ray", "ray-cpu", "ray-glsl", "map", "none"; absent for any other name.
 std::optional<Visibility> visibility_named(std::string_view name);
 std::string_view name_of(Visibility visibility);
 
@@ -30,7 +32,11 @@ public:
     /// The CPU's answers; null where the shader finds them itself.
     const shadow::Occlusion* occlusion() const { return occlusion_.get(); }
 
-    /// Binds what visibility/ray.glsl reads, if there is anything.
+    /// What depth maps are drawn of; null where V is found by rays.
+    const shadow::MapStage* map_stage() const { return map_stage_ ? &*map_stage_ : nullptr; }
+    const shadow::Casters& casters() const { return casters_; }
+
+    /// Binds what visibility/ray.glsl and visibility/map.glsl read, if there is anything.
     void bind() const;
 
     std::size_t triangle_count() const { return casters_.triangle_count(); }
@@ -41,6 +47,7 @@ private:
     shadow::Casters casters_;
     std::unique_ptr<shadow::Occlusion> occlusion_;
     std::optional<GpuCasters> gpu_casters_;
+    std::optional<shadow::MapStage> map_stage_;
     std::size_t node_count_ = 0;
     double build_seconds_ = 0.0;
 };

@@ -21,20 +21,22 @@ void require_lobes(std::span<const glsl::Root> users) {
                 "overlay that file too, or use --estimator sampled");
 }
 
-/// The estimator stands behind the user's own roots and in front of the embedded ones.
-std::vector<glsl::Root> shader_path(const RenderOptions& options) {
-    std::vector<glsl::Root> path = options.shader_path;
-    require(!path.empty(), "the shader path has a root");
-    if (options.estimator == Estimator::sampled) return path;
-    require_lobes(std::span(path).first(path.size() - 1));
+/// What the analytic estimator puts in the place of shaders/integrator/; absent for the sampled one.
+std::optional<glsl::Root> estimator(const RenderOptions& options) {
+    if (options.estimator == Estimator::sampled) return std::nullopt;
+    require_lobes(std::span(options.shader_path).first(options.shader_path.size() - 1));
     const std::string limits = fmt::format("const int analytic_points = {};\n"
                                            "const int most_outlined_triangles = {};\n",
                                            options.analytic_points, most_outlined_triangles);
-    path.insert(path.end() - 1,
-                glsl::Root::memory("estimator", {{"integrator/reflected.glsl",
-                                                  "#include \"integrator/reflected_analytic.glsl\"\n"},
-                                                 {"interface/estimator.glsl", limits}}));
-    return path;
+    return glsl::Root::memory(
+        "estimator", {{"integrator/reflected.glsl", "#include \"integrator/reflected_analytic.glsl\"\n"},
+                      {"interface/estimator.glsl", limits}});
+}
+
+/// @throws Error from estimator()
+ShaderLibrary library(const RenderOptions& options) {
+    require(!options.shader_path.empty(), "the shader path has a root");
+    return ShaderLibrary(options.shader_path, estimator(options));
 }
 
 } // namespace
@@ -44,17 +46,45 @@ Renderer::Renderer(const GpuScene& scene, const scene::Camera& camera, const Ren
       camera_(camera),
       options_(options),
       end_light_(scene.light_count()),
-      shaders_(shader_path(options)),
+      shaders_(library(options)),
       frame_("frame", options.width, options.height, true),
       film_("film", options.width, options.height, false),
       resting_(options.width, options.height) {
     if (options.knows_error) first_half_.emplace("first half", options.width, options.height, false);
-    if (options.has_shadows && scene.occluders() && scene.occluders()->occlusion())
-        ray_answers_.emplace(scene, frame_, options.width, options.height, options.most_answers);
+    ask_for_shadows();
     clear();
 }
 
+void Renderer::resize(int width, int height, int samples) {
+    ray_answers_.reset(); // its framebuffer holds on to the frame's depth
+    if (width != options_.width || height != options_.height) {
+        frame_ = Target("frame", width, height, true);
+        film_ = Target("film", width, height, false);
+        if (first_half_) first_half_.emplace("first half", width, height, false);
+    }
+    options_.width = width;
+    options_.height = height;
+    options_.samples = samples;
+    use_lights(0, scene_.light_count());
+    ask_for_shadows();
+    clear();
+}
+
+void Renderer::ask_for_shadows() {
+    depth_maps_.reset();
+    const Occluders* occluders = options_.has_shadows ? scene_.occluders() : nullptr;
+    if (occluders && occluders->map_stage()) depth_maps_.emplace(scene_, options_.maps);
+    const bool is_asked = occluders && occluders->occlusion();
+    const int rays_per_point = scene_.light_count() * scene_.rays_per_light();
+    if (is_asked == ray_answers_.has_value() && rays_per_point == rays_per_point_) return;
+    ray_answers_.reset();
+    rays_per_point_ = rays_per_point;
+    if (is_asked)
+        ray_answers_.emplace(scene_, frame_, options_.width, options_.height, options_.most_answers);
+}
+
 void Renderer::compile() {
+    if (depth_maps_) depth_maps_->compile(shaders_);
     for (const Draw& draw : scene_.opaque_draws()) {
         shaders_.mesh_program("depth.frag", depth_features(draw.features));
         shaders_.mesh_program(options_.shader, draw.features, opaque_visibility());
@@ -77,7 +107,7 @@ void Renderer::clear() {
 }
 
 void Renderer::repeat() {
-    sample_count_ = 0;
+    sample_count_ = rows_done_ = 0;
     glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
     for (const Target* target : {&film_, first_half_ ? &*first_half_ : nullptr}) {
         if (!target) continue;
@@ -91,11 +121,37 @@ void Renderer::look_from(const scene::Camera& camera) {
     clear();
 }
 
+void Renderer::restart(const scene::Camera& camera) {
+    ask_for_shadows();
+    use_lights(0, scene_.light_count());
+    look_from(camera);
+}
+
 void Renderer::add_sample() {
     const Window part = window();
     require(!part.is_empty(), "a pixel works");
-    keep_to(part);
+    require(rows_done_ == 0, "a sample that was begun by rows is ended by rows");
+    draw(part);
+    ++sample_count_;
+}
+
+bool Renderer::add_rows(int count) {
+    const Window whole = window();
+    require(!whole.is_empty() && count > 0, "a pixel works");
+    Window part = whole;
+    part.row += rows_done_;
+    part.height = std::min(count, whole.height - rows_done_);
+    draw(part);
+    rows_done_ += part.height;
+    if (rows_done_ < whole.height) return false;
+    rows_done_ = 0;
+    ++sample_count_;
+    return true;
+}
+
+void Renderer::draw(const Window& part) {
     const View view = begin_frame();
+    keep_to(part);
     depth_pass(frame_, scene_, shaders_, options_.background);
     glBindVertexArray(no_vertices_.id());
     if (resting_.any(sample_count_)) {
@@ -107,7 +163,6 @@ void Renderer::add_sample() {
     blend_pass(frame_, scene_, shaders_, options_.shader, view.eye, blended_visibility());
     accumulate();
     glDisable(GL_SCISSOR_TEST);
-    ++sample_count_;
 }
 
 void Renderer::accumulate() {
@@ -134,19 +189,20 @@ View Renderer::begin_frame() {
     const std::uint32_t seed = halves ? half_seed(half_of(sample_count_), options_.seed) : options_.seed;
     const View view =
         view_of(camera_, options_.width, options_.height, sub_pixel(index, options_.samples, seed));
+    if (depth_maps_)
+        depth_maps_->draw(static_cast<std::uint32_t>(index), seed, first_light_, end_light_, shaders_);
     frame_data_.upload(
         {view.clip_from_world, view.eye, static_cast<std::uint32_t>(index), seed, first_light_, end_light_});
     return view;
 }
 
 VisibilityTerm Renderer::opaque_visibility() const {
-    if (!scene_.occluders() || !options_.has_shadows) return VisibilityTerm::none;
-    return ray_answers_ ? VisibilityTerm::answered : VisibilityTerm::ray;
+    return ray_answers_ ? VisibilityTerm::answered : blended_visibility();
 }
 
 VisibilityTerm Renderer::blended_visibility() const {
-    // Several layers of a pixel can ask, so the shader answers.
-    return scene_.occluders() && options_.has_shadows ? VisibilityTerm::ray : VisibilityTerm::none;
+    if (!scene_.occluders() || !options_.has_shadows) return VisibilityTerm::none;
+    return scene_.occluders()->map_stage() ? VisibilityTerm::map : VisibilityTerm::ray;
 }
 
 void Renderer::shade_opaque(const Window& window) {

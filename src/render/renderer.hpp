@@ -1,5 +1,6 @@
 #pragma once
 // A scene, a camera and a size; out comes the Film. Adding samples is adding frames.
+#include "render/depth_maps.hpp"
 #include "render/error_estimate.hpp"
 #include "render/frame_data.hpp"
 #include "render/passes.hpp"
@@ -35,6 +36,7 @@ struct RenderOptions {
     std::vector<glsl::Root> shader_path{glsl::embedded()};
     Estimator estimator = Estimator::sampled;
     int analytic_points = default_analytic_points; // 0: linearly transformed cosines alone
+    MapOptions maps;                               // of a scene whose shadows are found by depth maps
     /// Shadow rays whose answers by the CPU are held at once, 4 bytes each; a picture with more is shaded in
     /// bands.
     std::size_t most_answers = std::size_t{64} << 20;
@@ -64,12 +66,24 @@ public:
     /// Looks from here, with an empty film.
     void look_from(const scene::Camera& camera);
 
+    /// Starts over with another size and number of samples; its programs stay. Also to be called when the
+    /// scene has got other lights (GpuScene::relight). @throws Error if the driver does not take the size.
+    void resize(int width, int height, int samples);
+    int width() const { return options_.width; }
+    int height() const { return options_.height; }
+
+    /// Starts over from here, with all lights: the scene was updated.
+    void restart(const scene::Camera& camera);
+
     /// Starts over with an empty film, in which every pixel will rest when it did: after as many samples as
     /// before, the film has the very same ones.
     void repeat();
 
     /// Renders one frame, one sample of every pixel that does not rest, and adds it to the film.
     void add_sample();
+    /// The same by parts, the next `count` rows at a time, so that others can work in between. The film is to
+    /// be read only when the sample is complete, or starts over before. @return whether it is complete
+    bool add_rows(int count);
     /// The samples of the pixels that do not rest.
     int sample_count() const { return sample_count_; }
 
@@ -100,9 +114,14 @@ public:
     /// The rays that the CPU answered; null where it is not asked.
     const RayAnswers* ray_answers() const { return ray_answers_ ? &*ray_answers_ : nullptr; }
 
+    /// The depth maps; null where shadows are found otherwise.
+    const DepthMaps* depth_maps() const { return depth_maps_ ? &*depth_maps_ : nullptr; }
+
 private:
+    void ask_for_shadows();
     View begin_frame();
     Window window() const; // what this frame draws
+    void draw(const Window& part);
     void keep_to(const Window& window) const;
     VisibilityTerm opaque_visibility() const;
     VisibilityTerm blended_visibility() const;
@@ -122,8 +141,11 @@ private:
     Resting resting_;
     FrameData frame_data_;
     std::optional<RayAnswers> ray_answers_;
+    int rays_per_point_ = 0; // that ray_answers_ was made for
+    std::optional<DepthMaps> depth_maps_;
     gl::VertexArray no_vertices_{"no vertices"}; // core profile draws need one bound
     int sample_count_ = 0;
+    int rows_done_ = 0; // of the next sample
 };
 
 } // namespace sr::render

@@ -1,5 +1,6 @@
 #include "render/shader_library.hpp"
 
+#include "core/error.hpp"
 #include "render/blocks.hpp"
 #include "render/gpu_casters.hpp"
 
@@ -9,18 +10,26 @@
 namespace sr::render {
 namespace {
 
-/// Sampler names by texture unit, the order of Slot.
+/// Sampler names by texture unit, the order of scene::Slot.
 constexpr std::array<const char*, slot_count> sampler_names{
-    "base_color_texture", "metallic_roughness_texture", "normal_texture",
-    "emission_texture",   "specular_texture",           "specular_color_texture"};
+    "base_color_texture",       "metallic_roughness_texture", "normal_texture",
+    "emission_texture",         "specular_texture",           "specular_color_texture",
+    "anisotropy_texture",       "clearcoat_texture",          "clearcoat_roughness_texture",
+    "clearcoat_normal_texture", "sheen_color_texture",        "sheen_roughness_texture",
+    "iridescence_texture",      "film_thickness_texture"};
 
 /// What stands for a file as long as the user's own roots do not have it.
 glsl::Root specialised(const Features& features, VisibilityTerm visibility) {
-    constexpr std::array files{"none", "ray", "record", "answered"};
+    constexpr std::array files{"none", "ray", "record", "answered", "map"};
     const char* file = files[static_cast<std::size_t>(visibility)];
-    return glsl::Root::memory("specialised", {{"interface/features.glsl", features.glsl()},
-                                              {"visibility/visibility.glsl",
-                                               fmt::format("#include \"visibility/{}.glsl\"\n", file)}});
+    glsl::Files texts{{"interface/features.glsl", features.glsl()},
+                      {"brdf/model.glsl", features.model_glsl()},
+                      {"visibility/visibility.glsl", fmt::format("#include \"visibility/{}.glsl\"\n", file)}};
+    if (visibility == VisibilityTerm::map) {
+        texts["integrator/shadowed.glsl"] = "#include \"integrator/shadowed_by_maps.glsl\"\n";
+        texts["integrator/point_on_light.glsl"] = "#include \"integrator/map_point_on_light.glsl\"\n";
+    }
+    return glsl::Root::memory("specialised", std::move(texts));
 }
 
 void connect(const gl::Program& program) {
@@ -33,10 +42,25 @@ void connect(const gl::Program& program) {
     program.bind_texture("light_table", light_table_unit);
     program.bind_texture("emission_texels", emission_texels_unit);
     program.bind_texture("ltc_table", ltc_table_unit);
+    program.bind_texture("measured_brdf", measured_unit);
     program.bind_texture("answers", answers_unit);
     program.bind_texture("last_rays", last_rays_unit);
+    program.bind_texture("map_triangles", map_triangles_unit);
+    program.bind_texture("map_points", map_points_unit);
     for (unsigned i = 0; i < caster_sampler_names.size(); ++i)
         program.bind_texture(caster_sampler_names[i], static_cast<GLint>(first_caster_unit + i));
+}
+
+/// @throws Error if the driver cannot read as many textures in one shader as this material takes.
+void require_units(const Features& features) {
+    constexpr int of_lights_and_shadows = 8; // lights, their textures, five of the casters, the fitted lobes
+    GLint most = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_IMAGE_UNITS, &most);
+    const int count = features.material_texture_count();
+    if (count + of_lights_and_shadows <= most) return;
+    throw Error(fmt::format("a material reads {} textures, this driver has room for {}", count,
+                            most - of_lights_and_shadows),
+                "take a texture of its clearcoat, sheen or iridescence away");
 }
 
 } // namespace
@@ -47,6 +71,8 @@ const gl::Program& ShaderLibrary::mesh_program(const std::string& fragment, cons
     if (const auto found = mesh_programs_.find(key); found != mesh_programs_.end()) return found->second;
     // Behind the user's own roots: a folder that brings its own features.glsl means it.
     std::vector<glsl::Root> path{shader_path_.begin(), shader_path_.end() - 1};
+    if (estimator_ && features.is_analytic()) path.push_back(*estimator_);
+    require_units(features);
     path.push_back(specialised(features, visibility));
     path.push_back(shader_path_.back());
     gl::Program program(fragment, glsl::expand(path, "mesh.vert"), glsl::expand(path, fragment));

@@ -5,18 +5,21 @@
 #include "render/features.hpp"
 
 #include <map>
+#include <optional>
 #include <tuple>
 #include <vector>
 
 namespace sr::render {
 
 /// Which file stands for shaders/visibility/visibility.glsl.
-enum class VisibilityTerm { none, ray, record, answered };
+enum class VisibilityTerm { none, ray, record, answered, map };
 
 class ShaderLibrary {
 public:
     /// `shader_path`: the roots that shaders come from; the first that has a file wins.
-    explicit ShaderLibrary(std::vector<glsl::Root> shader_path) : shader_path_(std::move(shader_path)) {}
+    /// `estimator` stands behind the user's own roots, for materials that the analytic estimator can take.
+    explicit ShaderLibrary(std::vector<glsl::Root> shader_path, std::optional<glsl::Root> estimator = {})
+        : shader_path_(std::move(shader_path)), estimator_(std::move(estimator)) {}
 
     /// mesh.vert with `fragment` ("depth.frag", "forward.frag") for these features. Compiles at the first
     /// call.
@@ -31,6 +34,7 @@ public:
 
 private:
     std::vector<glsl::Root> shader_path_;
+    std::optional<glsl::Root> estimator_;
     std::map<std::tuple<std::string, Features, VisibilityTerm>, gl::Program> mesh_programs_;
     std::map<std::string, gl::Program> fullscreen_programs_;
 };

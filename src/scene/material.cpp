@@ -1,8 +1,51 @@
 #include "scene/material.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace sr::scene {
+namespace {
+
+constexpr std::array<std::pair<std::string_view, Model>, 9> model_names{
+    {{"metallic_roughness", Model::metallic_roughness},
+     {"lambert", Model::lambert},
+     {"oren_nayar", Model::oren_nayar},
+     {"mirror", Model::mirror},
+     {"phong", Model::phong},
+     {"blinn_phong", Model::blinn_phong},
+     {"ggx", Model::ggx},
+     {"conductor", Model::conductor},
+     {"merl", Model::merl}}};
+
+} // namespace
+
+std::string_view name_of(Model model) {
+    return std::ranges::find(model_names, model, &decltype(model_names)::value_type::second)->first;
+}
+
+std::optional<Model> model_named(std::string_view name) {
+    const auto found = std::ranges::find(model_names, name, &decltype(model_names)::value_type::first);
+    return found == model_names.end() ? std::nullopt : std::optional(found->second);
+}
+
+std::array<const TextureSlot*, slot_count> texture_slots(const Material& m) {
+    return {&m.base_color_texture,       &m.metallic_roughness_texture, &m.normal_texture,
+            &m.emission_texture,         &m.specular_texture,           &m.specular_color_texture,
+            &m.anisotropy_texture,       &m.clearcoat_texture,          &m.clearcoat_roughness_texture,
+            &m.clearcoat_normal_texture, &m.sheen_color_texture,        &m.sheen_roughness_texture,
+            &m.iridescence_texture,      &m.film_thickness_texture};
+}
+
+bool needs_tangents(const Material& m) {
+    return m.normal_texture.is_present() || m.is_anisotropic()
+           || (m.clearcoat > 0.0f && m.clearcoat_normal_texture.is_present());
+}
+
+int tangent_texcoord(const Material& m) {
+    for (const TextureSlot* slot : {&m.normal_texture, &m.clearcoat_normal_texture, &m.anisotropy_texture})
+        if (slot->is_present()) return slot->texcoord;
+    return 0;
+}
 
 int wrapped(int i, int size, Wrap wrap) {
     if (wrap == Wrap::clamp_to_edge) return std::clamp(i, 0, size - 1);

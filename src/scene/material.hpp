@@ -2,8 +2,11 @@
 // What a surface is made of, and the images that say so. Plain data, linear unless it says otherwise.
 #include "core/math.hpp"
 
+#include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -60,7 +63,50 @@ struct TextureSlot {
 
 enum class AlphaMode { opaque, mask, blend };
 
-/// glTF 2.0 metallic-roughness with KHR_materials_ior, _specular, _emissive_strength and _unlit.
+/// Which BRDF a surface has: glTF's own, or one that extras.steradian names (shaders/brdf/models/).
+enum class Model {
+    metallic_roughness,
+    lambert,
+    oren_nayar,
+    mirror,
+    phong,
+    blinn_phong,
+    ggx,
+    conductor,
+    merl
+};
+
+/// "oren_nayar", as extras.steradian and shaders/brdf/models/ have it.
+std::string_view name_of(Model model);
+std::optional<Model> model_named(std::string_view name);
+
+/// The textures of a material, in the order of texture_slots(). GLSL has the same numbers
+/// (shaders/interface/material.glsl).
+enum Slot : unsigned {
+    base_color_slot,
+    metallic_roughness_slot,
+    normal_slot,
+    emission_slot,
+    specular_slot,
+    specular_color_slot,
+    anisotropy_slot,
+    clearcoat_slot,
+    clearcoat_roughness_slot,
+    clearcoat_normal_slot,
+    sheen_color_slot,
+    sheen_roughness_slot,
+    iridescence_slot,
+    film_thickness_slot,
+    slot_count
+};
+
+/// A conductor's index of refraction n + ik for red, green and blue. Source: conductor.hpp.
+struct ComplexIor {
+    vec3 n{1.0f};
+    vec3 k{0.0f};
+};
+
+/// glTF 2.0 metallic-roughness with its KHR_materials_ extensions, and what extras.steradian adds.
 /// Each factor multiplies its texture, if there is one.
 struct Material {
     std::string name;
@@ -82,12 +128,56 @@ struct Material {
     vec3 specular_color{1.0f};
     TextureSlot specular_color_texture;
 
+    float anisotropy = 0.0f;          // KHR_materials_anisotropy: strength, 0 to 1; texture: blue channel
+    float anisotropy_rotation = 0.0f; // from the tangent towards the bitangent [rad]
+    TextureSlot anisotropy_texture;   // red, green: a direction in the tangent plane, -1 to 1
+
+    float clearcoat = 0.0f; // KHR_materials_clearcoat: weight; texture: red channel
+    TextureSlot clearcoat_texture;
+    float clearcoat_roughness = 0.0f; // texture: green channel
+    TextureSlot clearcoat_roughness_texture;
+    float clearcoat_normal_scale = 1.0f;
+    TextureSlot clearcoat_normal_texture;
+
+    vec3 sheen_color{0.0f}; // KHR_materials_sheen
+    TextureSlot sheen_color_texture;
+    float sheen_roughness = 0.0f; // texture: alpha channel
+    TextureSlot sheen_roughness_texture;
+
+    float iridescence = 0.0f; // KHR_materials_iridescence: weight; texture: red channel
+    TextureSlot iridescence_texture;
+    float film_ior = 1.3f;
+    float least_film_thickness = 100.0f;   // [nm], where the texture's green channel is 0
+    float largest_film_thickness = 400.0f; // [nm], where it is 1, or there is none
+    TextureSlot film_thickness_texture;
+
+    Model model = Model::metallic_roughness;
+    float roughness_across = -1.0f; // ggx, conductor: across the tangent; negative: `roughness`
+    float exponent = 32.0f;         // phong, blinn_phong
+    ComplexIor conductor;
+    int measured = -1; // merl: index into Scene::measured
+
     AlphaMode alpha_mode = AlphaMode::opaque;
     float alpha_cutoff = 0.5f;
     bool is_double_sided = false;
     bool is_unlit = false; // KHR_materials_unlit: L_o is the base colour [cd/m²], no light touches it
 
+    /// Whether the GGX lobe is wider along one direction; then meshes need tangents.
+    bool is_anisotropic() const {
+        return model == Model::metallic_roughness ? anisotropy > 0.0f
+                                                  : roughness_across >= 0.0f && roughness_across != roughness;
+    }
+    bool has_sheen() const { return sheen_color.x > 0.0f || sheen_color.y > 0.0f || sheen_color.z > 0.0f; }
     bool is_emissive() const { return emission.x > 0.0f || emission.y > 0.0f || emission.z > 0.0f; }
 };
+
+/// In the order of Slot.
+std::array<const TextureSlot*, slot_count> texture_slots(const Material& material);
+
+/// Whether shading reads the tangents of meshes of this material.
+bool needs_tangents(const Material& material);
+
+/// The texture coordinate set that tangents follow: the normal map's, or that of what else needs them.
+int tangent_texcoord(const Material& material);
 
 } // namespace sr::scene

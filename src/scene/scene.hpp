@@ -3,6 +3,7 @@
 #include "scene/camera.hpp"
 #include "scene/light.hpp"
 #include "scene/material.hpp"
+#include "scene/measured_brdf.hpp"
 #include "scene/profile.hpp"
 #include "scene/units.hpp"
 
@@ -51,6 +52,7 @@ struct Scene {
     std::vector<Instance> instances;
     std::vector<Light> lights; // what the file calls lights; emissive surfaces: see emitters.hpp
     std::vector<LightProfile> profiles;
+    std::vector<MeasuredBrdf> measured; // what materials of Model::merl read
     /// What the lights count in, and the film: cd/m² or W/(m² sr).
     UnitSystem units = UnitSystem::photometric;
     std::vector<Camera> cameras;

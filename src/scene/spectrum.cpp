@@ -10,13 +10,6 @@ namespace {
 
 using glm::dvec3;
 
-/// XYZ to linear Rec. 709 with D65: IEC 61966-2-1. The rows are those of the matrix.
-dvec3 rgb_of(dvec3 xyz) {
-    return {glm::dot(dvec3(3.2404542, -1.5371385, -0.4985314), xyz),
-            glm::dot(dvec3(-0.9692660, 1.8760108, 0.0415560), xyz),
-            glm::dot(dvec3(0.0556434, -0.2040259, 1.0572252), xyz)};
-}
-
 /// Where a spectrum or the observer's table has a corner, within the spectrum.
 std::vector<double> corners(const Spectrum& spectrum) {
     std::vector<double> places;
@@ -47,6 +40,12 @@ double power(const Spectrum& spectrum) { // ∫ S dλ, in its units times nm
 
 } // namespace
 
+dvec3 rgb_of_xyz(dvec3 xyz) { // the rows of the matrix
+    return {glm::dot(dvec3(3.2404542, -1.5371385, -0.4985314), xyz),
+            glm::dot(dvec3(-0.9692660, 1.8760108, 0.0415560), xyz),
+            glm::dot(dvec3(0.0556434, -0.2040259, 1.0572252), xyz)};
+}
+
 double luminance(vec3 rgb) { return 0.2126 * rgb.r + 0.7152 * rgb.g + 0.0722 * rgb.b; }
 
 dvec3 xyz_of(const Spectrum& spectrum) {
@@ -68,7 +67,7 @@ vec3 with_unit_luminance(dvec3 rgb) {
 
 LightColor color_of(const Spectrum& spectrum) {
     const dvec3 xyz = xyz_of(spectrum);
-    return {with_unit_luminance(rgb_of(xyz)), lumens_per_watt * xyz.y / power(spectrum)};
+    return {with_unit_luminance(rgb_of_xyz(xyz)), lumens_per_watt * xyz.y / power(spectrum)};
 }
 
 double planck(double wavelength, double temperature) {
@@ -85,7 +84,7 @@ LightColor color_of_blackbody(double temperature) {
          w += 1.0) // [nm]: its curvature is then negligible
         visible.push_back({w, planck(w, temperature)});
     const dvec3 xyz = xyz_of(visible); // [W/m³ nm]
-    return {with_unit_luminance(rgb_of(xyz)),
+    return {with_unit_luminance(rgb_of_xyz(xyz)),
             lumens_per_watt * 1e-9 * xyz.y / (stefan_boltzmann * std::pow(temperature, 4.0))};
 }
 

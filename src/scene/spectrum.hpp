@@ -24,6 +24,9 @@ struct LightColor {
 /// watt counts where no spectrum says otherwise.
 inline constexpr double lumens_per_watt = 683.0;
 
+/// XYZ to linear Rec. 709 with D65: IEC 61966-2-1.
+glm::dvec3 rgb_of_xyz(glm::dvec3 xyz);
+
 /// Y of linear Rec. 709 (ITU-R BT.709-6, section 3.2).
 double luminance(vec3 rgb);
 

@@ -4,6 +4,7 @@
 #include "scene/emitters.hpp"
 #include "scene/framing.hpp"
 #include "scene/light_surfaces.hpp"
+#include "scene/look_at.hpp"
 #include "scene/rig.hpp"
 
 #include <algorithm>
@@ -17,14 +18,29 @@ std::string cameras_of(const Scene& scene) {
     std::string names;
     for (std::size_t i = 0; i < scene.cameras.size(); ++i)
         names += fmt::format("{} '{}', ", i, scene.cameras[i].name);
-    return names + "auto";
+    return names + "auto, or a view: eye=X,Y,Z;target=X,Y,Z";
+}
+
+/// A scene of nothing but the corners of a box.
+Scene corners_of(const Bounds& box) {
+    Scene scene;
+    Mesh& mesh = scene.meshes.emplace_back();
+    for (int corner = 0; corner < 8; ++corner)
+        mesh.positions.emplace_back((corner & 1) != 0 ? box.max.x : box.min.x,
+                                    (corner & 2) != 0 ? box.max.y : box.min.y,
+                                    (corner & 4) != 0 ? box.max.z : box.min.z);
+    scene.instances.emplace_back();
+    return scene;
 }
 
 Camera chosen_camera(const Scene& scene, const std::string& file, const StageOptions& options) {
     const std::string& wanted = options.camera;
     if (wanted == "auto" || (wanted.empty() && scene.cameras.empty()))
-        return framing_camera(scene, options.aspect_ratio);
+        return options.extent && !options.extent->is_empty()
+                   ? framing_camera(corners_of(*options.extent), options.aspect_ratio)
+                   : framing_camera(scene, options.aspect_ratio);
     if (wanted.empty()) return scene.cameras.front();
+    if (is_look_at(wanted)) return camera_at(parsed_look_at(wanted), bounds_of(scene), options.aspect_ratio);
     for (const Camera& camera : scene.cameras)
         if (camera.name == wanted) return camera;
     std::size_t index = 0;
@@ -44,7 +60,7 @@ bool is_detail(const Light& light) {
 
 Stage set_stage(Scene scene, const std::string& name, const StageOptions& options) {
     Stage stage;
-    const Bounds bounds = bounds_of(scene);
+    const Bounds bounds = options.extent.value_or(bounds_of(scene));
     stage.camera = chosen_camera(scene, name, options);
 
     stage.lights = assign_emitters(scene);

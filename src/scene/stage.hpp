@@ -2,13 +2,15 @@
 // Everything that a picture needs besides its size: what is seen, what lights it, who looks.
 #include "scene/scene.hpp"
 
+#include <optional>
+
 namespace sr::scene {
 
 enum class Rig { studio, none };
 
 struct StageOptions {
-    /// A camera of the scene by name or by index, or "auto" for one that frames the scene. Empty: the scene's
-    /// first camera, or "auto" if it has none.
+    /// A camera of the scene by name or by index, "auto" for one that frames the scene, or a view in words
+    /// (look_at.hpp). Empty: the scene's first camera, or "auto" if it has none.
     std::string camera;
     /// What lights a scene that has no lamp: no emitter but, perhaps, glowing details (textured emission).
     Rig rig = Rig::studio;
@@ -17,6 +19,9 @@ struct StageOptions {
     /// Leaves L_e out of what the camera sees, not out of the light: lights get no surface of their own, and
     /// emissive surfaces show only what they reflect. Unlit materials are no emitters and stay.
     bool hide_emitters = false;
+    /// All that a scene reaches while it moves: what "auto" and the rig fit, so that they stand still.
+    /// Absent: the scene as it is.
+    std::optional<Bounds> extent{};
 };
 
 struct Stage {

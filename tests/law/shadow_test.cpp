@@ -11,7 +11,7 @@ using render::Visibility;
 
 namespace {
 
-constexpr std::array providers{Visibility::ray_on_cpu, Visibility::ray_in_glsl};
+constexpr std::array providers{Visibility::ray_on_cpu, Visibility::ray_in_glsl, Visibility::map};
 
 const std::vector<scene::Light> zoo{
     scene::PointLight{"", {-1.0f, 1.0f, 0.0f}, vec3(3.0f, 1.0f, 0.5f)},
@@ -113,7 +113,8 @@ const Test penumbra("law.shadow.a_penumbra_is_as_wide_as_similar_triangles_say",
     const auto camera = camera_from_above(extent);
     const auto bare = picture(lambert_plane(4.0f), lights, camera, size, 8, 0, Visibility::none);
     for (const Visibility visibility : providers) {
-        const auto image = picture(under_an_edge(0.0f, 0.8f), lights, camera, size, 8, 0, visibility);
+        const int samples = visibility == Visibility::map ? 64 : 8; // which all pixels share
+        const auto image = picture(under_an_edge(0.0f, 0.8f), lights, camera, size, samples, 0, visibility);
         double last = 1.0, mean = 0.0, square = 0.0;
         for (int x = 0; x < size; ++x) {
             double lit = 0.0, all = 0.0;
@@ -205,6 +206,66 @@ const Test window("law.shadow.a_window_shows_what_the_picture_shows", [] {
         const auto a = whole.film(), b = part.film();
         for (int y = 30; y < 38; ++y)
             for (int x = 20; x < 36; ++x) ASSERT_EQ(a.at(x, y)[0], b.at(x, y)[0]) << x << ", " << y;
+    }
+});
+
+/// One light of each kind that has an extent, over whatever lies around the origin.
+std::vector<scene::Light> emitters() {
+    const vec3 L(10.0f);
+    scene::MeshLight roof{"", {}, L};
+    const vec3 ridge[2]{{-0.2f, 1.6f, 0.0f}, {0.2f, 1.6f, 0.0f}};
+    for (const float side : {-1.0f, 1.0f}) {
+        const vec3 eave(0.1f * side, 1.4f, 0.3f * side);
+        roof.triangles.push_back({{ridge[0], ridge[1], eave}, {}});
+        if (side < 0.0f) std::swap(roof.triangles.back().corners[0], roof.triangles.back().corners[1]);
+    }
+    return {scene::RectangleLight{"", {0.0f, 1.5f, 0.0f}, {0.2f, 0, 0}, {0, 0, 0.3f}, L},
+            scene::DiskLight{"", {0.1f, 1.5f, 0.0f}, {0.3f, 0, 0}, {0, 0, 0.15f}, L},
+            scene::SphereLight{"", {0.1f, 1.5f, 0.1f}, 0.25f, L},
+            scene::TubeLight{"", {0.0f, 1.5f, 0.0f}, {0.3f, 0.1f, 0.0f}, 0.1f, L},
+            scene::PolygonLight{"", {{-0.2f, 1.5f, -0.2f}, {0.3f, 1.5f, -0.1f}, {0.0f, 1.5f, 0.3f}}, L},
+            roof,
+            scene::DirectionalLight{"", glm::normalize(vec3(0.3f, -1.0f, 0.1f)), vec3(3.0f), 0.1f},
+            scene::SpotLight{"", {0.0f, 1.5f, 0.0f}, {0, -1, 0}, vec3(5.0f), INFINITY, 0.2f, 0.9f, 0.15f}};
+}
+
+// Depth maps come out at what rays come out at: in the umbra, in the penumbra and where the horizon of a
+// surface cuts the emitter, diffuse and glossy.
+const Test maps("law.shadow.depth_maps_converge_to_rays", [] {
+    context();
+    auto scene = under_an_edge(0.0f, 0.6f);
+    scene.materials[0].specular = 1.0f;
+    scene.materials[0].roughness = 0.5f;
+    add_box(scene, {-0.4f, 0.2f, 0.0f}, turned(vec3(0.2f)), 4, lambert());
+    const auto lights = emitters();
+    const auto shone = [&](Visibility visibility) {
+        const render::GpuScene gpu_scene(scene, lights, visibility);
+        render::RenderOptions options;
+        options.width = options.height = 24;
+        options.samples = 128;
+        options.maps.size = 128;
+        render::Renderer renderer(gpu_scene, camera_from_above(0.8f), options);
+        std::vector<image::Image> films;
+        for (int k = 0; k < static_cast<int>(lights.size()); ++k) {
+            renderer.clear();
+            renderer.use_lights(k, k + 1);
+            for (int i = 0; i < options.samples; ++i) renderer.add_sample();
+            films.push_back(renderer.film());
+        }
+        return films;
+    };
+    const auto rays = shone(Visibility::ray_on_cpu), mapped = shone(Visibility::map);
+    for (std::size_t k = 0; k < lights.size(); ++k) {
+        double sum = 0.0, difference = 0.0, square = 0.0;
+        for (std::size_t i = 0; i < rays[k].pixels.size(); i += 4) {
+            const double off = mapped[k].pixels[i] - rays[k].pixels[i];
+            sum += rays[k].pixels[i];
+            difference += off;
+            square += off * off;
+        }
+        const double mean = sum / (24.0 * 24.0);
+        EXPECT_NEAR(difference / sum, 0.0, 5e-3) << "light " << k;
+        EXPECT_LT(std::sqrt(square / (24.0 * 24.0)) / mean, 0.05) << "light " << k;
     }
 });
 

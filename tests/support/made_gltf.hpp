@@ -30,7 +30,7 @@ public:
     int accessor(const std::vector<T>& numbers, const std::string& type, int component_type) {
         const int view = this->view(numbers.data(), numbers.size() * sizeof(T));
         static const std::map<std::string, std::size_t> components{
-            {"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4}};
+            {"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4}, {"MAT4", 16}};
         root["accessors"].push_back({{"bufferView", view},
                                      {"componentType", component_type},
                                      {"count", numbers.size() / components.at(type)},

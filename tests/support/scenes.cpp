@@ -100,6 +100,7 @@ image::Image picture(const scene::Scene& scene, std::span<const scene::Light> li
     options.width = options.height = size;
     options.samples = samples;
     options.seed = seed;
+    options.maps.size = 256; // quick, and enough for pictures so small
     render::Renderer renderer(gpu_scene, camera, options);
     for (int i = 0; i < samples; ++i) renderer.add_sample();
     return renderer.film();

@@ -27,6 +27,7 @@ struct Arguments {
     int softboxes = 0;
     double resting = 0.0;
     std::string visibility = "ray";
+    render::MapOptions maps;
     std::string backend = "auto";
 };
 
@@ -76,6 +77,11 @@ render::PixelMask spread(double share, int width, int height) {
 
 void report_rays(const render::GpuScene& scene, const render::Renderer& renderer) {
     if (!scene.occluders()) return;
+    if (const auto* maps = renderer.depth_maps()) {
+        fmt::print("shadows: {} maps of {}x{} texels a frame\n", maps->map_count(), maps->size(),
+                   maps->size());
+        return;
+    }
     fmt::print("shadows: built in {:.3f} s, {} boxes", scene.occluders()->build_seconds(),
                scene.occluders()->node_count());
     if (const auto* answers = renderer.ray_answers())
@@ -95,6 +101,7 @@ void run(const Arguments& arguments) {
     options.width = arguments.width;
     options.height = arguments.height;
     options.samples = arguments.frames + 1;
+    options.maps = arguments.maps;
     render::Renderer renderer(gpu_scene, stage.camera, options);
     renderer.compile();
     const double first = frame_times(renderer, 1).front(); // includes what the driver compiles at first use
@@ -128,8 +135,10 @@ int main(int argc, char** argv) {
     app.add_option("--resting", arguments.resting, "this share of the pixels has enough samples")
         ->check(CLI::Range(0.0, 0.99));
     app.add_option("--visibility", arguments.visibility)
-        ->check(CLI::IsMember({"none", "ray", "ray-cpu", "ray-glsl"}))
+        ->check(CLI::IsMember({"none", "ray", "ray-cpu", "ray-glsl", "map"}))
         ->capture_default_str();
+    app.add_option("--map-points", arguments.maps.points)->check(CLI::Range(1, 32))->capture_default_str();
+    app.add_option("--map-size", arguments.maps.size)->capture_default_str();
     app.add_option("--backend", arguments.backend)->capture_default_str();
     app.footer("Example:\n  build/bench_frame scene.glb --frames 100");
     CLI11_PARSE(app, argc, argv);

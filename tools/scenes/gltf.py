@@ -4,7 +4,7 @@ import json
 import struct
 
 ARRAY_BUFFER, ELEMENT_ARRAY_BUFFER = 34962, 34963
-UNSIGNED_SHORT, FLOAT = 5123, 5126
+UNSIGNED_BYTE, UNSIGNED_SHORT, FLOAT = 5121, 5123, 5126
 LINEAR, LINEAR_MIPMAP_LINEAR, REPEAT = 9729, 9987, 10497
 
 
@@ -83,16 +83,33 @@ class Document:
         self.binary.extend(data)
         return self.add("bufferViews", view)
 
-    def float_accessor(self, rows, has_bounds=False):
+    def float_accessor(self, rows, has_bounds=False, target=ARRAY_BUFFER):
         rows = [[snapped(number) for number in row] for row in rows]
         width = len(rows[0])
         data = b"".join(struct.pack(f"<{width}f", *row) for row in rows)
-        accessor = {"bufferView": self.view(data, ARRAY_BUFFER), "componentType": FLOAT, "count": len(rows),
-                    "type": f"VEC{width}"}
+        accessor = {"bufferView": self.view(data, target), "componentType": FLOAT, "count": len(rows),
+                    "type": {1: "SCALAR", 16: "MAT4"}.get(width, f"VEC{width}")}
         if has_bounds:
             accessor["min"] = [min(column) for column in zip(*rows)]
             accessor["max"] = [max(column) for column in zip(*rows)]
         return self.add("accessors", accessor)
+
+    def sparse_accessor(self, rows):
+        """Rows that are mostly zero: only the others are stored."""
+        places = [i for i, row in enumerate(rows) if any(snapped(number) for number in row)]
+        indices = self.view(struct.pack(f"<{len(places)}H", *places), None)
+        values = self.view(b"".join(struct.pack("<3f", *(snapped(number) for number in rows[i])) for i in places), None)
+        columns = list(zip(*([snapped(number) for number in row] for row in rows)))
+        return self.add("accessors", {"componentType": FLOAT, "count": len(rows), "type": "VEC3", "sparse": {
+            "count": len(places), "indices": {"bufferView": indices, "componentType": UNSIGNED_SHORT},
+            "values": {"bufferView": values}}, "min": [min(column) for column in columns],
+            "max": [max(column) for column in columns]})
+
+    def byte_accessor(self, rows, target=None):
+        width = len(rows[0])
+        data = b"".join(struct.pack(f"<{width}B", *row) for row in rows)
+        return self.add("accessors", {"bufferView": self.view(data, target), "componentType": UNSIGNED_BYTE,
+                                      "count": len(rows), "type": "SCALAR" if width == 1 else f"VEC{width}"})
 
     def index_accessor(self, indices):
         data = struct.pack(f"<{len(indices)}H", *indices)
@@ -113,6 +130,22 @@ class Document:
     def mesh(self, name, *parts):
         """Each part is a pair (geometry, material)."""
         return self.add("meshes", {"name": name, "primitives": [self.primitive(*part) for part in parts]})
+
+    # --- motion ------------------------------------------------------------------------------------------------
+
+    def channel(self, animation, target, times, rows, interpolation="LINEAR"):
+        """`target` is (node, path), or a JSON pointer; the rows of a flag are true or false."""
+        is_flag = isinstance(rows[0][0], bool)
+        samplers = self.json["animations"][animation]["samplers"]
+        samplers.append({"input": self.float_accessor([[time] for time in times], True, None),
+                         "output": self.byte_accessor(rows) if is_flag else self.float_accessor(rows, False, None),
+                         "interpolation": interpolation})
+        if isinstance(target, str):
+            self.use("KHR_animation_pointer")
+            place = {"path": "pointer", "extensions": {"KHR_animation_pointer": {"pointer": target}}}
+        else:
+            place = {"node": target[0], "path": target[1]}
+        self.json["animations"][animation]["channels"].append({"sampler": len(samplers) - 1, "target": place})
 
     # --- nodes -------------------------------------------------------------------------------------------------
 

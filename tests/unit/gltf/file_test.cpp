@@ -156,7 +156,7 @@ const Test used("unit.gltf.file.used_extensions_are_warned_of_once", [] {
     EXPECT_EQ(loaded.warnings.size(), 1u);
     EXPECT_TRUE(
         warns_once(loaded, "made.gltf: it uses what is not supported yet, \"A_a\", \"B_b\": shown without"));
-    EXPECT_EQ(loaded.extensions_used.size(), 3u);
+    EXPECT_EQ(loaded.contents.extensions_used.size(), 3u);
 });
 
 const Test kinds("unit.gltf.file.wrong_kinds_of_values_are_named", [] {

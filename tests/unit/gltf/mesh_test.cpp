@@ -198,16 +198,4 @@ const Test no_positions("unit.gltf.mesh.no_positions_draws_nothing", [] {
     EXPECT_TRUE(warns_once(loaded, "there is nothing to see"));
 });
 
-const Test rest_pose("unit.gltf.mesh.what_moves_is_shown_at_rest", [] {
-    MadeGltf made = square();
-    made.primitive()["targets"] = json::array({{{"POSITION", 0}}});
-    made.root["skins"] = json::array({{{"joints", {0}}}});
-    made.root["nodes"][0]["skin"] = 0;
-    made.root["animations"] = json::array({{{"channels", json::array()}, {"samplers", json::array()}}});
-    const gltf::Loaded loaded = load(made);
-    EXPECT_EQ(loaded.warnings.size(), 3u);
-    for (const std::string& line : loaded.warnings)
-        EXPECT_NE(line.find("is not supported yet: shown in its rest pose"), std::string::npos) << line;
-});
-
 } // namespace

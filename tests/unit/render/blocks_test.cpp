@@ -21,6 +21,7 @@ Features everything() {
     f.has_base_color_texture = f.has_metallic_roughness_texture = f.has_normal_texture = true;
     f.has_emission_texture = f.has_specular_texture = f.has_specular_color_texture = true;
     f.has_vertex_colors = f.is_masked = f.is_blended = true;
+    f.has_anisotropy = f.has_clearcoat = f.has_sheen = f.has_iridescence = true;
     return f;
 }
 
@@ -65,6 +66,12 @@ const Test layout("unit.render.blocks.match_the_shaders", [] {
     EXPECT_EQ(offset_of(program, "base_color_factor"), offsetof(MaterialBlock, base_color_factor));
     EXPECT_EQ(offset_of(program, "emission_factor"), offsetof(MaterialBlock, emission_factor));
     EXPECT_EQ(offset_of(program, "specular_color_factor"), offsetof(MaterialBlock, specular_color_factor));
+    EXPECT_EQ(offset_of(program, "anisotropy_factor"), offsetof(MaterialBlock, anisotropy_factor));
+    EXPECT_EQ(offset_of(program, "clearcoat_factor"), offsetof(MaterialBlock, clearcoat_factor));
+    EXPECT_EQ(offset_of(program, "sheen_factor"), offsetof(MaterialBlock, sheen_factor));
+    EXPECT_EQ(offset_of(program, "iridescence_factor"), offsetof(MaterialBlock, iridescence_factor));
+    EXPECT_EQ(offset_of(program, "ior_factor"), offsetof(MaterialBlock, ior_factor));
+    EXPECT_EQ(offset_of(program, "extinction_factor"), offsetof(MaterialBlock, extinction_factor));
     EXPECT_EQ(offset_of(program, "metallic_factor"), offsetof(MaterialBlock, metallic_factor));
     EXPECT_EQ(offset_of(program, "roughness_factor"), offsetof(MaterialBlock, roughness_factor));
     EXPECT_EQ(offset_of(program, "normal_scale"), offsetof(MaterialBlock, normal_scale));

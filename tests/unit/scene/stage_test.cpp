@@ -35,7 +35,8 @@ const Test cameras("unit.scene.stage.cameras_by_name_index_and_default", [] {
         chosen("2");
         FAIL();
     } catch (const Error& error) {
-        EXPECT_STREQ(error.what(), "f: no camera '2': choose one of 0 'front', 1 'side', auto");
+        EXPECT_STREQ(error.what(), "f: no camera '2': choose one of 0 'front', 1 'side', auto, or a view: "
+                                   "eye=X,Y,Z;target=X,Y,Z");
     }
 });
 

@@ -1,0 +1,63 @@
+#version 410 core
+// The film on a screen: what the viewer's window shows behind its panels.
+#include "display/displayed.glsl"
+#include "display/false_color.glsl"
+
+uniform sampler2D film_sum;  // the sum of all samples
+uniform float film_weight;   // 1 / their number
+uniform sampler2D other_sum; // what it is compared with
+uniform float other_weight;
+uniform vec2 window_size;
+uniform float exposure;
+uniform int curve;
+uniform bool is_false_color;
+uniform vec2 false_color_range; // log2 of the luminances at its ends
+uniform int comparison;         // 0: none, 1: wipe, 2: difference, 3: the other's red, 0 to 1, as false colour
+uniform float wipe;             // where the other picture begins, 0 to 1
+
+out vec4 screen;
+
+// Pixel by pixel where the film has the window's size, else bilinear in linear light.
+vec3 radiance(sampler2D sum, float weight) {
+    vec2 size = vec2(textureSize(sum, 0));
+    vec2 at = gl_FragCoord.xy * size / window_size - 0.5;
+    ivec2 low = ivec2(floor(at + 1e-3)); // a pixel's centre must not fall below itself by rounding
+    vec2 between = clamp(at - vec2(low), 0.0, 1.0);
+    ivec2 last = ivec2(size) - 1;
+    if (size == window_size) return texelFetch(sum, ivec2(gl_FragCoord.xy), 0).rgb * weight;
+    vec3 rows[2];
+    for (int y = 0; y < 2; ++y) {
+        vec3 left = texelFetch(sum, clamp(low + ivec2(0, y), ivec2(0), last), 0).rgb;
+        vec3 right = texelFetch(sum, clamp(low + ivec2(1, y), ivec2(0), last), 0).rgb;
+        rows[y] = mix(left, right, between.x);
+    }
+    return mix(rows[0], rows[1], between.y) * weight;
+}
+
+vec3 shown(vec3 L) {
+    if (!is_false_color) return displayed(L, exposure, curve);
+    if (!is_finite(L)) return vec3(1.0, 0.0, 1.0);
+    float ev = log2(max(luminance(L), 1e-30));
+    return false_color((ev - false_color_range.x) / (false_color_range.y - false_color_range.x));
+}
+
+// Blue where the film is darker than the other, orange where it is brighter, grey where they agree; full at one half.
+vec3 difference(vec3 L, vec3 other) {
+    float a = luminance(L), b = luminance(other);
+    float relative = (a - b) / max(max(a, b), 1e-30);
+    if (!is_finite(L) || !is_finite(other)) return vec3(1.0, 0.0, 1.0);
+    vec3 end = relative > 0.0 ? vec3(0.902, 0.624, 0.0) : vec3(0.0, 0.447, 0.698);
+    return mix(vec3(0.5), end, clamp(2.0 * abs(relative), 0.0, 1.0));
+}
+
+void main() {
+    vec3 L = radiance(film_sum, film_weight);
+    vec3 color = comparison == 2 ? difference(L, radiance(other_sum, other_weight)) : shown(L);
+    if (comparison == 3) color = false_color(radiance(other_sum, other_weight).r);
+    if (comparison == 1) {
+        float edge = gl_FragCoord.x - wipe * window_size.x;
+        if (edge > 0.0) color = shown(radiance(other_sum, other_weight));
+        if (abs(edge) < 1.0) color = vec3(1.0);
+    }
+    screen = vec4(color, 1.0);
+}

@@ -1,0 +1,9 @@
+// cosθ_i: where wi is below n there is none, and where it is below the surface that a normal map bends n away from, none either:
+// light does not come through a surface from behind. Negative or not a number where wi is below n or none.
+#include "interface/features.glsl"
+#include "surface/surface.glsl"
+
+float cosine(Surface x, vec3 wi) {
+    if (has_normal_texture && dot(x.unmapped_n, wi) <= 0.0) return 0.0;
+    return dot(x.n, wi);
+}

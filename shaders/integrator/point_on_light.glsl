@@ -1,0 +1,10 @@
+// One point on a light and its V, for those who ask what arrives and not what is reflected. Under --visibility map
+// the renderer puts map_point_on_light.glsl in the place of this file.
+#include "integrator/random_point.glsl"
+#include "integrator/rays.glsl"
+#include "light/sample_light.glsl"
+#include "visibility/visibility.glsl"
+
+LightSample point_on_light(int k, Surface x) { return sample_light(k, x.position, random_point(uint(k) + 1u)); }
+
+float V_of_point(int k, Surface x, LightSample light) { return visibility(x, light.wi, light.distance, k, towards_light); }

@@ -1,0 +1,8 @@
+// One row of a table: three texels. Mirror: src/render/glsl_table.hpp.
+uniform samplerBuffer rows;
+uniform int row_count;
+
+out vec4 answer;
+
+int row_number() { return 256 * int(gl_FragCoord.y) + int(gl_FragCoord.x); }
+vec4 row_part(int part) { return texelFetch(rows, 3 * row_number() + part); }

@@ -1,0 +1,73 @@
+#include "brdf/specimen.hpp"
+
+#include "core/error.hpp"
+
+#include <array>
+#include <fmt/format.h>
+#include <fstream>
+#include <regex>
+#include <sstream>
+
+namespace sr::brdf {
+namespace {
+
+bool declares(const std::string& text, const std::string& function) {
+    return std::regex_search(text, std::regex("\\b" + function + "\\s*\\([^;]*\\)\\s*\\{"));
+}
+
+} // namespace
+
+UserShader read_user_shader(const std::filesystem::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    std::ostringstream text;
+    if (stream) text << stream.rdbuf();
+    if (!stream) throw Error({file.string()}, "cannot be read", "name a GLSL file that declares f_r");
+    UserShader shader{text.str(), file.string(), false};
+    if (!declares(shader.text, "f_r"))
+        throw Error({file.string()}, "does not declare f_r",
+                    "write vec3 f_r(Surface x, vec3 wi, vec3 wo) { … }, as shaders/brdf/f_r.glsl does");
+    int count = 0;
+    for (const char* name : {"has_peak", "sample_f_r", "p_f_r"}) count += declares(shader.text, name);
+    if (count != 0 && count != 3)
+        throw Error({file.string()}, "declares a part of its sampling only",
+                    "declare has_peak, sample_f_r and p_f_r, as shaders/brdf/sample_f_r.glsl does, or none");
+    shader.has_sampling = count == 3;
+    return shader;
+}
+
+render::Features features_of(const Specimen& specimen) {
+    scene::Scene scene;
+    scene.materials.push_back(specimen.material);
+    scene::Mesh mesh;
+    mesh.tangents.emplace_back(1.0f, 0.0f, 0.0f, 1.0f);
+    render::Features lights;
+    lights.has_energy_compensation = specimen.has_energy_compensation;
+    return render::shading_features(scene, mesh, lights);
+}
+
+std::vector<glsl::Root> overlay_path(const Specimen& specimen) {
+    std::vector<glsl::Root> path;
+    if (specimen.user) {
+        path.push_back(glsl::Root::single(specimen.user->place, "brdf/f_r.glsl", specimen.user->text));
+        if (specimen.user->has_sampling)
+            path.push_back(glsl::Root::memory(
+                "its sampling",
+                {{"brdf/sample_f_r.glsl", "#include \"brdf/f_r.glsl\"\n"},
+                 {"trial/density.glsl",
+                  "#include \"brdf/f_r.glsl\"\n"
+                  "float density(Surface x, vec3 wi, vec3 wo) { return p_f_r(x, wi, wo); }\n"}}));
+    }
+    path.push_back(glsl::embedded());
+    return path;
+}
+
+std::vector<glsl::Root> shader_path(const Specimen& specimen) {
+    const render::Features features = features_of(specimen);
+    std::vector<glsl::Root> path = overlay_path(specimen);
+    path.insert(path.end() - 1,
+                glsl::Root::memory("specialised", {{"interface/features.glsl", features.glsl()},
+                                                   {"brdf/model.glsl", features.model_glsl()}}));
+    return path;
+}
+
+} // namespace sr::brdf

@@ -1,0 +1,263 @@
+#include "brdf/laws.hpp"
+#include "brdf/polar_plot.hpp"
+#include "brdf/sphere.hpp"
+#include "cli/arguments.hpp"
+#include "cli/commands.hpp"
+#include "core/error.hpp"
+#include "gl/context.hpp"
+#include "image/display.hpp"
+#include "image/file.hpp"
+#include "image/whole_file.hpp"
+#include "scene/conductor.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <fstream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+namespace sr::cli {
+namespace {
+
+using nlohmann::ordered_json;
+using scene::Model;
+
+struct BrdfCommand {
+    std::string name;
+    std::vector<std::string> outputs;
+    brdf::Specimen specimen;
+    std::string metal = "gold";
+    int samples = 64;
+    gl::Backend backend = gl::Backend::automatic;
+    bool json = false;
+};
+
+std::vector<std::byte> bytes_of(const std::string& name) {
+    std::ifstream file(name, std::ios::binary | std::ios::ate);
+    std::vector<std::byte> bytes(file ? static_cast<std::size_t>(file.tellg()) : 0);
+    file.seekg(0);
+    file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+    if (!file) throw Error({name}, "cannot be read", "name a BRDF (--help lists them) or a file");
+    return bytes;
+}
+
+/// Which BRDF the name stands for: one of ours, a GLSL file or a measured one.
+void choose(BrdfCommand& command) {
+    brdf::Specimen& specimen = command.specimen;
+    const auto ends_in = [&](std::string_view suffix) { return command.name.ends_with(suffix); };
+    if (command.name == "gltf") command.name = "metallic_roughness";
+    if (ends_in(".glsl") || ends_in(".frag")) {
+        specimen.user = brdf::read_user_shader(command.name);
+    } else if (ends_in(".binary")) {
+        specimen.material.model = Model::merl;
+        specimen.material.measured = 0;
+        specimen.measured.push_back(scene::read_merl(bytes_of(command.name), command.name));
+    } else if (const auto model = scene::model_named(command.name); model && *model != Model::merl) {
+        specimen.material.model = *model;
+    } else {
+        throw CLI::ValidationError("NAME", "'" + command.name + "' is no BRDF: --help lists them");
+    }
+    if (specimen.material.model == Model::conductor)
+        specimen.material.conductor = scene::fitted_ior(*scene::measured_metal(command.metal));
+}
+
+/// f_r at the middle of each of a MERL file's cells.
+std::vector<vec3> tabulated(brdf::Trial& trial) {
+    std::vector<brdf::Pair> pairs;
+    pairs.reserve(scene::merl_cells);
+    for (std::size_t i = 0; i < scene::merl_cells; ++i) {
+        const auto [wi, wo] = scene::merl_directions(i);
+        pairs.push_back({wi, wo});
+    }
+    return trial.values(pairs);
+}
+
+void write_outputs(const BrdfCommand& command, brdf::Trial& trial) {
+    for (const std::string& output : command.outputs) {
+        if (output.ends_with(".svg")) {
+            const std::string svg = brdf::polar_plot(trial, command.name);
+            image::write_whole(output,
+                               std::span(reinterpret_cast<const std::uint8_t*>(svg.data()), svg.size()));
+        } else if (output.ends_with(".binary")) {
+            const std::vector<std::byte> file = scene::merl_file(tabulated(trial));
+            image::write_whole(output,
+                               std::span(reinterpret_cast<const std::uint8_t*>(file.data()), file.size()));
+        } else {
+            const image::Image film = brdf::lit_sphere(command.specimen, 256, command.samples);
+            const bool is_linear = image::is_scene_referred(output);
+            image::write(
+                is_linear ? film : image::displayed(film, image::auto_ev100(film), image::ToneCurve::neutral),
+                output, is_linear ? image::SampleType::floating : image::SampleType::integer8);
+        }
+    }
+}
+
+/// A format that is not known is the user's mistake, and is said before anything is computed.
+void check_outputs(const BrdfCommand& command) {
+    for (const std::string& output : command.outputs)
+        if (!output.ends_with(".svg") && !output.ends_with(".binary")) image::is_scene_referred(output);
+}
+
+ordered_json albedos_json(brdf::Trial& trial) {
+    ordered_json list = ordered_json::array();
+    const std::vector<vec3> wo = brdf::viewing_directions();
+    const std::vector<glm::dvec3> albedos = trial.albedos(wo, 8192);
+    for (std::size_t i = 0; i < wo.size(); ++i)
+        list.push_back({{"cos_o", wo[i].z}, {"albedo", {albedos[i].x, albedos[i].y, albedos[i].z}}});
+    return list;
+}
+
+ordered_json laws_json(const std::vector<brdf::Law>& laws) {
+    ordered_json list = ordered_json::array();
+    for (const brdf::Law& law : laws)
+        list.push_back({{"law", law.name},
+                        {"holds", law.holds()},
+                        {"worst", law.worst},
+                        {"limit", law.limit},
+                        {"where", law.where},
+                        {"broken_by_definition", law.is_waived}});
+    return list;
+}
+
+void print(const ordered_json& json) {
+    fmt::print("{}\n\n  albedo  ", json["brdf"].get<std::string>());
+    for (const auto& row : json["albedo"])
+        fmt::print("  cosθ {:.3g}: {:.4f} {:.4f} {:.4f}\n          ", row["cos_o"].get<double>(),
+                   row["albedo"][0].get<double>(), row["albedo"][1].get<double>(),
+                   row["albedo"][2].get<double>());
+    fmt::print("\n");
+    for (const auto& law : json["laws"]) {
+        const char* verdict = law["holds"] ? "holds" : law["broken_by_definition"] ? "waived" : "BROKEN";
+        fmt::print("  {:<14} {:<7} {:>11.4g}, limit {:g}, at {}\n", law["law"].get<std::string>(), verdict,
+                   law["worst"].is_number() ? law["worst"].get<double>() : INFINITY,
+                   law["limit"].get<double>(), law["where"].get<std::string>());
+    }
+}
+
+ExitStatus look_at(BrdfCommand& command) {
+    choose(command);
+    check_outputs(command);
+    const auto context = gl::open_context({command.backend, false});
+    if (command.specimen.is_delta()) {
+        fmt::print(stderr,
+                   "{}: a delta has no values to check: it reflects its base colour from one direction\n",
+                   command.name);
+        brdf::Trial trial(command.specimen);
+        write_outputs(command, trial);
+        return done;
+    }
+    brdf::Trial trial(command.specimen);
+    const std::vector<brdf::Law> laws = brdf::laws_of(trial);
+    const ordered_json json{
+        {"brdf", command.name}, {"albedo", albedos_json(trial)}, {"laws", laws_json(laws)}};
+    write_outputs(command, trial);
+    context->require_silence();
+    if (command.json)
+        fmt::print("{}\n", json.dump(2, ' ', false, ordered_json::error_handler_t::replace));
+    else
+        print(json);
+    if (!command.specimen.has_sampling())
+        fmt::print(stderr, "{}: its sampling is not checked: it declares none\n", command.name);
+    const bool is_lawful =
+        std::ranges::all_of(laws, [](const brdf::Law& law) { return law.holds() || law.is_waived; });
+    return is_lawful ? done : failed_check;
+}
+
+void declare_parameters(CLI::App& command, BrdfCommand& o) {
+    scene::Material& m = o.specimen.material;
+    const auto color = [&](const char* name, const char* help, auto take) {
+        command
+            .add_option_function<std::string>(
+                name,
+                [name, take](const std::string& text) {
+                    const auto value = parsed_color(text);
+                    if (!value) throw CLI::ValidationError(name, "'" + text + "' is not R,G,B or a number");
+                    take(*value);
+                },
+                help)
+            ->type_name("R,G,B");
+    };
+    const auto fraction = [&](const char* name, float& value, const char* help) {
+        command.add_option(name, value, help)->check(CLI::Range(0.0f, 1.0f))->capture_default_str();
+    };
+    m.base_color = vec4(1.0f);
+    m.roughness = 0.5f;
+    color("--base-color", "ρ; F0 of ggx; tint of conductor and merl (default: 1)",
+          [&m](vec3 v) { m.base_color = vec4(v, 1.0f); });
+    fraction("--roughness", m.roughness, "of gltf, ggx, conductor, oren_nayar");
+    fraction("--metallic", m.metallic, "of gltf");
+    fraction("--specular", m.specular, "of gltf: weight of the dielectric's layer");
+    command.add_option("--ior", m.ior, "of gltf")->check(CLI::Range(1.0f, 100.0f))->capture_default_str();
+    fraction("--anisotropy", m.anisotropy, "of gltf");
+    command.add_option("--rotation", m.anisotropy_rotation, "of the anisotropy [rad]")->capture_default_str();
+    fraction("--clearcoat", m.clearcoat, "of gltf");
+    fraction("--clearcoat-roughness", m.clearcoat_roughness, "of gltf");
+    color("--sheen-color", "of gltf (default: 0)", [&m](vec3 v) { m.sheen_color = v; });
+    fraction("--sheen-roughness", m.sheen_roughness, "of gltf");
+    fraction("--iridescence", m.iridescence, "of gltf: weight of a thin film");
+    command.add_option("--film-ior", m.film_ior, "of the thin film")
+        ->check(CLI::Range(1.0f, 10.0f))
+        ->capture_default_str();
+    command.add_option("--film-thickness", m.largest_film_thickness, "of the thin film [nm]")
+        ->check(CLI::NonNegativeNumber)
+        ->capture_default_str();
+    command.add_option("--roughness-across", m.roughness_across, "of ggx, conductor: across the tangent")
+        ->check(CLI::Range(0.0f, 1.0f));
+    command.add_option("--exponent", m.exponent, "of phong, blinn_phong")
+        ->check(CLI::Range(0.0f, 1e6f))
+        ->capture_default_str();
+    color("--specular-color",
+          "of phong, blinn_phong: albedo of the lobe; specular colour of gltf (default: 1)",
+          [&m](vec3 v) { m.specular_color = v; });
+    std::vector<std::string> metals;
+    for (const std::string_view name : scene::metal_names()) metals.emplace_back(name);
+    command.add_option("--metal", o.metal, "of conductor")
+        ->check(CLI::IsMember(metals))
+        ->capture_default_str();
+    command.add_flag("--energy-compensation", o.specimen.has_energy_compensation,
+                     "gltf, ggx and conductor give back what bounces twice between microfacets");
+}
+
+} // namespace
+
+void add_brdf_command(CLI::App& app) {
+    const auto options = std::make_shared<BrdfCommand>();
+    CLI::App* command = app.add_subcommand("brdf", "one BRDF by itself: its lobe, its albedo, its laws");
+    command
+        ->add_option("NAME", options->name,
+                     "gltf, lambert, oren_nayar, mirror, phong, blinn_phong, ggx, conductor; a .glsl file of "
+                     "your own that "
+                     "declares f_r; a .binary file of the MERL database")
+        ->required();
+    command
+        ->add_option("-o,--output", options->outputs,
+                     ".svg: its lobe for four views; .png, .jpg, .exr, .hdr: a lit ball; .binary: the BRDF "
+                     "as a MERL file "
+                     "(repeatable)")
+        ->allow_extra_args(false);
+    declare_parameters(*command, *options);
+    command->add_option("--samples", options->samples, "of the lit ball's pixels")
+        ->check(CLI::Range(1, 65536))
+        ->capture_default_str();
+    command->add_flag("--json", options->json, "print JSON");
+    command->footer("Laws: reciprocity (f_r stays when wi and wo change places), negativity (none), energy "
+                    "(no view gets more\n"
+                    "back than arrives), and of the sampling: normalisation (its density integrates to 1) "
+                    "and χ² (it draws\n"
+                    "what its density says). Exit status 1 if one is broken.\n\n"
+                    "Examples:\n"
+                    "  steradian brdf ggx --roughness 0.3 -o lobe.svg -o ball.png\n"
+                    "  steradian brdf gltf --metallic 1 --anisotropy 0.8 --roughness 0.2 --json\n"
+                    "  steradian brdf conductor --metal copper --roughness 0.4 -o ball.png\n"
+                    "  steradian brdf my_brdf.glsl -o lobe.svg          GLSL that declares vec3 f_r(Surface "
+                    "x, vec3 wi, vec3 wo)\n"
+                    "  steradian brdf gold-paint.binary -o ball.png     a measured one");
+    command->callback([options] {
+        const ExitStatus status = look_at(*options);
+        if (status != done) throw CLI::RuntimeError(status);
+    });
+}
+
+} // namespace sr::cli

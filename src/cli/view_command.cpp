@@ -1,0 +1,97 @@
+#include "cli/commands.hpp"
+#include "cli/interruption.hpp"
+#include "cli/render_options.hpp"
+#include "viewer/session.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <fmt/format.h>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+namespace sr::cli {
+namespace {
+
+using nlohmann::ordered_json;
+
+struct ViewCommand {
+    RenderCommand rendering;
+    bool is_fullscreen = false;
+    bool is_verbose = false;
+};
+
+viewer::Options viewer_options(const ViewCommand& command) {
+    const RenderCommand& r = command.rendering;
+    viewer::Options options;
+    options.scene = r.scene;
+    options.scene_index = r.scene_index;
+    options.camera = r.camera;
+    options.rig = r.rig;
+    options.hide_emitters = r.hide_emitters;
+    options.visibility = r.visibility;
+    options.rendering.samples = r.stop.samples;
+    options.rendering.seed = r.seed;
+    options.rendering.background = r.background;
+    options.rendering.estimator = r.estimator;
+    options.rendering.analytic_points = r.analytic_points;
+    options.shaders = r.shaders;
+    options.ev100 = r.ev100;
+    options.tone_curve = r.tone_curve;
+    if (r.size) {
+        options.width = r.size->width;
+        options.height = r.size->height;
+    }
+    options.is_fullscreen = command.is_fullscreen;
+    options.is_verbose = command.is_verbose;
+    options.gl_debug = r.gl_debug;
+    return options;
+}
+
+ordered_json summary(const viewer::Statistics& statistics) {
+    ordered_json start;
+    for (const auto& [part, seconds] : statistics.start) start[part] = seconds;
+    ordered_json json{{"GL_RENDERER", statistics.renderer},
+                      {"start [s]", start},
+                      {"drawn_frames", statistics.drawn_frames},
+                      {"reloads", statistics.reloads},
+                      {"moving_frames", statistics.moving_frames.size()}};
+    std::vector<double> frames = statistics.moving_frames;
+    if (frames.empty()) return json;
+    std::ranges::sort(frames);
+    json["moving_frame_median [s]"] = frames[frames.size() / 2];
+    json["moving_frame_p95 [s]"] = frames[frames.size() * 95 / 100];
+    return json;
+}
+
+void view(const ViewCommand& command) {
+    const auto preloading = image::preload();
+    const Interruption interruption;
+    viewer::Session session(viewer_options(command));
+    session.run([&] { return interruption.has_come(); });
+    if (command.rendering.json) fmt::print("{}\n", summary(session.statistics()).dump(2));
+}
+
+} // namespace
+
+void add_view_command(CLI::App& app) {
+    const auto options = std::make_shared<ViewCommand>();
+    options->rendering.stop.samples = 256;
+    CLI::App* command = app.add_subcommand("view", "look around in a scene, in a window");
+    declare_rendering(*command, options->rendering);
+    declare_display(*command, options->rendering);
+    command->remove_option(command->get_option("--backend")); // there is but one with a window
+    command->get_option("--size")->description("size of the window (default: as it was last, or 1280x720)");
+    command->get_option("--samples")->description("samples a pixel that a standing picture converges to");
+    command->add_flag("--fullscreen", options->is_fullscreen, "fill the screen (F11)");
+    command->add_flag("-v,--verbose", options->is_verbose, "say on stderr what happens");
+    command->add_flag("--json", options->rendering.json,
+                      "print what start and frames took as JSON, at the end");
+    command->footer("F1 or ? in the window shows all keys.\n\n"
+                    "Examples:\n"
+                    "  steradian view scene.glb\n"
+                    "  steradian view scene.glb --shaders my_shaders      (saved changes show at once)\n"
+                    "  steradian view scene.glb --camera 1 --exposure 9 --tone-curve agx --samples 1024");
+    command->callback([options] { view(*options); });
+}
+
+} // namespace sr::cli

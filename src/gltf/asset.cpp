@@ -1,0 +1,175 @@
+#include "gltf/asset.hpp"
+
+#include "core/error.hpp"
+#include "gltf/animation.hpp"
+#include "gltf/camera.hpp"
+#include "gltf/decode.hpp"
+#include "gltf/drawn.hpp"
+#include "gltf/extensions.hpp"
+#include "gltf/light.hpp"
+#include "gltf/text.hpp"
+#include "gltf/variants.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <fmt/format.h>
+#include <numeric>
+
+namespace sr::gltf {
+
+class Asset::Impl {
+public:
+    Impl(const std::filesystem::path& file, const AssetOptions& options)
+        : document_(read_document(file)),
+          warnings_(document_.name),
+          scene_index_(options.scene),
+          animations_(animations_of(document_, warnings_)),
+          drawn_(document_, placed_nodes(document_, options.scene),
+                 variant_named(document_, options.variant)),
+          materials_(document_, warnings_),
+          lights_(document_, materials_.textures()) {
+        warn_of_unsupported(document_.model.extensionsUsed, warnings_);
+        drawn_.ask_for(materials_);
+        scene_.materials = materials_.materials();
+        scene_.measured = materials_.measured();
+        place_lights(placed_nodes(document_, scene_index_));
+        scene_.profiles = lights_.profiles();
+        scene_.units = unit_system_of(document_);
+        scene_.textures = materials_.textures().textures();
+        Decoding decoding(document_, materials_.textures().image_sources());
+        drawn_.read(materials_, scene_, warnings_);
+        mesh_count_ = scene_.meshes.size();
+        arrange(scene_, materials_);
+        scene_.images = decoding.images();
+        list_contents();
+    }
+
+    scene::Scene at_rest() {
+        require(!is_given_, "an asset gives its scene once");
+        is_given_ = true;
+        return std::move(scene_);
+    }
+
+    scene::Scene posed(scene::Scene scene, const Moment& moment) {
+        require(scene.meshes.size() >= mesh_count_, "the scene comes from this asset");
+        for (Animation& animation : animations_) animation.reset();
+        for (const int animation : moment.animations)
+            animations_[static_cast<std::size_t>(animation)].apply(moment.seconds);
+        Warnings heard_before(document_.name);
+        MaterialTable materials(document_, heard_before);
+        drawn_.ask_for(materials);
+        scene.materials = materials.materials();
+        scene.meshes.resize(mesh_count_);
+        arrange(scene, materials);
+        return scene;
+    }
+
+    const Document& document() const { return document_; }
+    const Contents& contents() const { return contents_; }
+    std::vector<std::string> warnings() const { return warnings_.lines(); }
+
+private:
+    /// Everything that moves: instances, the shapes of meshes, lights, cameras.
+    void arrange(scene::Scene& scene, const MaterialTable& materials) {
+        const std::vector<PlacedNode> placed = placed_nodes(document_, scene_index_);
+        const std::vector<bool> is_visible = drawn_.pose(placed, scene);
+        materials.share_fluxes(scene); // a lamp that is switched off keeps its radiance
+        std::erase_if(scene.instances, [&](const scene::Instance& instance) {
+            return !is_visible[static_cast<std::size_t>(&instance - scene.instances.data())];
+        });
+        scene.lights = place_lights(placed);
+        scene.cameras.clear();
+        for (const PlacedNode& node : placed)
+            if (document_.model.nodes[static_cast<std::size_t>(node.node)].camera >= 0)
+                scene.cameras.push_back(camera_at(document_, node));
+    }
+
+    /// All lights ask for their textures, so that these have the same numbers at every moment; those that are
+    /// visible are given back.
+    std::vector<scene::Light> place_lights(const std::vector<PlacedNode>& placed) {
+        std::vector<scene::Light> visible;
+        lights_.clear();
+        for (const PlacedNode& node : placed) {
+            const std::size_t before = lights_.lights().size();
+            lights_.append(node);
+            if (node.is_visible)
+                visible.insert(visible.end(), lights_.lights().begin() + static_cast<std::ptrdiff_t>(before),
+                               lights_.lights().end());
+        }
+        return visible;
+    }
+
+    void list_contents() {
+        for (const Animation& animation : animations_)
+            contents_.animations.push_back({animation.name, animation.duration, animation.channels.size()});
+        contents_.variants = variants_of(document_);
+        contents_.skins = document_.skins.size();
+        for (const tinygltf::Mesh& mesh : document_.model.meshes)
+            for (const tinygltf::Primitive& primitive : mesh.primitives)
+                contents_.morph_targets += primitive.targets.size();
+        contents_.extensions_used = document_.model.extensionsUsed;
+        contents_.extensions_required = document_.extensions_required;
+    }
+
+    Document document_;
+    Warnings warnings_;
+    std::optional<int> scene_index_;
+    std::vector<Animation> animations_; // they point into the document
+    DrawnMeshes drawn_;
+    MaterialTable materials_; // at rest; its textures are those of every moment
+    LightTable lights_;
+    Contents contents_;
+    scene::Scene scene_; // until it is given away
+    std::size_t mesh_count_ = 0;
+    bool is_given_ = false;
+};
+
+Asset::Asset(const std::filesystem::path& file, const AssetOptions& options)
+    : impl_(std::make_unique<Impl>(file, options)) {}
+Asset::~Asset() = default;
+Asset::Asset(Asset&&) noexcept = default;
+Asset& Asset::operator=(Asset&&) noexcept = default;
+
+const Contents& Asset::contents() const { return impl_->contents(); }
+std::vector<std::string> Asset::warnings() const { return impl_->warnings(); }
+scene::Scene Asset::at_rest() { return impl_->at_rest(); }
+scene::Scene Asset::posed(scene::Scene scene, const Moment& moment) {
+    return impl_->posed(std::move(scene), moment);
+}
+
+std::vector<int> Asset::animations_named(std::string_view text) const {
+    const auto& all = contents().animations;
+    if (all.empty()) impl_->document().fail("it has no animation", "leave out the time and the animation");
+    if (text.empty()) return {0};
+    if (text == "all") {
+        std::vector<int> numbers(all.size());
+        std::iota(numbers.begin(), numbers.end(), 0);
+        return numbers;
+    }
+    const auto named = std::ranges::find(all, text, &Contents::Animation::name);
+    if (named != all.end()) return {static_cast<int>(named - all.begin())};
+    std::size_t index = 0;
+    const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), index);
+    if (failure == std::errc{} && end == text.data() + text.size() && index < all.size())
+        return {static_cast<int>(index)};
+    std::string names;
+    for (std::size_t i = 0; i < all.size(); ++i) names += fmt::format("{} {}, ", i, in_quotes(all[i].name));
+    impl_->document().fail(fmt::format("no animation {}", in_quotes(text)), "choose one of " + names + "all");
+}
+
+double Asset::duration(const std::vector<int>& animations) const {
+    double end = 0.0;
+    for (const int animation : animations)
+        end = std::max(end, contents().animations[static_cast<std::size_t>(animation)].duration);
+    return end;
+}
+
+void Asset::require_within(const Moment& moment) const {
+    const double end = duration(moment.animations);
+    if (moment.seconds >= 0.0 && static_cast<float>(moment.seconds) <= static_cast<float>(end)) return;
+    impl_->document().fail(
+        fmt::format("{} s is beyond its animation, which ends at {:.6g} s", moment.seconds, end),
+        fmt::format("choose a time from 0 to {:.6g}", end));
+}
+
+} // namespace sr::gltf

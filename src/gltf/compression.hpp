@@ -1,0 +1,25 @@
+#pragma once
+// Compressed meshes, unpacked as soon as a file is read, so that whoever reads it afterwards sees plain
+// buffers. Each half is built where its library is; else a file that needs it is refused (README.md).
+#include "gltf/document.hpp"
+
+namespace sr::gltf {
+
+/// Whether this build reads EXT_meshopt_compression.
+bool reads_meshopt();
+
+/// Unpacks the buffer views that EXT_meshopt_compression packs: they come to lie in buffers of their own.
+/// @throws Error naming a view whose data is broken, cut short, or states a size that it cannot hold
+void unpack_meshopt(Document& document);
+
+/// Whether this build reads KHR_draco_mesh_compression.
+bool reads_draco();
+
+/// Unpacks the primitives that KHR_draco_mesh_compression packs: they get accessors of their own.
+/// @throws Error naming a primitive whose data is broken, cut short, or not what its accessors announce
+void unpack_draco(Document& document);
+
+/// Keeps the bytes. @return the index of their buffer
+int add_buffer(Document& document, std::vector<std::uint8_t> bytes);
+
+} // namespace sr::gltf

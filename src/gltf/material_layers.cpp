@@ -1,0 +1,74 @@
+// The KHR_materials_ extensions that shape or cover a material's lobes.
+#include "gltf/material.hpp"
+#include "gltf/text.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace sr::gltf {
+
+using scene::ColorSpace;
+using tinygltf::Value;
+
+void MaterialTable::read_anisotropy(const tinygltf::Material& from, scene::Material& to) {
+    const Value* anisotropy = extension(from.extensions, "KHR_materials_anisotropy");
+    if (!anisotropy) return;
+    to.anisotropy =
+        fraction(number_in(*anisotropy, "anisotropyStrength", 0.0), "anisotropyStrength", from.name);
+    to.anisotropy_rotation = static_cast<float>(number_in(*anisotropy, "anisotropyRotation", 0.0));
+    if (anisotropy->Has("anisotropyTexture"))
+        to.anisotropy_texture = slot(anisotropy->Get("anisotropyTexture"), ColorSpace::linear);
+}
+
+void MaterialTable::read_clearcoat(const tinygltf::Material& from, scene::Material& to) {
+    const Value* coat = extension(from.extensions, "KHR_materials_clearcoat");
+    if (!coat) return;
+    to.clearcoat = fraction(number_in(*coat, "clearcoatFactor", 0.0), "clearcoatFactor", from.name);
+    to.clearcoat_roughness =
+        fraction(number_in(*coat, "clearcoatRoughnessFactor", 0.0), "clearcoatRoughnessFactor", from.name);
+    if (coat->Has("clearcoatTexture"))
+        to.clearcoat_texture = slot(coat->Get("clearcoatTexture"), ColorSpace::linear);
+    if (coat->Has("clearcoatRoughnessTexture"))
+        to.clearcoat_roughness_texture = slot(coat->Get("clearcoatRoughnessTexture"), ColorSpace::linear);
+    if (!coat->Has("clearcoatNormalTexture")) return;
+    const Value& normal = coat->Get("clearcoatNormalTexture");
+    to.clearcoat_normal_texture = slot(normal, ColorSpace::linear);
+    to.clearcoat_normal_scale = static_cast<float>(number_in(normal, "scale", 1.0));
+}
+
+void MaterialTable::read_sheen(const tinygltf::Material& from, scene::Material& to) {
+    const Value* sheen = extension(from.extensions, "KHR_materials_sheen");
+    if (!sheen) return;
+    const vec3 color = not_negative(document_, three_in(*sheen, "sheenColorFactor", vec3(0.0f)),
+                                    "sheenColorFactor", from.name);
+    for (int i = 0; i < 3; ++i)
+        to.sheen_color[i] = fraction(static_cast<double>(color[i]), "sheenColorFactor", from.name);
+    to.sheen_roughness =
+        fraction(number_in(*sheen, "sheenRoughnessFactor", 0.0), "sheenRoughnessFactor", from.name);
+    if (sheen->Has("sheenColorTexture"))
+        to.sheen_color_texture = slot(sheen->Get("sheenColorTexture"), ColorSpace::srgb);
+    if (sheen->Has("sheenRoughnessTexture"))
+        to.sheen_roughness_texture = slot(sheen->Get("sheenRoughnessTexture"), ColorSpace::linear);
+}
+
+void MaterialTable::read_iridescence(const tinygltf::Material& from, scene::Material& to) {
+    const Value* film = extension(from.extensions, "KHR_materials_iridescence");
+    if (!film) return;
+    to.iridescence = fraction(number_in(*film, "iridescenceFactor", 0.0), "iridescenceFactor", from.name);
+    to.film_ior = static_cast<float>(number_in(*film, "iridescenceIor", 1.3));
+    to.least_film_thickness = static_cast<float>(number_in(*film, "iridescenceThicknessMinimum", 100.0));
+    to.largest_film_thickness = static_cast<float>(number_in(*film, "iridescenceThicknessMaximum", 400.0));
+    if (!(to.film_ior >= 1.0f))
+        document_.fail(fmt::format("material {}: iridescenceIor is {}", in_quotes(from.name), to.film_ior),
+                       "give 1 or more");
+    if (!(to.least_film_thickness >= 0.0f && to.largest_film_thickness >= 0.0f))
+        document_.fail(fmt::format("material {}: its film is {} to {} nm thick", in_quotes(from.name),
+                                   to.least_film_thickness, to.largest_film_thickness),
+                       "give zero or more");
+    if (film->Has("iridescenceTexture"))
+        to.iridescence_texture = slot(film->Get("iridescenceTexture"), ColorSpace::linear);
+    if (film->Has("iridescenceThicknessTexture"))
+        to.film_thickness_texture = slot(film->Get("iridescenceThicknessTexture"), ColorSpace::linear);
+}
+
+} // namespace sr::gltf

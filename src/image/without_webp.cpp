@@ -1,0 +1,14 @@
+// Built where libwebp is not found.
+#include "core/error.hpp"
+#include "image/webp.hpp"
+
+namespace sr::image {
+
+bool decodes_webp() { return false; }
+
+DecodedTexture decode_webp(std::span<const std::uint8_t>, const std::string& name) {
+    throw Error({name}, "a WebP image, which this build does not decode",
+                "build with libwebp-dev, or convert it to PNG or JPEG");
+}
+
+} // namespace sr::image

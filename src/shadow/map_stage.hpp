@@ -1,0 +1,23 @@
+#pragma once
+// What depth maps are drawn of: the lights, and for each what it shines on.
+#include "shadow/casters.hpp"
+#include "shadow/map_view.hpp"
+
+namespace sr::shadow {
+
+struct MapStage {
+    std::vector<scene::Light> lights;
+    std::vector<Ball> casters;   // around each caster
+    Ball all;                    // around all of them
+    std::vector<Ball> receivers; // around what each light shines on: surfaces that reflect, but its own
+};
+
+/// `casters` are those of the scene under these lights.
+MapStage map_stage_of(const scene::Scene& scene, std::span<const scene::Light> lights,
+                      const Casters& casters);
+
+/// Whether the caster can stand in the way of that light; the only surface of a flat or convex emitter cannot
+/// stand in its own.
+bool stands_in_light(const Caster& caster, int light);
+
+} // namespace sr::shadow

@@ -1,0 +1,111 @@
+#include "viewer/bindings.hpp"
+
+#include <algorithm>
+#include <array>
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+namespace sr::viewer {
+namespace {
+
+using enum Command;
+
+constexpr auto table = std::to_array<Binding>({
+    {GLFW_KEY_LEFT, 0, orbit_left, "arrows", "orbit by 5 degrees", "Camera"},
+    {GLFW_KEY_RIGHT, 0, orbit_right},
+    {GLFW_KEY_UP, 0, orbit_up},
+    {GLFW_KEY_DOWN, 0, orbit_down},
+    {GLFW_KEY_KP_4, 0, orbit_left},
+    {GLFW_KEY_KP_6, 0, orbit_right},
+    {GLFW_KEY_KP_8, 0, orbit_up},
+    {GLFW_KEY_KP_2, 0, orbit_down},
+    {GLFW_KEY_LEFT, shift, pan_left, "Shift arrows", "pan", "Camera"},
+    {GLFW_KEY_RIGHT, shift, pan_right},
+    {GLFW_KEY_UP, shift, pan_up},
+    {GLFW_KEY_DOWN, shift, pan_down},
+    {GLFW_KEY_PAGE_UP, 0, dolly_in, "PgUp, PgDn", "closer, farther", "Camera"},
+    {GLFW_KEY_PAGE_DOWN, 0, dolly_out},
+    {GLFW_KEY_KP_ADD, 0, dolly_in},
+    {GLFW_KEY_KP_SUBTRACT, 0, dolly_out},
+    {GLFW_KEY_LEFT_BRACKET, 0, roll_left, "[ ]", "roll", "Camera"},
+    {GLFW_KEY_RIGHT_BRACKET, 0, roll_right},
+    {GLFW_KEY_L, shift, level, "Shift L", "level: no roll", "Camera"},
+    {GLFW_KEY_A, 0, frame_all, "A, Home", "frame all", "Camera"},
+    {GLFW_KEY_HOME, 0, frame_all},
+    {GLFW_KEY_F, 0, frame_selection, "F", "frame the selected light, or all", "Camera"},
+    {GLFW_KEY_KP_DECIMAL, 0, frame_selection},
+    {GLFW_KEY_1, 0, view_front, "1 3 7", "front, right, top (numpad, too)", "Camera"},
+    {GLFW_KEY_3, 0, view_right},
+    {GLFW_KEY_7, 0, view_top},
+    {GLFW_KEY_KP_1, 0, view_front},
+    {GLFW_KEY_KP_3, 0, view_right},
+    {GLFW_KEY_KP_7, 0, view_top},
+    {GLFW_KEY_1, control, view_back, "Ctrl 1 3 7", "back, left, bottom", "Camera"},
+    {GLFW_KEY_3, control, view_left},
+    {GLFW_KEY_7, control, view_bottom},
+    {GLFW_KEY_KP_1, control, view_back},
+    {GLFW_KEY_KP_3, control, view_left},
+    {GLFW_KEY_KP_7, control, view_bottom},
+    {GLFW_KEY_9, 0, view_opposite, "9", "the opposite view", "Camera"},
+    {GLFW_KEY_KP_9, 0, view_opposite},
+    {GLFW_KEY_5, 0, toggle_orthographic, "5", "perspective or orthographic", "Camera"},
+    {GLFW_KEY_KP_5, 0, toggle_orthographic},
+    {GLFW_KEY_MINUS, 0, narrower, "- =", "narrower, wider field of view", "Camera"},
+    {GLFW_KEY_EQUAL, 0, wider},
+    {GLFW_KEY_0, 0, file_camera, "0", "back to the file's camera", "Camera"},
+    {GLFW_KEY_KP_0, 0, file_camera},
+    {GLFW_KEY_C, 0, next_camera, "C", "the file's next camera", "Camera"},
+    {GLFW_KEY_C, control, copy_view, "Ctrl C", "copy the view, as render's --camera", "Camera"},
+    {GLFW_KEY_V, control, paste_view, "Ctrl V", "go to a copied view", "Camera"},
+    {GLFW_KEY_COMMA, 0, darker, ", .", "darker, brighter by 1/3 EV", "Picture"},
+    {GLFW_KEY_PERIOD, 0, brighter},
+    {GLFW_KEY_X, 0, auto_exposure, "X", "automatic exposure", "Picture"},
+    {GLFW_KEY_T, 0, next_tone_curve, "T", "next tone curve", "Picture"},
+    {GLFW_KEY_Y, 0, false_color, "Y", "luminance as false colour", "Picture"},
+    {GLFW_KEY_B, 0, compare, "B", "compare with a kept picture", "Picture"},
+    {GLFW_KEY_F12, 0, screenshot_png, "F12", "write a PNG", "Picture"},
+    {GLFW_KEY_F12, shift, screenshot_exr, "Shift F12", "write an EXR", "Picture"},
+    {GLFW_KEY_F12, control, turntable, "Ctrl F12", "write a turntable of PNGs", "Picture"},
+    {GLFW_KEY_TAB, 0, next_light, "Tab", "select the next light", "Lights"},
+    {GLFW_KEY_ENTER, 0, edit_light, "Enter", "type its value: 800 lm, 6500 K", "Lights"},
+    {GLFW_KEY_KP_ENTER, 0, edit_light},
+    {GLFW_KEY_SPACE, 0, switch_light, "Space", "switch it off and on", "Lights"},
+    {GLFW_KEY_SPACE, shift, solo_light, "Shift Space", "it alone", "Lights"},
+    {GLFW_KEY_DELETE, 0, delete_light, "Delete", "remove it", "Lights"},
+    {GLFW_KEY_Z, control, undo_light, "Ctrl Z", "undo a light's change", "Lights"},
+    {GLFW_KEY_P, 0, ask, "P", "ask the pixel under the pointer", "Lights"},
+    {GLFW_KEY_O, control, open_file, "Ctrl O", "open a file, or drop one here", "Program"},
+    {GLFW_KEY_S, control, save_as, "Ctrl S", "save lights and view as a new glTF", "Program"},
+    {GLFW_KEY_F5, 0, reload, "F5", "read scene and shaders anew", "Program"},
+    {GLFW_KEY_F11, 0, fullscreen, "F11", "full screen", "Program"},
+    {GLFW_KEY_H, 0, panels, "H", "hide or show the panels", "Program"},
+    {GLFW_KEY_F1, 0, help, "F1, ?", "this help", "Program"},
+    {GLFW_KEY_SLASH, shift, help},
+    {GLFW_KEY_ESCAPE, 0, cancel, "Esc", "close, select nothing", "Program"},
+    {GLFW_KEY_Q, control, quit, "Ctrl Q", "quit", "Program"},
+});
+
+constexpr auto mouse = std::to_array<Gesture>({
+    {"left or middle drag", "orbit"},
+    {"Shift drag", "pan"},
+    {"Ctrl drag, wheel", "closer, farther; the wheel to what is under the pointer"},
+    {"Alt left, middle, right", "orbit, pan, closer: as in Maya"},
+    {"right drag", "look around; with W A S D, Q E: fly (Shift: faster)"},
+    {"two fingers", "closer, farther; sideways: pan"},
+    {"click", "select a light, or ask the pixel"},
+});
+
+} // namespace
+
+std::span<const Binding> bindings() { return table; }
+
+std::optional<Command> command_of(int key, int modifiers) {
+    const auto found = std::ranges::find_if(
+        table, [=](const Binding& b) { return b.key == key && b.modifiers == modifiers; });
+    return found == table.end() ? std::nullopt : std::optional(found->command);
+}
+
+std::span<const Gesture> gestures() { return mouse; }
+
+} // namespace sr::viewer

@@ -1,0 +1,85 @@
+#include "viewer/config.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+
+namespace sr::viewer {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Remembering is a courtesy: where it fails, the viewer works on.
+void write_lines(const fs::path& file, const std::vector<std::string>& lines) {
+    if (file.empty()) return;
+    const fs::path unfinished = file.string() + ".tmp";
+    {
+        std::ofstream out(unfinished);
+        for (const std::string& line : lines) out << line << '\n';
+        if (!out) return;
+    }
+    std::error_code ignored;
+    fs::rename(unfinished, file, ignored);
+}
+
+std::vector<std::string> lines_of(const fs::path& file) {
+    std::vector<std::string> lines;
+    std::ifstream in(file);
+    for (std::string line; std::getline(in, line);) lines.push_back(line);
+    return lines;
+}
+
+fs::path file_named(const char* name) {
+    const fs::path folder = config_folder();
+    return folder.empty() ? folder : folder / name;
+}
+
+} // namespace
+
+fs::path config_folder() {
+    const char* config = std::getenv("XDG_CONFIG_HOME");
+    const char* home = std::getenv("HOME");
+    fs::path folder;
+    if (config && *config)
+        folder = config;
+    else if (home && *home)
+        folder = fs::path(home) / ".config";
+    else
+        return {};
+    folder /= "steradian";
+    std::error_code failure;
+    fs::create_directories(folder, failure);
+    return failure ? fs::path{} : folder;
+}
+
+std::vector<std::string> recent_files() {
+    std::vector<std::string> files = lines_of(file_named("recent"));
+    std::error_code ignored;
+    std::erase_if(files, [&](const std::string& file) { return !fs::exists(file, ignored); });
+    return files;
+}
+
+void remember_file(const std::string& file) {
+    constexpr std::size_t most = 10;
+    std::error_code failure;
+    const std::string whole = fs::absolute(file, failure).lexically_normal().string();
+    if (failure) return;
+    std::vector<std::string> files = recent_files();
+    std::erase(files, whole);
+    files.insert(files.begin(), whole);
+    files.resize(std::min(files.size(), most));
+    write_lines(file_named("recent"), files);
+}
+
+WindowSize remembered_size() {
+    WindowSize size;
+    std::ifstream(file_named("window")) >> size.width >> size.height;
+    const auto is_sensible = [](int side) { return side >= 64 && side <= 16384; };
+    return is_sensible(size.width) && is_sensible(size.height) ? size : WindowSize{};
+}
+
+void remember_size(WindowSize size) {
+    write_lines(file_named("window"), {std::to_string(size.width) + " " + std::to_string(size.height)});
+}
+
+} // namespace sr::viewer

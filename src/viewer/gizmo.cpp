@@ -1,0 +1,62 @@
+#include "viewer/gizmo.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sr::viewer {
+namespace {
+
+vec3 unit(int axis) {
+    vec3 direction(0.0f);
+    direction[axis] = 1.0f;
+    return direction;
+}
+
+float distance_to_segment(vec2 p, vec2 a, vec2 b) {
+    const vec2 along = b - a;
+    const float length = glm::dot(along, along);
+    const float t = length > 0.0f ? std::clamp(glm::dot(p - a, along) / length, 0.0f, 1.0f) : 0.0f;
+    return glm::distance(p, a + t * along);
+}
+
+} // namespace
+
+std::optional<vec2> Projection::operator()(vec3 point) const {
+    const auto place = projected(camera, aspect_ratio, point);
+    return place ? std::optional(*place * window) : std::nullopt;
+}
+
+std::optional<std::array<Arrow, 3>> arrows_at(vec3 center, const Projection& projection, float pixels) {
+    const auto from = projection(center);
+    if (!from) return std::nullopt;
+    // A metre across the view, in pixels, says how many metres the arrows have.
+    const vec3 right(projection.camera.world_from_camera[0]);
+    const auto metre = projection(center + right);
+    const float scale = metre ? glm::distance(*metre, *from) : 1.0f;
+    std::array<Arrow, 3> arrows;
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto to = projection(center + pixels / std::max(scale, 1e-6f) * unit(axis));
+        if (!to) return std::nullopt;
+        arrows[static_cast<std::size_t>(axis)] = {*from, *to, axis};
+    }
+    return arrows;
+}
+
+std::optional<int> axis_under(vec2 pointer, const std::array<Arrow, 3>& arrows) {
+    constexpr float slack = 6.0f; // [pixels]
+    const auto nearest = std::ranges::min_element(
+        arrows, {}, [&](const Arrow& a) { return distance_to_segment(pointer, a.from, a.to); });
+    if (distance_to_segment(pointer, nearest->from, nearest->to) > slack) return std::nullopt;
+    return nearest->axis;
+}
+
+float along_axis(vec3 center, int axis, const Ray& pointer) {
+    // The point of one line that is closest to another: both differences are perpendicular to both lines.
+    const vec3 a = unit(axis), d = pointer.direction, w = center - pointer.origin;
+    const float between = glm::dot(a, d);
+    const float denominator = 1.0f - between * between;
+    if (denominator < 1e-6f) return 0.0f; // the axis points at the eye: no move of the pointer is along it
+    return (between * glm::dot(d, w) - glm::dot(a, w)) / denominator;
+}
+
+} // namespace sr::viewer

@@ -1,0 +1,91 @@
+#include "viewer/input.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+namespace sr::viewer {
+namespace {
+
+Input& input_of(GLFWwindow* window) { return *static_cast<Input*>(glfwGetWindowUserPointer(window)); }
+
+int modifiers_of(int mods) {
+    // ⌘ is what Ctrl is elsewhere.
+    return ((mods & GLFW_MOD_SHIFT) ? shift : 0)
+           | ((mods & (GLFW_MOD_CONTROL | GLFW_MOD_SUPER)) ? control : 0) | ((mods & GLFW_MOD_ALT) ? alt : 0);
+}
+
+void on_key(GLFWwindow* window, int key, int, int action, int mods) {
+    input_of(window).put(KeyEvent{key, modifiers_of(mods), action != GLFW_RELEASE});
+}
+
+void on_button(GLFWwindow* window, int button, int action, int mods) {
+    if (button > GLFW_MOUSE_BUTTON_MIDDLE) return;
+    input_of(window).put(ButtonEvent{static_cast<Button>(button), modifiers_of(mods), action == GLFW_PRESS});
+}
+
+void on_motion(GLFWwindow* window, double x, double y) { input_of(window).put(MotionEvent{vec2(x, y)}); }
+
+void on_scroll(GLFWwindow* window, double x, double y) {
+    int mods = 0;
+    for (const auto& [key, bit] : {std::pair(GLFW_KEY_LEFT_SHIFT, shift),
+                                   {GLFW_KEY_RIGHT_SHIFT, shift},
+                                   {GLFW_KEY_LEFT_CONTROL, control},
+                                   {GLFW_KEY_RIGHT_CONTROL, control}})
+        if (glfwGetKey(window, key) == GLFW_PRESS) mods |= bit;
+    input_of(window).put(ScrollEvent{vec2(x, y), mods});
+}
+
+void on_drop(GLFWwindow* window, int count, const char** paths) {
+    input_of(window).put(DropEvent{{paths, paths + count}});
+}
+
+} // namespace
+
+Input::Input(GLFWwindow* window) : window_(window) {
+    static_assert(static_cast<int>(Button::middle) == GLFW_MOUSE_BUTTON_MIDDLE);
+    glfwSetWindowUserPointer(window, this);
+    glfwSetKeyCallback(window, on_key);
+    glfwSetMouseButtonCallback(window, on_button);
+    glfwSetCursorPosCallback(window, on_motion);
+    glfwSetScrollCallback(window, on_scroll);
+    glfwSetDropCallback(window, on_drop);
+    glfwSetWindowCloseCallback(window, [](GLFWwindow* w) { input_of(w).put(CloseEvent{}); });
+    glfwSetWindowRefreshCallback(window, [](GLFWwindow* w) { input_of(w).damage(); });
+    glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) { input_of(w).damage(); });
+}
+
+Input::~Input() {
+    glfwSetKeyCallback(window_, nullptr);
+    glfwSetMouseButtonCallback(window_, nullptr);
+    glfwSetCursorPosCallback(window_, nullptr);
+    glfwSetScrollCallback(window_, nullptr);
+    glfwSetDropCallback(window_, nullptr);
+    glfwSetWindowCloseCallback(window_, nullptr);
+    glfwSetWindowRefreshCallback(window_, nullptr);
+    glfwSetFramebufferSizeCallback(window_, nullptr);
+}
+
+std::vector<Event> Input::take() { return std::exchange(events_, {}); }
+
+bool Input::take_damage() { return std::exchange(is_damaged_, false); }
+
+bool Input::wants_to_stop() const {
+    return std::ranges::any_of(events_, [](const Event& event) {
+        const auto* key = std::get_if<KeyEvent>(&event);
+        return std::holds_alternative<CloseEvent>(event)
+               || (key && key->is_down && key->key == GLFW_KEY_ESCAPE);
+    });
+}
+
+bool Input::is_down(int key) const { return glfwGetKey(window_, key) == GLFW_PRESS; }
+
+vec2 Input::pointer() const {
+    double x = 0.0, y = 0.0;
+    glfwGetCursorPos(window_, &x, &y);
+    return {static_cast<float>(x), static_cast<float>(y)};
+}
+
+} // namespace sr::viewer

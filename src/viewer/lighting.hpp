@@ -1,0 +1,74 @@
+#pragma once
+// The lights as a person edits them, and the Stage that follows from them. Plain data: no GL.
+#include "viewer/light_value.hpp"
+#include "viewer/loaded_scene.hpp"
+
+namespace sr::viewer {
+
+/// One entry of the list of lights.
+struct Lamp {
+    enum class Kind {
+        light,   // a light of the file, or one that was added
+        surface, // all surfaces of one emissive material: what is edited is the material
+        softbox, // of the studio rig
+    };
+    Kind kind = Kind::light;
+    std::size_t index = 0; // of the light, the material or the softbox
+    std::string name;
+    std::vector<int> lights; // which of the Stage's; empty for a surface that was switched to nothing
+    bool is_on = true;
+};
+
+/// Everything that can be edited; a copy of it is a step of undoing.
+struct LightingState {
+    std::vector<scene::Light> lights;
+    std::vector<scene::Light> softboxes;
+    std::vector<vec3> emission; // of the file's materials
+    std::vector<bool> lights_on, softboxes_on, emission_on;
+};
+
+class Lighting {
+public:
+    /// As `loaded` has it now.
+    explicit Lighting(const LoadedScene& loaded, bool hides_emitters);
+
+    /// Lights, surfaces and softboxes, in this order. Indices stay until a light is added or removed.
+    const std::vector<Lamp>& lamps() const { return lamps_; }
+    std::optional<std::size_t> lamp_of_instance(const scene::Stage& stage, int instance) const;
+    /// The lights that a lamp is, with their quantities whether it is on or not.
+    std::vector<scene::Light> lights_of(std::size_t lamp) const;
+
+    // Each of these changes the state; apply() brings it to the Stage. All can be undone.
+    void set_quantity(std::size_t lamp, vec3 quantity);
+    void switch_to(std::size_t lamp, bool is_on);
+    void solo(std::size_t lamp); // it alone; all, if it already is alone
+    /// Only lights and softboxes move; surfaces are the scene's. @return whether it does
+    bool transform(std::size_t lamp, const mat4& by);
+    bool can_move(std::size_t lamp) const { return lamps_[lamp].kind != Lamp::Kind::surface; }
+    std::size_t add(scene::Light light); // @return its lamp
+    bool remove(std::size_t lamp);       // a surface is only switched off
+    bool undo();                         // @return false: there is nothing to undo
+    /// The next changes undo as one until it is called again: a drag is one step.
+    void begin_step() { is_step_open_ = false; }
+
+    bool is_changed() const { return !history_.empty(); }
+    const LightingState& state() const { return state_; }
+
+    /// Rebuilds what depends on lights. Images, textures and the file's meshes stay.
+    void apply(LoadedScene& loaded);
+
+private:
+    void remember();
+    std::vector<bool>& switches(Lamp::Kind kind);
+    void list(const scene::Stage& stage, std::size_t first_softbox);
+
+    LightingState state_;
+    std::vector<LightingState> history_;
+    std::vector<Lamp> lamps_;
+    std::vector<scene::Light> staged_; // the Stage's lights as if all were on
+    std::vector<std::string> material_names_;
+    bool hides_emitters_;
+    bool is_step_open_ = false;
+};
+
+} // namespace sr::viewer

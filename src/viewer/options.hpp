@@ -1,0 +1,28 @@
+#pragma once
+// What the viewer is asked for.
+#include "image/display.hpp"
+#include "render/renderer.hpp"
+#include "scene/stage.hpp"
+
+namespace sr::viewer {
+
+struct Options {
+    std::string scene; // a file
+    std::optional<int> scene_index;
+    std::string camera; // as StageOptions has it
+    scene::Rig rig = scene::Rig::studio;
+    bool hide_emitters = false;
+    render::Visibility visibility = render::Visibility::ray;
+    /// Of the standing picture; size and shader path are the viewer's own.
+    render::RenderOptions rendering;
+    std::vector<std::string> shaders; // folders, looked into before the built-in shaders
+    std::optional<float> ev100;       // absent: automatic
+    image::ToneCurve tone_curve = image::ToneCurve::neutral;
+    int width = 0; // of the window [pixels]; 0: as it was last, or 1280 × 720
+    int height = 0;
+    bool is_fullscreen = false;
+    bool is_verbose = false; // says on stderr what happens
+    bool gl_debug = false;   // any error or warning of the driver ends the viewer
+};
+
+} // namespace sr::viewer

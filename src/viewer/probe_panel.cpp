@@ -1,0 +1,117 @@
+#include "viewer/probe_panel.hpp"
+
+#include "image/luminance.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <imgui.h>
+
+namespace sr::viewer {
+namespace {
+
+constexpr ImU32 blue = IM_COL32(86, 180, 233, 255), orange = IM_COL32(230, 159, 0, 255),
+                grey = IM_COL32(235, 235, 235, 200);
+
+void text(const std::string& line) { ImGui::TextUnformatted(line.data(), line.data() + line.size()); }
+
+std::string three(vec3 v) { return fmt::format("{:.4g} {:.4g} {:.4g}", v.x, v.y, v.z); }
+
+/// Until where a direction is drawn: to the light, or as far as the picture reaches.
+float reach(const scene::Light& light, vec3 x, float far) {
+    const auto center = center_of(light);
+    return center ? glm::distance(*center, x) : far;
+}
+
+void line(ImDrawList& list, const Projection& projection, vec3 from, vec3 to, ImU32 color, float width) {
+    const auto a = projection(from), b = projection(to);
+    if (a && b) list.AddLine({a->x, a->y}, {b->x, b->y}, color, width);
+}
+
+void header_cells(const scene::Scene& scene) {
+    const auto unit = [&](const char* symbol, scene::Quantity quantity) {
+        return fmt::format("{} [{}]", symbol, scene::name_of({quantity, scene.units}));
+    };
+    for (const std::string& head :
+         {std::string("light"), std::string("Omega [sr]"), std::string("wi"), std::string("cos_i"),
+          std::string("V"), std::string("f_r [1/sr]"), unit("E", scene::Quantity::irradiance),
+          unit("L", scene::Quantity::radiance)})
+        ImGui::TableSetupColumn(head.c_str());
+    ImGui::TableHeadersRow();
+}
+
+} // namespace
+
+void ProbePanel::draw(const scene::Stage& stage, const Lighting& lighting,
+                      std::optional<std::size_t>& selected) {
+    if (!answer) return;
+    const render::PixelTerms& terms = answer->terms;
+    bool is_open = true;
+    hovered_ = -1;
+    ImGui::SetNextWindowSizeConstraints(
+        {0.0f, 0.0f}, {ImGui::GetMainViewport()->Size.x, 0.6f * ImGui::GetMainViewport()->Size.y});
+    if (ImGui::Begin("L_o = L_e + sum of E f_r", &is_open, ImGuiWindowFlags_AlwaysAutoResize)) {
+        text(fmt::format("pixel {},{}, {} samples, coverage {:.3g}", answer->column, answer->row,
+                         answer->samples, terms.coverage));
+        text(fmt::format("x {} m   n {}   wo {}", three(terms.x), three(terms.n), three(terms.wo)));
+        const auto flags =
+            ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerV;
+        if (ImGui::BeginTable("lights", 8, flags)) {
+            header_cells(stage.scene);
+            for (int k = 0; k < static_cast<int>(terms.lights.size()); ++k)
+                draw_row(k, stage, lighting, selected);
+            ImGui::EndTable();
+        }
+        vec3 sum = terms.L_e;
+        for (const render::LightTerms& light : terms.lights) sum += light.L_r;
+        text(fmt::format("L_e {}   sum {}   L_o {}", three(terms.L_e), three(sum), three(terms.L_o)));
+    }
+    ImGui::End();
+    if (!is_open) answer.reset();
+}
+
+void ProbePanel::draw_row(int k, const scene::Stage& stage, const Lighting& lighting,
+                          std::optional<std::size_t>& selected) {
+    const render::LightTerms& t = answer->terms.lights[static_cast<std::size_t>(k)];
+    const auto& lamps = lighting.lamps();
+    const auto lamp = std::ranges::find_if(
+        lamps, [k](const Lamp& l) { return std::ranges::find(l.lights, k) != l.lights.end(); });
+    const auto index = static_cast<std::size_t>(lamp - lamps.begin());
+    const auto name =
+        std::visit([](const auto& l) { return l.name; }, stage.lights[static_cast<std::size_t>(k)]);
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    const std::string label = fmt::format("{} {}", k, name);
+    if (ImGui::Selectable(label.c_str(), lamp != lamps.end() && selected == index,
+                          ImGuiSelectableFlags_SpanAllColumns)
+        && lamp != lamps.end())
+        selected = index;
+    if (ImGui::IsItemHovered()) hovered_ = k;
+    for (const std::string& cell :
+         {t.solid_angle > 0.0f ? fmt::format("{:.4g}", t.solid_angle) : "-",
+          fmt::format("{:.3f} {:.3f} {:.3f}", t.wi.x, t.wi.y, t.wi.z), fmt::format("{:.4f}", t.cos_i),
+          fmt::format("{:.4f}", t.V), fmt::format("{:.4g}", image::luminance(t.f_r)),
+          fmt::format("{:.4g}", image::luminance(t.E)), three(t.L_r)}) {
+        ImGui::TableNextColumn();
+        text(cell);
+    }
+}
+
+void ProbePanel::draw_directions(const scene::Stage& stage, const Projection& projection, float scale) const {
+    if (!answer) return;
+    const render::PixelTerms& terms = answer->terms;
+    if (terms.coverage == 0.0f || terms.lights.size() != stage.lights.size()) return;
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    const vec3 eye(projection.camera.world_from_camera[3]);
+    const float far = glm::distance(eye, terms.x);
+    for (std::size_t k = 0; k < terms.lights.size(); ++k) {
+        const vec3 wi = terms.lights[k].wi;
+        if (wi == vec3(0.0f)) continue;
+        const bool is_hovered = static_cast<int>(k) == hovered_;
+        line(list, projection, terms.x, terms.x + reach(stage.lights[k], terms.x, far) * glm::normalize(wi),
+             is_hovered ? orange : blue, (is_hovered ? 3.5f : 1.5f) * scale);
+    }
+    line(list, projection, terms.x, terms.x + 0.15f * far * terms.n, grey, 2.0f * scale);
+    if (const auto at = projection(terms.x)) list.AddCircleFilled({at->x, at->y}, 4.0f * scale, orange);
+}
+
+} // namespace sr::viewer

@@ -1,0 +1,34 @@
+#pragma once
+// The equation at a pixel: the table of `steradian probe`, and its directions in the scene.
+#include "render/probe.hpp"
+#include "viewer/gizmo.hpp"
+#include "viewer/lighting.hpp"
+
+namespace sr::viewer {
+
+/// What a pixel answered.
+struct Answer {
+    render::PixelTerms terms;
+    int column = 0;
+    int row = 0;
+    int samples = 0;
+};
+
+class ProbePanel {
+public:
+    std::optional<Answer> answer;
+
+    /// Draws the table, if there is an answer. A row that is clicked selects its lamp in `selected`.
+    void draw(const scene::Stage& stage, const Lighting& lighting, std::optional<std::size_t>& selected);
+
+    /// Draws n, wo and every light's mean wi from x, the row's under the pointer thick.
+    void draw_directions(const scene::Stage& stage, const Projection& projection, float scale) const;
+
+private:
+    void draw_row(int light, const scene::Stage& stage, const Lighting& lighting,
+                  std::optional<std::size_t>& selected);
+
+    int hovered_ = -1;
+};
+
+} // namespace sr::viewer

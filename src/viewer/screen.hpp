@@ -1,0 +1,43 @@
+#pragma once
+// The film in the window: shaders/display/screen.frag.
+#include "core/math.hpp"
+#include "gl/object.hpp"
+#include "gl/program.hpp"
+#include "image/display.hpp"
+
+#include <optional>
+
+namespace sr::viewer {
+
+enum class Comparison { none, wipe, difference, flip };
+
+/// What the screen shows of a film, and how.
+struct Look {
+    float ev100 = 0.0f;
+    image::ToneCurve curve = image::ToneCurve::neutral;
+    bool is_false_color = false;
+    vec2 false_color_range{-4.0f, 14.0f}; // log2 of the luminances [cd/m²] at its ends
+    Comparison comparison = Comparison::none;
+    float wipe = 0.5f; // where the other picture begins, 0 to 1
+};
+
+/// A film as a sum of samples.
+struct FilmSum {
+    const gl::Texture* sum = nullptr;
+    int samples = 1;
+};
+
+class Screen {
+public:
+    /// Compiles the program of the embedded shaders: overlays change the equation, not the screen.
+    Screen();
+
+    /// Covers the window, whose framebuffer is width × height pixels.
+    void draw(const FilmSum& film, const FilmSum& other, const Look& look, int width, int height) const;
+
+private:
+    gl::Program program_;
+    gl::VertexArray no_vertices_{"no vertices"};
+};
+
+} // namespace sr::viewer

@@ -1,0 +1,120 @@
+// Questions to the picture: what a pixel is made of, and how it differs from another picture.
+#include "viewer/session.hpp"
+
+#include "core/error.hpp"
+#include "image/file.hpp"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <filesystem>
+#include <fmt/format.h>
+
+namespace sr::viewer {
+
+/// The equation at the pixel. It takes a while: keys and pointer wait, Esc stops it.
+void Session::answer_question() {
+    const vec2 place = place_of(*question_);
+    question_.reset();
+    constexpr int most_samples = 64; // the terms of one pixel take as long as a small picture
+    render::RenderOptions options = render_options(options_, width_, height_);
+    options.samples = std::min(options.samples, most_samples);
+    const int column = std::clamp(static_cast<int>(place.x * static_cast<float>(width_)), 0, width_ - 1);
+    const int row = std::clamp(static_cast<int>(place.y * static_cast<float>(height_)), 0, height_ - 1);
+    auto terms = render::probe(show_->gpu(), eye_->camera(), options, column, row, [this] {
+        glfwPollEvents();
+        return !input_.wants_to_stop();
+    });
+    if (!terms) return say("the question was taken back");
+    probe_.answer = Answer{*std::move(terms), column, row, options.samples};
+    say(fmt::format("pixel {},{} answers", column, row));
+    frames_to_draw_ = 3;
+}
+
+void Session::obey(const CompareWish& wish) {
+    if (wish.keeps) keep_picture();
+    if (wish.loads) dialog_.show(FileDialog::Purpose::compare, show_->scene().file);
+    if (wish.wants_flip) begin_flip();
+    if (wish.estimator) change_estimator(*wish.estimator);
+    if (wish.visibility) change_visibility(*wish.visibility);
+}
+
+void Session::change_estimator(render::Estimator estimator) {
+    const render::Estimator before = options_.rendering.estimator;
+    options_.rendering.estimator = estimator;
+    try {
+        show_->make_picture(options_, eye_->camera(), width_, height_);
+        measured_samples_ = 0;
+    } catch (const Error& error) {
+        options_.rendering.estimator = before;
+        fail("The estimator cannot be changed.", error.what());
+    }
+}
+
+void Session::change_visibility(render::Visibility visibility) {
+    try {
+        show_->set_visibility(options_, visibility, eye_->camera(), width_, height_);
+        measured_samples_ = 0;
+    } catch (const Error& error) {
+        fail("Shadows cannot be found that way.", error.what());
+    }
+}
+
+void Session::keep_picture() {
+    const Picture& picture = show_->picture();
+    if (picture.sample_count() == 0) return;
+    reference_.emplace(
+        fmt::format("{} samples, {}, {}", picture.sample_count(),
+                    options_.rendering.estimator == render::Estimator::analytic ? "analytic" : "sampled",
+                    eye_->argument()),
+        picture.film());
+    if (look_.comparison == Comparison::none) look_.comparison = Comparison::wipe;
+    say("kept: B goes through the ways to compare with it");
+}
+
+void Session::load_reference(const std::string& file) {
+    try {
+        reference_.emplace(std::filesystem::path(file).filename().string(), image::read(file));
+        if (look_.comparison == Comparison::none) look_.comparison = Comparison::wipe;
+    } catch (const Error& error) {
+        fail("There is nothing to compare with.", error.what());
+    }
+}
+
+void Session::next_comparison() {
+    if (!reference_) return keep_picture();
+    look_.comparison = static_cast<Comparison>((static_cast<int>(look_.comparison) + 1) % 4);
+    if (look_.comparison == Comparison::flip) begin_flip();
+    constexpr std::array names{"this picture alone", "wipe", "difference", "FLIP map"};
+    say(names[static_cast<std::size_t>(look_.comparison)]);
+}
+
+/// On a thread of its own: a large picture takes seconds.
+void Session::begin_flip() {
+    if (flipping_ || !reference_ || show_->picture().sample_count() == 0) return;
+    flip_result_ = "working ...";
+    flipping_ = std::async(std::launch::async, [film = show_->picture().film(), other = reference_->film()] {
+        return flip_of(film, other);
+    });
+}
+
+void Session::take_flip() {
+    if (!flipping_ || flipping_->wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
+    auto flipping = std::exchange(flipping_, std::nullopt);
+    frames_to_draw_ = 3;
+    try {
+        FlipMap map = flipping->get();
+        flip_result_ = fmt::format("mean HDR-FLIP {:.4f}", map.mean);
+        flip_.emplace("FLIP", std::move(map.film));
+        say(flip_result_);
+    } catch (const Error& error) {
+        flip_result_ = error.what();
+        say(flip_result_);
+    }
+}
+
+FilmSum Session::other_film() const {
+    if (look_.comparison == Comparison::flip) return flip_ ? flip_->sum() : FilmSum{};
+    return reference_ ? reference_->sum() : FilmSum{};
+}
+
+} // namespace sr::viewer

@@ -1,0 +1,134 @@
+// What the session reads and writes: scenes, shaders, pictures.
+#include "viewer/session.hpp"
+
+#include "core/error.hpp"
+#include "viewer/screenshot.hpp"
+
+#include <cstdio>
+#include <filesystem>
+#include <fmt/format.h>
+
+namespace sr::viewer {
+
+void Session::open(const std::string& file) {
+    if (loading_) {
+        say("still loading; drop the file again when that is done");
+        return;
+    }
+    const float aspect = static_cast<float>(width_) / static_cast<float>(height_);
+    if (show_ && file != show_->scene().file) options_.camera.clear(); // it was the other file's
+    options_.scene = file;
+    loading_ = std::async(std::launch::async, load_scene, file, options_, aspect);
+}
+
+void Session::reload() {
+    if (!show_) return;
+    ++statistics_.reloads;
+    if (!scene::is_look_at(eye_->argument())) options_.camera = eye_->argument(); // as the file has it now
+    open(show_->scene().file);
+}
+
+void Session::write_png() {
+    const std::string name = free_name(show_->scene().file, ".png");
+    try {
+        image::write(image::displayed(show_->picture().film(), look_.ev100, look_.curve), name,
+                     image::SampleType::integer8);
+        say("wrote " + name);
+    } catch (const Error& error) {
+        fail("No picture was written.", error.what());
+    }
+}
+
+void Session::write_exr() {
+    const std::string name = free_name(show_->scene().file, ".exr");
+    const Picture& picture = show_->picture();
+    image::Image film = picture.film();
+    film.channel_names = {"R", "G", "B", "A"};
+    film.attributes = {
+        {"steradian:version", STERADIAN_VERSION},
+        {"steradian:unit", std::string(scene::radiance_unit(show_->scene().stage.scene.units))},
+        {"steradian:samples", std::to_string(picture.sample_count())},
+        {"steradian:camera", eye_->argument()},
+        {"steradian:GL_RENDERER", window_.info().renderer},
+        {"steradian:GL_VERSION", window_.info().version}};
+    try {
+        image::write(film, name, image::SampleType::floating);
+        say("wrote " + name);
+    } catch (const Error& error) {
+        fail("No picture was written.", error.what());
+    }
+}
+
+/// A whole turn around the pivot, a PNG for each of its steps, each converged.
+void Session::begin_turntable() {
+    turntable_.emplace();
+    turntable_->folder = free_name(show_->scene().file, "-turntable");
+    std::error_code failure;
+    std::filesystem::create_directory(turntable_->folder, failure);
+    if (failure) {
+        fail("There is no turntable.", turntable_->folder + ": " + failure.message());
+        turntable_.reset();
+        return;
+    }
+    if (exposure_.is_automatic()) exposure_.fix(exposure_.ev100()); // the same for all of them
+    say("turntable: Esc stops it");
+}
+
+void Session::advance_turntable() {
+    if (!turntable_ || !show_->picture().is_done()) return;
+    const std::string name = fmt::format("{}/{:03}.png", turntable_->folder, turntable_->step);
+    try {
+        image::write(image::displayed(show_->picture().film(), exposure_.ev100(), look_.curve), name,
+                     image::SampleType::integer8);
+    } catch (const Error& error) {
+        turntable_.reset();
+        return fail("The turntable ends.", error.what());
+    }
+    Viewpoint view = eye_->view();
+    orbit(view, {2.0f * pi / Turntable::steps, 0.0f});
+    eye_->move_to(view);
+    move_camera();
+    say(fmt::format("turntable: {} of {}, Esc stops it", ++turntable_->step, Turntable::steps));
+    if (turntable_->step < Turntable::steps) return;
+    say("wrote " + turntable_->folder);
+    turntable_.reset();
+}
+
+void Session::draw_dialog() {
+    const auto purpose = dialog_.purpose();
+    const auto file = dialog_.draw();
+    if (!file) return;
+    if (purpose == FileDialog::Purpose::open) open(*file);
+    if (purpose == FileDialog::Purpose::compare) load_reference(*file);
+}
+
+/// A saved scene or shader shows at once.
+void Session::watch_files() {
+    if (!show_) return;
+    if (shader_watch_.has_changed()) reload_shaders();
+    if (!loading_ && scene_watch_.has_changed()) reload();
+}
+
+void Session::reload_shaders() {
+    ++statistics_.reloads;
+    frames_to_draw_ = 1;
+    try {
+        show_->make_picture(options_, eye_->camera(), width_, height_);
+        measured_samples_ = 0;
+        error_text_.clear();
+        say("shaders read anew");
+    } catch (const gl::ShaderError& error) {
+        fail("A shader does not compile. The picture is by the last ones that did.",
+             error.what() + ("\n" + error.log()));
+    } catch (const Error& error) {
+        fail("The shaders cannot be read. The picture is by the last ones that could.", error.what());
+    }
+}
+
+void Session::fail(const std::string& title, const std::string& text) {
+    error_title_ = title;
+    error_text_ = text;
+    if (options_.is_verbose) std::fprintf(stderr, "%s\n", text.c_str());
+}
+
+} // namespace sr::viewer

@@ -1,0 +1,53 @@
+#pragma once
+// A scene on the GPU and its picture.
+#include "viewer/lighting.hpp"
+#include "viewer/picture.hpp"
+
+#include <memory>
+
+namespace sr::viewer {
+
+/// The parts refer to one another, so it stays where it is made.
+class Show {
+public:
+    /// Uploads, compiles. @throws Error, ShaderError
+    Show(LoadedScene scene, const Options& options, const scene::Camera& camera, int width, int height);
+    Show(const Show&) = delete;
+    Show& operator=(const Show&) = delete;
+
+    const LoadedScene& scene() const { return scene_; }
+    const render::GpuScene& gpu() const { return gpu_; }
+    Picture& picture() { return *picture_; }
+    const Picture& picture() const { return *picture_; }
+
+    /// The picture anew, with the shaders as they are on disk now; where they do not compile the old one
+    /// stays.
+    /// @throws Error, ShaderError
+    void make_picture(const Options& options, const scene::Camera& camera, int width, int height);
+
+    /// Another way to find shadows, and the picture anew. @throws Error, ShaderError; then all is as it was
+    void set_visibility(Options& options, render::Visibility visibility, const scene::Camera& camera,
+                        int width, int height);
+
+    /// What is edited; relight() brings it to the picture.
+    Lighting& lighting() { return lighting_; }
+    const Lighting& lighting() const { return lighting_; }
+    /// `casters_change`: something that casts shadows has moved, come or gone. @throws Error
+    void relight(bool casters_change);
+
+    double upload_seconds() const { return upload_seconds_; }
+    double compile_seconds() const { return compile_seconds_; }
+
+private:
+    LoadedScene scene_;
+    double upload_seconds_ = 0.0;
+    double compile_seconds_ = 0.0;
+    render::GpuScene gpu_;
+    Lighting lighting_;
+    std::unique_ptr<Picture> picture_;
+};
+
+/// What the standing picture is rendered with, in a window of this size. @throws Error if a folder is none
+render::RenderOptions render_options(const Options& options, int width, int height);
+
+} // namespace sr::viewer

@@ -1,0 +1,24 @@
+#pragma once
+// What a session took, for --json.
+#include <chrono>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace sr::viewer {
+
+struct Statistics {
+    using Clock = std::chrono::steady_clock;
+
+    Clock::time_point begin = Clock::now();
+    /// Seconds until the first picture of the first scene, by part; loading runs beside opening the window.
+    std::vector<std::pair<std::string, double>> start;
+    std::vector<double> moving_frames; // [s] from one drawn frame of a moving picture to the next
+    int reloads = 0;
+    int drawn_frames = 0;
+    std::string renderer; // GL_RENDERER
+
+    double since_begin() const { return std::chrono::duration<double>(Clock::now() - begin).count(); }
+};
+
+} // namespace sr::viewer

@@ -1,0 +1,84 @@
+#include "viewer/ui.hpp"
+
+#include "viewer/config.hpp"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <algorithm>
+#include <backends/imgui_impl_glfw.h>
+#include <backends/imgui_impl_opengl3.h>
+#include <imgui.h>
+
+namespace sr::viewer {
+namespace {
+
+/// Blue and orange on grey, which people with any kind of colour blindness tell apart (Okabe & Ito 2008).
+void set_style(float scale) {
+    ImGui::GetStyle() = ImGuiStyle();
+    ImGui::StyleColorsDark();
+    ImGuiStyle& style = ImGui::GetStyle();
+    style.WindowRounding = style.FrameRounding = style.GrabRounding = 3.0f;
+    style.Colors[ImGuiCol_WindowBg].w = 0.88f;
+    style.ScaleAllSizes(scale);
+}
+
+void load_font(float scale) {
+    ImGuiIO& io = ImGui::GetIO();
+    io.Fonts->Clear();
+    ImFontConfig config;
+    config.SizePixels = 13.0f * scale; // Dear ImGui's own font is drawn for 13
+    io.Fonts->AddFontDefault(&config);
+}
+
+} // namespace
+
+Ui::Ui(GLFWwindow* window) : window_(window) {
+    IMGUI_CHECKVERSION();
+    ImGui::CreateContext();
+    const auto folder = config_folder();
+    if (!folder.empty()) layout_file_ = (folder / "panels.ini").string();
+    ImGui::GetIO().IniFilename = layout_file_.empty() ? nullptr : layout_file_.c_str();
+    ImGui_ImplGlfw_InitForOpenGL(window, true);
+    ImGui_ImplOpenGL3_Init("#version 410 core");
+    watch_scale();
+}
+
+Ui::~Ui() {
+    ImGui_ImplOpenGL3_Shutdown();
+    ImGui_ImplGlfw_Shutdown();
+    ImGui::DestroyContext();
+}
+
+/// Dear ImGui counts in the window's coordinates. Where these are pixels (X11, Windows), a dense screen wants
+/// larger ones; where they are not (macOS, Wayland), the framebuffer's scale does it.
+void Ui::watch_scale() {
+    float content = 1.0f;
+    glfwGetWindowContentScale(window_, &content, nullptr);
+    int window = 1, pixels = 1;
+    glfwGetWindowSize(window_, &window, nullptr);
+    glfwGetFramebufferSize(window_, &pixels, nullptr);
+    const float dense = static_cast<float>(std::max(1, pixels)) / static_cast<float>(std::max(1, window));
+    const float scale = std::max(1.0f, content / dense);
+    if (scale == scale_) return;
+    scale_ = scale;
+    set_style(scale);
+    load_font(scale);
+    ImGui_ImplOpenGL3_DestroyDeviceObjects(); // they come back with the next frame, font included
+}
+
+void Ui::begin() {
+    watch_scale();
+    ImGui_ImplOpenGL3_NewFrame();
+    ImGui_ImplGlfw_NewFrame();
+    ImGui::NewFrame();
+}
+
+void Ui::end() {
+    ImGui::Render();
+    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+}
+
+bool Ui::has_pointer() const { return ImGui::GetIO().WantCaptureMouse; }
+bool Ui::has_keyboard() const { return ImGui::GetIO().WantTextInput; }
+
+} // namespace sr::viewer

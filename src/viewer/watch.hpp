@@ -1,0 +1,39 @@
+#pragma once
+// Files that are looked at now and then: whether a person has saved one.
+#include <chrono>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace sr::viewer {
+
+class Watch {
+public:
+    /// Watches these files, and all files in these folders however deep. What they are like now is no change.
+    void set(std::vector<std::filesystem::path> places);
+
+    /// Whether anything was saved, came or went since the last time that it said so. Looks at most every 0.2
+    /// s.
+    bool has_changed();
+
+private:
+    struct Stamp {
+        std::filesystem::file_time_type time{};
+        std::uintmax_t size = 0;
+
+        bool operator==(const Stamp&) const = default;
+    };
+    using Stamps = std::map<std::filesystem::path, Stamp>;
+    Stamps look() const;
+
+    std::vector<std::filesystem::path> places_;
+    Stamps seen_;
+    std::chrono::steady_clock::time_point looked_{};
+};
+
+/// The files that a glTF names: buffers, images, profiles; those that stand in it are none. Empty if it
+/// cannot be read.
+std::vector<std::filesystem::path> files_of(const std::filesystem::path& gltf);
+
+} // namespace sr::viewer

@@ -1,0 +1,140 @@
+// Animations: what they move, when, and what is wrong with some.
+#include "loading.hpp"
+
+using namespace sr;
+using namespace sr::testing;
+using sr::testing::Test;
+
+namespace {
+
+json channel(int sampler, const json& target) { return {{"sampler", sampler}, {"target", target}}; }
+
+json pointer(const std::string& text) {
+    return {{"path", "pointer"}, {"extensions", {{"KHR_animation_pointer", {{"pointer", text}}}}}};
+}
+
+/// Adds an animation of one channel with two keys, at 1 s and 3 s.
+void animate(MadeGltf& made, const json& target, const std::vector<float>& values, const std::string& type,
+             const std::string& interpolation = "LINEAR") {
+    const json sampler{{"input", made.floats({1, 3}, "SCALAR")},
+                       {"output", made.floats(values, type)},
+                       {"interpolation", interpolation}};
+    made.root["animations"].push_back({{"name", "clip " + std::to_string(made.root["animations"].size())},
+                                       {"samplers", json::array({sampler})},
+                                       {"channels", json::array({channel(0, target)})}});
+}
+
+gltf::LoadOptions at(double seconds, const std::string& animation = "") {
+    gltf::LoadOptions options;
+    options.at = seconds;
+    options.animation = animation;
+    return options;
+}
+
+const Test transforms("unit.gltf.animation.moves_rotates_and_scales", [] {
+    MadeGltf made = MadeGltf::triangle();
+    made.root["nodes"][0]["translation"] = {7, 0, 0};
+    animate(made, {{"node", 0}, {"path", "translation"}}, {0, 0, 0, 2, 4, 6}, "VEC3");
+    animate(made, {{"node", 0}, {"path", "rotation"}}, {0, 0, 0, 1, 0, 0, 1, 0},
+            "VEC4"); // half a turn about z
+    animate(made, {{"node", 0}, {"path", "scale"}}, {1, 1, 1, 3, 3, 3}, "VEC3");
+    EXPECT_EQ(load(made).scene.instances.at(0).world_from_object[3], vec4(7, 0, 0, 1)); // at rest
+    EXPECT_EQ(load(made, at(0.5)).scene.instances.at(0).world_from_object[3], vec4(0, 0, 0, 1));
+    EXPECT_EQ(load(made, at(2)).scene.instances.at(0).world_from_object[3], vec4(1, 2, 3, 1));
+    const mat4 turned = load(made, at(2, "1")).scene.instances.at(0).world_from_object;
+    EXPECT_LT(glm::length(turned * vec4(1, 0, 0, 1) - vec4(7, 1, 0, 1)), 1e-6f);
+    EXPECT_EQ(load(made, at(3, "clip 2")).scene.instances.at(0).world_from_object[0], vec4(3, 0, 0, 0));
+    const mat4 all = load(made, at(3, "all")).scene.instances.at(0).world_from_object;
+    EXPECT_LT(glm::length(all * vec4(1, 0, 0, 1) - vec4(-1, 4, 6, 1)), 1e-6f);
+});
+
+const Test posing("unit.gltf.animation.an_asset_is_posed_again_and_again", [] {
+    MadeGltf made = MadeGltf::triangle();
+    animate(made, {{"node", 0}, {"path", "translation"}}, {0, 0, 0, 2, 0, 0}, "VEC3");
+    animate(made, {{"node", 0}, {"path", "scale"}}, {1, 1, 1, 3, 3, 3}, "VEC3");
+    const auto file = test_folder() / "made.gltf";
+    write_text(file, made.gltf());
+    gltf::Asset asset(file);
+    ASSERT_EQ(asset.contents().animations.size(), 2u);
+    EXPECT_EQ(asset.contents().animations[1].duration, 3.0);
+    scene::Scene scene = asset.at_rest();
+    scene.meshes.emplace_back(); // as a Stage adds them
+    scene = asset.posed(std::move(scene), {{0}, 2.0});
+    EXPECT_EQ(scene.meshes.size(), 1u);
+    EXPECT_EQ(scene.instances.at(0).world_from_object[3], vec4(1, 0, 0, 1));
+    scene = asset.posed(std::move(scene), {{1}, 3.0}); // nothing of the first is left
+    EXPECT_EQ(scene.instances.at(0).world_from_object, glm::mat4(mat3(3.0f)));
+    scene = asset.posed(std::move(scene), {{}, 0.0});
+    EXPECT_EQ(scene.instances.at(0).world_from_object, mat4(1.0f));
+});
+
+const Test pointers("unit.gltf.animation.pointers_move_materials_lights_cameras_and_visibility", [] {
+    MadeGltf made = MadeGltf::triangle();
+    made.root.update(json::parse(R"({"extensionsUsed": ["KHR_animation_pointer", "KHR_node_visibility"],
+        "materials": [{"extensions": {"KHR_materials_emissive_strength": {"emissiveStrength": 1}},
+                       "emissiveFactor": [1, 1, 1]}],
+        "cameras": [{"type": "perspective", "perspective": {"yfov": 1, "znear": 1}}],
+        "extensions": {"KHR_lights_punctual": {"lights": [{"type": "point"}]}}})"));
+    made.primitive()["material"] = 0;
+    made.root["nodes"][0]["extensions"] = {{"KHR_node_visibility", json::object()}};
+    made.root["nodes"].push_back(
+        {{"camera", 0},
+         {"extensions",
+          {{"KHR_lights_punctual", {{"light", 0}}}, {"KHR_node_visibility", {{"visible", false}}}}}});
+    made.root["scenes"][0]["nodes"] = {0, 1};
+    animate(made, pointer("/materials/0/pbrMetallicRoughness/baseColorFactor"), {0, 0, 0, 1, 1, .5, 0, 1},
+            "VEC4");
+    animate(made, pointer("/materials/0/extensions/KHR_materials_emissive_strength/emissiveStrength"), {2, 6},
+            "SCALAR");
+    animate(made, pointer("/extensions/KHR_lights_punctual/lights/0/intensity"), {2, 6}, "SCALAR");
+    animate(made, pointer("/cameras/0/perspective/yfov"), {0.5, 1.5}, "SCALAR");
+    animate(made, pointer("/nodes/0/extensions/KHR_node_visibility/visible"), {0, 1}, "SCALAR", "STEP");
+    animate(made, pointer("/nodes/1/extensions/KHR_node_visibility/visible"), {1, 1}, "SCALAR", "STEP");
+    const scene::Scene rest = load(made).scene;
+    EXPECT_TRUE(rest.lights.empty());
+    EXPECT_EQ(rest.instances.size(), 1u);
+    const scene::Scene all = load(made, at(2, "all")).scene;
+    EXPECT_EQ(all.materials.at(0).base_color, vec4(.5f, .25f, 0, 1));
+    EXPECT_EQ(all.materials.at(0).emission, vec3(4));
+    EXPECT_EQ(std::get<scene::PointLight>(all.lights.at(0)).I, vec3(4));
+    EXPECT_EQ(std::get<scene::Perspective>(all.cameras.at(0).projection).yfov, 1.0f);
+    EXPECT_TRUE(all.instances.empty());
+    EXPECT_EQ(load(made, at(3, "all")).scene.instances.size(), 1u);
+});
+
+const Test beyond("unit.gltf.animation.beyond_its_end_is_one_line", [] {
+    MadeGltf made = MadeGltf::triangle();
+    EXPECT_NE(error_of(made, at(0)).find("it has no animation"), std::string::npos);
+    animate(made, {{"node", 0}, {"path", "scale"}}, {1, 1, 1, 3, 3, 3}, "VEC3");
+    EXPECT_EQ(error_of(made, at(3.5)),
+              "made.gltf: 3.5 s is beyond its animation, which ends at 3 s: choose a "
+              "time from 0 to 3");
+    EXPECT_NE(error_of(made, at(1, "Walk")).find(R"(no animation "Walk": choose one of 0 "clip 0", all)"),
+              std::string::npos);
+});
+
+const Test broken("unit.gltf.animation.what_is_wrong_with_a_sampler_is_said", [] {
+    const json target{{"node", 0}, {"path", "scale"}};
+    MadeGltf few = MadeGltf::triangle();
+    animate(few, target, {1, 1, 1}, "VEC3");
+    EXPECT_NE(
+        error_of(few).find("/animations/0/samplers/0 has 3 numbers in its output, and 2 keys of what it "
+                           "moves have 6"),
+        std::string::npos);
+    MadeGltf backwards = MadeGltf::triangle();
+    animate(backwards, target, {1, 1, 1, 1, 1, 1}, "VEC3");
+    backwards.root["animations"][0]["samplers"][0]["input"] = backwards.floats({2, 1}, "SCALAR");
+    EXPECT_NE(error_of(backwards).find("/animations/0/samplers/0/input has times that do not increase"),
+              std::string::npos);
+    MadeGltf missing = MadeGltf::triangle();
+    animate(missing, target, {1, 1, 1, 1, 1, 1}, "VEC3");
+    missing.root["animations"][0]["channels"][0]["sampler"] = 3;
+    EXPECT_NE(error_of(missing).find("/animations/0/channels/0/sampler is 3, and there are 1"),
+              std::string::npos);
+    MadeGltf unknown = MadeGltf::triangle();
+    animate(unknown, pointer("/materials/0/doubleSided"), {0, 1}, "SCALAR");
+    EXPECT_TRUE(
+        warns_once(load(unknown), R"(an animation moves "/materials/0/doubleSided": that stays as it is)"));
+});
+
+} // namespace

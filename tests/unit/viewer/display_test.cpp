@@ -1,0 +1,47 @@
+// What the window shows is what files get.
+#include "image/display.hpp"
+#include "support/address.hpp"
+#include "support/gl.hpp"
+#include "support/glsl_table.hpp"
+
+#include <cmath>
+#include <limits>
+
+using namespace sr;
+using sr::testing::Test;
+
+namespace {
+
+std::vector<vec3> radiances() {
+    constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    std::vector<vec3> all{vec3(0.0f), vec3(-1.0f, 0.5f, 2.0f), vec3(nan, 0, 0), vec3(0, -infinity, 0)};
+    for (float ev = -14.0f; ev < 12.0f; ev += 0.21f)
+        for (const vec3 color : {vec3(1.0f), vec3(1.0f, 0.2f, 0.05f), vec3(0.02f, 0.4f, 0.9f)})
+            all.push_back(color * std::exp2(ev));
+    return all;
+}
+
+const Test equals_the_files("unit.viewer.display.equals_the_files", [] {
+    sr::testing::context();
+    constexpr float ev100 = 1.5f;
+    const std::vector<vec3> table = radiances();
+    image::Image film(static_cast<int>(table.size()), 1, 3);
+    for (std::size_t i = 0; i < table.size(); ++i)
+        for (std::size_t c = 0; c < 3; ++c) film.pixels[3 * i + c] = table[i][static_cast<int>(c)];
+    for (int curve = 0; curve < 4; ++curve) {
+        std::vector<sr::testing::Row> rows;
+        for (const vec3 L : table)
+            rows.push_back({vec4(L, image::exposure_factor(ev100)), vec4(static_cast<float>(curve))});
+        const auto shown = sr::testing::evaluate("#include \"display/displayed.glsl\"\n",
+                                                 "return vec4(displayed(a.rgb, a.w, int(b.x)), 1.0);", rows);
+        const image::Image expected = image::displayed(film, ev100, static_cast<image::ToneCurve>(curve));
+        for (std::size_t i = 0; i < table.size(); ++i)
+            for (int c = 0; c < 3; ++c) // a hundredth of an 8-bit step
+                EXPECT_NEAR(shown[i][c], expected.at(static_cast<int>(i), 0)[static_cast<std::size_t>(c)],
+                            4e-5f)
+                    << "curve " << curve << ", " << table[i].r << " " << table[i].g << " " << table[i].b;
+    }
+});
+
+} // namespace

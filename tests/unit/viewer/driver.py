@@ -1,0 +1,144 @@
+"""Drives the viewer as a person would: a display of its own, real key and mouse events, a look at the screen."""
+import os
+import shutil
+import struct
+import subprocess
+import time
+from pathlib import Path
+
+
+class Display:
+    """Xvfb, whose framebuffer is a file in the form of xwd, so that nothing else is needed to look at it."""
+
+    def __init__(self, folder: Path, width: int, height: int):
+        folder.mkdir(parents=True, exist_ok=True)
+        self.file = folder / "Xvfb_screen0"
+        read, write = os.pipe()
+        self.process = subprocess.Popen(
+            ["Xvfb", "-displayfd", str(write), "-screen", "0", f"{width}x{height}x24", "-fbdir", str(folder),
+             "-nolisten", "tcp"], pass_fds=[write], stderr=subprocess.DEVNULL)
+        os.close(write)
+        with os.fdopen(read) as pipe:
+            number = pipe.readline().strip()
+        if not number:
+            raise RuntimeError("Xvfb did not start")
+        self.environment = {**os.environ, "DISPLAY": f":{number}", "XDG_CONFIG_HOME": str(folder / "config")}
+        self.environment.pop("WAYLAND_DISPLAY", None)
+
+    def do(self, *arguments) -> str:
+        """xdotool, which makes real events (XTEST)."""
+        result = subprocess.run(["xdotool", *map(str, arguments)], env=self.environment, capture_output=True,
+                                text=True, timeout=20)
+        return result.stdout.strip()
+
+    def pixels(self):
+        """The screen: its width and a function from x, y to (r, g, b)."""
+        data = self.file.read_bytes()
+        header = struct.unpack(">25I", data[:100])
+        width, line, colors = header[4], header[12], header[19]
+        start = header[0] + 12 * colors
+
+        def pixel(x, y):
+            b, g, r = data[start + y * line + 4 * x:][:3]
+            return r, g, b
+        return pixel
+
+    def close(self):
+        self.process.terminate()
+        self.process.wait()
+
+
+class Viewer:
+    """A running `steradian view`, in the working directory `folder`, where its screenshots go."""
+
+    def __init__(self, display: Display, steradian: str, folder: Path, *arguments):
+        self.display, self.folder = display, folder
+        shutil.rmtree(folder, ignore_errors=True)
+        folder.mkdir(parents=True)
+        self.log = open(folder / "stderr", "w+")
+        self.process = subprocess.Popen([steradian, "view", "--verbose", *map(str, arguments)], cwd=folder,
+                                        env=display.environment, stdout=subprocess.PIPE, stderr=self.log, text=True)
+        self.window = self.wait(lambda: display.do("search", "--onlyvisible", "--name", "Steradian"), "a window")
+        self.window = self.window.splitlines()[0]
+        display.do("windowfocus", self.window)
+
+    def wait(self, condition, what: str, seconds: float = 60):
+        """Until the condition holds; its value."""
+        end = time.monotonic() + seconds
+        while time.monotonic() < end:
+            value = condition()
+            if value:
+                return value
+            if self.process.poll() is not None:
+                raise AssertionError(f"the viewer ended with {self.process.returncode}: {self.errors()}")
+            time.sleep(0.03)
+        raise AssertionError(f"waited {seconds} s for {what}; title: {self.title()}; {self.errors()}")
+
+    def title(self) -> str:
+        return self.display.do("getwindowname", self.window)
+
+    def errors(self) -> str:
+        self.log.flush()
+        return Path(self.log.name).read_text()
+
+    def converged(self) -> int:
+        """How many pictures have converged so far."""
+        return self.errors().count("converged: ")
+
+    def done(self):
+        """Until the first picture has converged."""
+        self.wait(self.converged, "a converged picture")
+
+    def key(self, *keys):
+        self.display.do("key", "--delay", "30", *keys)
+
+    def changed_by(self, act):
+        """Does something that changes the picture, and waits until it has converged anew."""
+        before = self.converged()
+        act()
+        self.wait(lambda: self.converged() > before, "a picture that converged anew")
+
+    def move(self, x, y):
+        self.display.do("mousemove", x, y)
+
+    def drag(self, begin, end, button=1):
+        """All in one go: a pause would let a picture converge in between."""
+        moves = [part for i in range(1, 5)
+                 for part in ("mousemove", *(round(a + (b - a) * i / 4) for a, b in zip(begin, end)))]
+        self.display.do("mousemove", *begin, "mousedown", button, *moves, "mouseup", button)
+
+    def click(self, x, y):
+        self.display.do("mousemove", x, y, "click", "1")
+
+    def type(self, text: str):
+        """Into the field that has the keyboard, and Enter."""
+        time.sleep(0.2)
+        self.display.do("type", "--delay", "20", text)
+        self.key("Return")
+
+    @staticmethod
+    def write(file: Path, text: str):
+        """Saves a file as editors do: whole."""
+        unfinished = file.with_suffix(".new")
+        unfinished.write_text(text)
+        unfinished.rename(file)
+
+    def screen(self, x: int, y: int) -> tuple[int, int, int]:
+        """A pixel of the screen, when the window has drawn what it has to draw."""
+        time.sleep(0.3)
+        return self.display.pixels()(x, y)
+
+    def shot(self, exr: bool = True) -> Path:
+        """A screenshot by the viewer's own key."""
+        suffix = ".exr" if exr else ".png"
+        before = set(self.folder.glob("*" + suffix))
+        self.key("shift+F12" if exr else "F12")
+        new = self.wait(lambda: set(self.folder.glob("*" + suffix)) - before, "a screenshot", 10)
+        return new.pop()
+
+    def close(self) -> str:
+        """Quits by its key; what it printed."""
+        self.key("ctrl+q")
+        output, _ = self.process.communicate(timeout=30)
+        assert self.process.returncode == 0, (self.process.returncode, self.errors())
+        return output
