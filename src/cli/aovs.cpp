@@ -12,8 +12,8 @@
 namespace sr::cli {
 namespace {
 
-constexpr std::array all_aovs{Aov::depth,  Aov::normal,   Aov::albedo,  Aov::visibility, Aov::irradiance,
-                              Aov::object, Aov::material, Aov::samples, Aov::error};
+constexpr std::array all_aovs{Aov::depth,      Aov::normal, Aov::albedo,   Aov::visibility, Aov::cosine,
+                              Aov::irradiance, Aov::object, Aov::material, Aov::samples,    Aov::error};
 
 // What these pictures take at most: the surface alone converges soon, and what arrives is no more than a
 // look.
@@ -77,6 +77,11 @@ std::vector<float> of_each(const image::Image& image, Value value) {
     return values;
 }
 
+/// r / g; `without` where g is 0.
+std::vector<float> quotients(const image::Image& image, float without) {
+    return of_each(image, [=](const float* v) { return v[1] > 0.0f ? v[0] / v[1] : without; });
+}
+
 std::vector<Plane> three(const std::string& layer, std::array<const char*, 3> channels,
                          const image::Image& image) {
     std::vector<Plane> planes;
@@ -105,8 +110,8 @@ std::vector<Plane> planes_of(Aov aov, Pictures& pictures, const AovSource& sourc
     case Aov::irradiance:
         return three("irradiance", {"R", "G", "B"}, pictures.arriving("views/irradiance.frag"));
     case Aov::visibility:
-        return {{"visibility.V", of_each(pictures.arriving("views/visibility.frag"),
-                                         [](const float* v) { return v[1] > 0.0f ? v[0] / v[1] : 1.0f; })}};
+        return {{"visibility.V", quotients(pictures.arriving("views/visibility.frag"), 1.0f)}};
+    case Aov::cosine: return {{"cosine.cos", quotients(pictures.arriving("views/cosine.frag"), 0.0f)}};
     case Aov::samples: return {{"samples.N", {source.samples.begin(), source.samples.end()}}};
     case Aov::error: break;
     }
@@ -126,8 +131,8 @@ std::string names_as_json(const std::vector<Named>& all) {
 } // namespace
 
 const char* name_of(Aov aov) {
-    constexpr std::array names{"depth",  "normal",   "albedo",  "visibility", "irradiance",
-                               "object", "material", "samples", "error"};
+    constexpr std::array names{"depth",      "normal", "albedo",   "visibility", "cosine",
+                               "irradiance", "object", "material", "samples",    "error"};
     return names[static_cast<std::size_t>(aov)];
 }
 

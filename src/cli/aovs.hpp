@@ -7,7 +7,7 @@
 
 namespace sr::cli {
 
-enum class Aov { depth, normal, albedo, visibility, irradiance, object, material, samples, error };
+enum class Aov { depth, normal, albedo, visibility, cosine, irradiance, object, material, samples, error };
 
 const char* name_of(Aov aov);
 std::vector<std::string> aov_names(); // all of them

@@ -233,7 +233,8 @@ ExitStatus render(const RenderCommand& command) {
     PhaseTimes times;
     check(command);
     OpenScene open = open_scene(command, times);
-    render::GpuScene gpu_scene(open.stage.scene, open.stage.lights, command.visibility);
+    render::GpuScene gpu_scene(open.stage.scene, open.stage.lights, command.visibility,
+                               command.has_energy_compensation);
     glFinish();
     times.end("upload");
     if (gpu_scene.occluders()) times.add("bvh (in upload)", gpu_scene.occluders()->build_seconds());

@@ -55,9 +55,11 @@ ordered_json summary(const viewer::Statistics& statistics) {
                       {"drawn_frames", statistics.drawn_frames},
                       {"reloads", statistics.reloads},
                       {"moving_frames", statistics.moving_frames.size()}};
-    std::vector<double> frames = statistics.moving_frames;
+    std::vector<double> frames = statistics.moving_frames, scales = statistics.moving_scales;
     if (frames.empty()) return json;
     std::ranges::sort(frames);
+    std::ranges::sort(scales);
+    json["moving_scale_median"] = scales[scales.size() / 2];
     json["moving_frame_median [s]"] = frames[frames.size() / 2];
     json["moving_frame_p95 [s]"] = frames[frames.size() * 95 / 100];
     return json;

@@ -42,6 +42,8 @@ public:
         arrange(scene_, materials_);
         scene_.images = decoding.images();
         list_contents();
+        contents_.light_nodes = light_nodes_;
+        contents_.material_numbers = materials_.numbers();
     }
 
     scene::Scene at_rest() {
@@ -89,12 +91,14 @@ private:
     std::vector<scene::Light> place_lights(const std::vector<PlacedNode>& placed) {
         std::vector<scene::Light> visible;
         lights_.clear();
+        light_nodes_.clear();
         for (const PlacedNode& node : placed) {
             const std::size_t before = lights_.lights().size();
             lights_.append(node);
-            if (node.is_visible)
-                visible.insert(visible.end(), lights_.lights().begin() + static_cast<std::ptrdiff_t>(before),
-                               lights_.lights().end());
+            if (!node.is_visible) continue;
+            visible.insert(visible.end(), lights_.lights().begin() + static_cast<std::ptrdiff_t>(before),
+                           lights_.lights().end());
+            light_nodes_.resize(visible.size(), node.node);
         }
         return visible;
     }
@@ -118,6 +122,7 @@ private:
     DrawnMeshes drawn_;
     MaterialTable materials_; // at rest; its textures are those of every moment
     LightTable lights_;
+    std::vector<int> light_nodes_; // of those that were placed last
     Contents contents_;
     scene::Scene scene_; // until it is given away
     std::size_t mesh_count_ = 0;

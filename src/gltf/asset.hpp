@@ -34,6 +34,10 @@ struct Contents {
     std::size_t morph_targets = 0; // of all primitives
     std::vector<std::string> extensions_used;
     std::vector<std::string> extensions_required;
+    /// Where in the file things of its Scene at rest come from: the node of each light, and the number of
+    /// each material; negative for glTF's default material.
+    std::vector<int> light_nodes;
+    std::vector<int> material_numbers;
 };
 
 /// A moment of one or more animations, which play at once. The later one wins where two move the same.

@@ -66,6 +66,12 @@ int MaterialTable::material(int gltf_material) {
     return number->second;
 }
 
+std::vector<int> MaterialTable::numbers() const {
+    std::vector<int> numbers(materials_.size(), -1);
+    for (const auto& [in_file, here] : number_of_) numbers[static_cast<std::size_t>(here)] = in_file;
+    return numbers;
+}
+
 float MaterialTable::fraction(double value, const char* factor, const std::string& material) {
     if (value >= 0.0 && value <= 1.0) return static_cast<float>(value);
     warnings_.add(fmt::format("material {}: {} is {}, outside 0 to 1", in_quotes(material), factor, value),

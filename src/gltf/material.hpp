@@ -18,6 +18,8 @@ public:
     int material(int gltf_material);
 
     const std::vector<scene::Material>& materials() const { return materials_; }
+    /// The number in the file of each of them; negative for glTF's default material.
+    std::vector<int> numbers() const;
     /// What Material::measured counts in.
     const std::vector<scene::MeasuredBrdf>& measured() const { return measured_; }
     /// Lights ask for textures, too.

@@ -51,8 +51,10 @@ std::optional<Diagnosis> diagnosed(const Pair& pair, const Comparison& compariso
     try_curves(whole, trials);
     try_channel_orders(whole, trials);
     try_places(whole, trials);
-    if (options.layer.empty() && options.encoding == Encoding::scene_referred)
+    if (options.layer.empty() && options.encoding == Encoding::scene_referred) {
         try_lights(whole, reference, trials);
+        try_terms(whole, reference, trials);
+    }
     if (z)
         std::erase_if(trials, [](const Trial& trial) { return trial.freedom > most_freedom_without_fits; });
     if (auto diagnosis = best_of(trials); diagnosis || z) return diagnosis;

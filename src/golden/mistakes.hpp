@@ -33,4 +33,8 @@ void try_turned(const image::Image& test, const image::Image& reference, Trials&
 /// shadows of one missing.
 void try_lights(const Evidence& evidence, const image::Image& reference, Trials& trials);
 
+/// A term left out of the reflection equation that the reference has a channel of: V ("visibility.V",
+/// shadows) or the cosine ("cosine.cos"), as `steradian render --aov visibility,cosine` writes them.
+void try_terms(const Evidence& evidence, const image::Image& reference, Trials& trials);
+
 } // namespace sr::golden

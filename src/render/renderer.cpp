@@ -72,9 +72,9 @@ void Renderer::resize(int width, int height, int samples) {
 
 void Renderer::ask_for_shadows() {
     depth_maps_.reset();
-    const Occluders* occluders = options_.has_shadows ? scene_.occluders() : nullptr;
-    if (occluders && occluders->map_stage()) depth_maps_.emplace(scene_, options_.maps);
-    const bool is_asked = occluders && occluders->occlusion();
+    if (options_.has_shadows && scene_.occluders() && scene_.occluders()->map_stage())
+        depth_maps_.emplace(scene_, options_.maps);
+    const bool is_asked = options_.has_shadows && scene_.occluders() && scene_.occluders()->occlusion();
     const int rays_per_point = scene_.light_count() * scene_.rays_per_light();
     if (is_asked == ray_answers_.has_value() && rays_per_point == rays_per_point_) return;
     ray_answers_.reset();
@@ -197,11 +197,13 @@ View Renderer::begin_frame() {
 }
 
 VisibilityTerm Renderer::opaque_visibility() const {
+    if (!scene_.occluders() || !options_.has_shadows) return VisibilityTerm::none;
     return ray_answers_ ? VisibilityTerm::answered : blended_visibility();
 }
 
 VisibilityTerm Renderer::blended_visibility() const {
     if (!scene_.occluders() || !options_.has_shadows) return VisibilityTerm::none;
+    // Several layers of a pixel can ask, so the shader answers.
     return scene_.occluders()->map_stage() ? VisibilityTerm::map : VisibilityTerm::ray;
 }
 

@@ -36,7 +36,8 @@ const char* title_of(FileDialog::Purpose purpose) {
 } // namespace
 
 void FileDialog::show(Purpose purpose, const std::string& near_file) {
-    is_open_ = wants_focus_ = true;
+    is_open_ = true;
+    focus_.wish();
     purpose_ = purpose;
     typed_.fill('\0');
     if (purpose == Purpose::save) {
@@ -59,12 +60,11 @@ std::optional<std::string> FileDialog::draw() {
     ImGui::Begin(title_of(purpose_), &is_open_,
                  ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings);
     ImGui::PushItemWidth(30.0f * ImGui::GetFontSize());
-    if (wants_focus_) ImGui::SetKeyboardFocusHere();
-    wants_focus_ = false;
-    if (ImGui::InputTextWithHint("##file", "a path, then Enter", typed_.data(), typed_.size(),
-                                 ImGuiInputTextFlags_EnterReturnsTrue)
-        && typed_[0] != '\0')
-        chosen = typed_.data();
+    if (focus_.is_open()) ImGui::SetKeyboardFocusHere();
+    const bool is_entered = ImGui::InputTextWithHint("##file", "a path, then Enter", typed_.data(),
+                                                     typed_.size(), ImGuiInputTextFlags_EnterReturnsTrue);
+    focus_.tell(ImGui::IsItemActive());
+    if (is_entered && typed_[0] != '\0') chosen = typed_.data();
     if (const auto listed = draw_lists()) chosen = listed;
     ImGui::PopItemWidth();
     ImGui::End();

@@ -1,5 +1,7 @@
 #pragma once
 // Which file to open, or under which name to save: typed, chosen from the folder, or from those opened last.
+#include "viewer/focus.hpp"
+
 #include <array>
 #include <optional>
 #include <string>
@@ -14,6 +16,7 @@ public:
     void show(Purpose purpose, const std::string& near_file);
     void close() { is_open_ = false; }
     bool is_open() const { return is_open_; }
+    bool wants_focus() const { return focus_.is_open(); }
     Purpose purpose() const { return purpose_; }
 
     /// Draws it, if it is open. @return the file that was chosen, in the one frame in which it was
@@ -23,7 +26,7 @@ private:
     std::optional<std::string> draw_lists();
 
     bool is_open_ = false;
-    bool wants_focus_ = false;
+    FocusWish focus_;
     Purpose purpose_ = Purpose::open;
     std::array<char, 1024> typed_{};
     std::vector<std::string> here_;   // in the folder of the file at hand

@@ -37,6 +37,9 @@ Lighting::Lighting(const LoadedScene& loaded, bool hides_emitters) : hides_emitt
     state_.lights_on.assign(state_.lights.size(), true);
     state_.softboxes_on.assign(state_.softboxes.size(), true);
     state_.emission_on.assign(state_.emission.size(), true);
+    for (std::size_t i = 0; i < state_.lights.size(); ++i) state_.origins.push_back(static_cast<int>(i));
+    state_.moved.assign(state_.lights.size(), mat4(1.0f));
+    original_ = state_;
     staged_ = loaded.stage.lights;
     list(loaded.stage, emitters);
 }
@@ -99,7 +102,10 @@ void Lighting::set_quantity(std::size_t index, vec3 quantity) {
     remember();
     switches(lamp.kind)[lamp.index] = true;
     if (lamp.kind == Lamp::Kind::light) viewer::set_quantity(state_.lights[lamp.index], quantity);
-    if (lamp.kind == Lamp::Kind::softbox) viewer::set_quantity(state_.softboxes[lamp.index], quantity);
+    if (lamp.kind == Lamp::Kind::softbox) {
+        viewer::set_quantity(state_.softboxes[lamp.index], quantity);
+        state_.softboxes_changed = true;
+    }
     if (lamp.kind == Lamp::Kind::surface) state_.emission[lamp.index] = quantity;
 }
 
@@ -122,6 +128,10 @@ bool Lighting::transform(std::size_t index, const mat4& by) {
     scene::Light& light =
         lamp.kind == Lamp::Kind::light ? state_.lights[lamp.index] : state_.softboxes[lamp.index];
     light = transformed(light, by);
+    if (lamp.kind == Lamp::Kind::light)
+        state_.moved[lamp.index] = by * state_.moved[lamp.index];
+    else
+        state_.softboxes_changed = true;
     return true;
 }
 
@@ -129,6 +139,8 @@ std::size_t Lighting::add(scene::Light light) {
     remember();
     state_.lights.push_back(std::move(light));
     state_.lights_on.push_back(true);
+    state_.origins.push_back(-1);
+    state_.moved.push_back(mat4(1.0f));
     return state_.lights.size() - 1; // lights come first in the list
 }
 
@@ -144,6 +156,12 @@ bool Lighting::remove(std::size_t index) {
     lights.erase(lights.begin() + at);
     auto& on = switches(lamp.kind);
     on.erase(on.begin() + at);
+    if (lamp.kind == Lamp::Kind::light) {
+        state_.origins.erase(state_.origins.begin() + at);
+        state_.moved.erase(state_.moved.begin() + at);
+    } else {
+        state_.softboxes_changed = true;
+    }
     return true;
 }
 

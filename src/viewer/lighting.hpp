@@ -25,6 +25,9 @@ struct LightingState {
     std::vector<scene::Light> softboxes;
     std::vector<vec3> emission; // of the file's materials
     std::vector<bool> lights_on, softboxes_on, emission_on;
+    std::vector<int> origins; // of each light: which of the file's it was, negative if it was added
+    std::vector<mat4> moved;  // of each light: its world now from its world as it came
+    bool softboxes_changed = false;
 };
 
 class Lighting {
@@ -53,6 +56,7 @@ public:
 
     bool is_changed() const { return !history_.empty(); }
     const LightingState& state() const { return state_; }
+    const LightingState& original() const { return original_; } // as the file has it
 
     /// Rebuilds what depends on lights. Images, textures and the file's meshes stay.
     void apply(LoadedScene& loaded);
@@ -63,6 +67,7 @@ private:
     void list(const scene::Stage& stage, std::size_t first_softbox);
 
     LightingState state_;
+    LightingState original_;
     std::vector<LightingState> history_;
     std::vector<Lamp> lamps_;
     std::vector<scene::Light> staged_; // the Stage's lights as if all were on

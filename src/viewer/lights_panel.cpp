@@ -59,7 +59,7 @@ LightChange LightsPanel::draw(Lighting& lighting, const LoadedScene& loaded, vec
         typed_.fill('\0');
         was_selected_ = selected;
     }
-    if (wants_focus_) ImGui::SetNextItemOpen(true);
+    if (focus_.is_open()) ImGui::SetNextItemOpen(true);
     if (!ImGui::CollapsingHeader("Lights", ImGuiTreeNodeFlags_DefaultOpen)) return LightChange::none;
     LightChange change = draw_list(lighting, loaded);
     if (selected) change = std::max(change, draw_value(lighting, loaded, message));
@@ -93,10 +93,11 @@ LightChange LightsPanel::draw_value(Lighting& lighting, const LoadedScene& loade
     const LightGroup group = group_of(lights, loaded.stage.scene);
     LightChange change = LightChange::none;
     ImGui::TextDisabled("%s", value_text(group).c_str());
-    if (wants_focus_) ImGui::SetKeyboardFocusHere();
-    wants_focus_ = false;
-    if (ImGui::InputTextWithHint("value", "800 lm, 6500 K", typed_.data(), typed_.size(),
-                                 ImGuiInputTextFlags_EnterReturnsTrue)) {
+    if (focus_.is_open()) ImGui::SetKeyboardFocusHere();
+    const bool is_entered = ImGui::InputTextWithHint("value", "800 lm, 6500 K", typed_.data(), typed_.size(),
+                                                     ImGuiInputTextFlags_EnterReturnsTrue);
+    focus_.tell(ImGui::IsItemActive());
+    if (is_entered) {
         try {
             const vec3 quantity = typed_quantity(typed_.data(), group);
             lighting.begin_step();

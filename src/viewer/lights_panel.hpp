@@ -1,5 +1,6 @@
 #pragma once
 // The list of lights, and the one that is selected.
+#include "viewer/focus.hpp"
 #include "viewer/gizmo.hpp"
 #include "viewer/lighting.hpp"
 
@@ -20,7 +21,8 @@ public:
     std::optional<std::size_t> selected;
 
     /// The text field of the selected light takes the keyboard.
-    void edit() { wants_focus_ = true; }
+    void edit() { focus_.wish(); }
+    bool wants_focus() const { return focus_.is_open(); }
 
     /// Draws the panel. @return what changed; `message` is what to tell the person
     LightChange draw(Lighting& lighting, const LoadedScene& loaded, vec3 new_light_at, std::string& message);
@@ -39,7 +41,7 @@ private:
     LightChange draw_new(Lighting& lighting, vec3 at);
 
     std::array<char, 64> typed_{};
-    bool wants_focus_ = false;
+    FocusWish focus_;
     vec3 turn_{0.0f};    // degrees about X, Y, Z that were asked for since the selection
     float scale_ = 1.0f; // likewise
     std::optional<std::size_t> was_selected_;

@@ -17,6 +17,8 @@ LoadedScene load_scene(const std::string& file, const Options& options, float as
     for (const scene::Material& material : loaded.scene.materials)
         result.emission.push_back(material.emission);
     result.remarks = std::move(loaded.warnings);
+    result.contents = std::move(loaded.contents);
+    result.scene_index = options.scene_index;
     scene::StageOptions stage{options.camera, options.rig, aspect_ratio, options.hide_emitters};
     result.stage = scene::set_stage(std::move(loaded.scene), file, stage);
     result.remarks.insert(result.remarks.end(), result.stage.remarks.begin(), result.stage.remarks.end());

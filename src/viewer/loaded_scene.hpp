@@ -1,6 +1,7 @@
 #pragma once
 // A file in memory, set before a camera: everything of a scene that needs no GL, so that any thread can make
 // it.
+#include "gltf/asset.hpp"
 #include "viewer/eye.hpp"
 #include "viewer/options.hpp"
 
@@ -19,8 +20,10 @@ struct BaseCounts {
 struct LoadedScene {
     std::string file;
     scene::Stage stage;
-    scene::Bounds bounds; // of what the file has
+    scene::Bounds bounds;           // of what the file has
+    std::optional<int> scene_index; // that was asked for
     BaseCounts base;
+    gltf::Contents contents;
     std::vector<vec3> emission;       // of each of the file's materials, even where emitters are hidden
     std::vector<std::string> remarks; // one line each: warnings, and what was decided without being asked
     double seconds = 0.0;             // that loading took

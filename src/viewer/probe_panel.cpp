@@ -47,6 +47,11 @@ void ProbePanel::draw(const scene::Stage& stage, const Lighting& lighting,
     const render::PixelTerms& terms = answer->terms;
     bool is_open = true;
     hovered_ = -1;
+    // Where it leaves the pixel in sight.
+    const ImVec2 size = ImGui::GetMainViewport()->Size;
+    const bool is_pixel_low = 2 * answer->row > answer->height;
+    ImGui::SetNextWindowPos({size.x - 12.0f, is_pixel_low ? 12.0f : size.y - 3.0f * ImGui::GetFontSize()},
+                            ImGuiCond_Appearing, {1.0f, is_pixel_low ? 0.0f : 1.0f});
     ImGui::SetNextWindowSizeConstraints(
         {0.0f, 0.0f}, {ImGui::GetMainViewport()->Size.x, 0.6f * ImGui::GetMainViewport()->Size.y});
     if (ImGui::Begin("L_o = L_e + sum of E f_r", &is_open, ImGuiWindowFlags_AlwaysAutoResize)) {

@@ -11,6 +11,7 @@ struct Answer {
     render::PixelTerms terms;
     int column = 0;
     int row = 0;
+    int height = 0; // of the picture
     int samples = 0;
 };
 

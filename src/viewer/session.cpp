@@ -66,6 +66,7 @@ void Session::run(const std::function<bool()>& is_interrupted) {
         watch_files();
         std::vector<Event> events = input_.take();
         if (input_.take_damage() || !events.empty()) frames_to_draw_ = frames_after_event;
+        if (lights_.wants_focus() || dialog_.wants_focus()) frames_to_draw_ = std::max(frames_to_draw_, 1);
         const bool has_work = show_ && !show_->picture().is_done();
         if (frames_to_draw_ <= 0 && !has_work && !hand_.is_flying()) continue;
         ui_.begin(); // before the events, so that it knows whose the pointer is
@@ -155,7 +156,10 @@ void Session::advance() {
     fly(seconds);
     relight();
     Picture& picture = show_->picture();
-    if (was_moving_ && picture.is_moving()) statistics_.moving_frames.push_back(seconds);
+    if (was_moving_ && picture.is_moving()) {
+        statistics_.moving_frames.push_back(seconds);
+        statistics_.moving_scales.push_back(picture.scale());
+    }
     was_moving_ = picture.is_moving();
     const bool was_done = picture.is_done();
     picture.advance();

@@ -101,6 +101,7 @@ private:
     void begin_turntable();
     void advance_turntable();
     void draw_dialog();
+    void save_scene(const std::string& file);
     void fail(const std::string& title, const std::string& text);
 
     Options options_;

@@ -25,7 +25,7 @@ void Session::answer_question() {
         return !input_.wants_to_stop();
     });
     if (!terms) return say("the question was taken back");
-    probe_.answer = Answer{*std::move(terms), column, row, options.samples};
+    probe_.answer = Answer{*std::move(terms), column, row, height_, options.samples};
     say(fmt::format("pixel {},{} answers", column, row));
     frames_to_draw_ = 3;
 }

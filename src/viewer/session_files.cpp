@@ -2,6 +2,7 @@
 #include "viewer/session.hpp"
 
 #include "core/error.hpp"
+#include "viewer/saved_gltf.hpp"
 #include "viewer/screenshot.hpp"
 
 #include <cstdio>
@@ -100,6 +101,17 @@ void Session::draw_dialog() {
     if (!file) return;
     if (purpose == FileDialog::Purpose::open) open(*file);
     if (purpose == FileDialog::Purpose::compare) load_reference(*file);
+    if (purpose == FileDialog::Purpose::save) save_scene(*file);
+}
+
+void Session::save_scene(const std::string& file) {
+    const bool is_free = scene::is_look_at(eye_->argument());
+    try {
+        save(show_->scene(), show_->lighting(), is_free ? &eye_->camera() : nullptr, file);
+        say("saved " + file);
+    } catch (const Error& error) {
+        fail("Nothing was saved.", error.what());
+    }
 }
 
 /// A saved scene or shader shows at once.

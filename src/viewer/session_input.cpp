@@ -118,6 +118,7 @@ bool Session::obey_picture(Command command) {
     case Command::paste_view: paste_view(); return true;
     case Command::screenshot_png: write_png(); return true;
     case Command::screenshot_exr: write_exr(); return true;
+    case Command::save_as: dialog_.show(FileDialog::Purpose::save, show_->scene().file); return true;
     case Command::turntable: begin_turntable(); return true;
     case Command::compare: next_comparison(); return true;
     case Command::ask: question_ = input_.pointer(); return true;

@@ -14,6 +14,7 @@ struct Statistics {
     /// Seconds until the first picture of the first scene, by part; loading runs beside opening the window.
     std::vector<std::pair<std::string, double>> start;
     std::vector<double> moving_frames; // [s] from one drawn frame of a moving picture to the next
+    std::vector<double> moving_scales; // of the picture's sides, in each of them
     int reloads = 0;
     int drawn_frames = 0;
     std::string renderer; // GL_RENDERER

@@ -1,5 +1,7 @@
 #include "whole_gltf.hpp"
 
+#include "support/draco_stream.hpp"
+
 namespace sr::testing {
 namespace {
 
@@ -39,6 +41,18 @@ void add_motion(MadeGltf& made) {
               "/materials/0/pbrMetallicRoughness/baseColorTexture/extensions/KHR_texture_transform/rotation"}}}})"})
         animation["channels"].push_back(json::parse(channel));
     made.root["animations"] = json::array({animation});
+}
+
+// A build without Draco sees zeros.
+void add_draco(MadeGltf& made) {
+    const int bytes = made.accessor(draco_triangles(), "SCALAR", 5121);
+    json& accessors = made.root["accessors"];
+    accessors.push_back({{"componentType", 5126}, {"count", 4}, {"type", "VEC3"}});
+    const json packed{{"bufferView", accessors[bytes]["bufferView"]}, {"attributes", {{"POSITION", 0}}}};
+    made.root["meshes"].push_back(
+        {{"primitives", json::array({{{"attributes", {{"POSITION", accessors.size() - 1}}},
+                                      {"extensions", {{"KHR_draco_mesh_compression", packed}}}}})}});
+    made.root["nodes"].push_back({{"mesh", 2}});
 }
 
 } // namespace
@@ -86,6 +100,7 @@ MadeGltf whole_gltf() {
     made.root["nodes"].push_back(json::parse(R"({"extensions": {"EXT_lights_ies": {"light": 0}}})"));
     made.root["images"] = json::array({{{"uri", png_uri()}}});
     add_motion(made);
+    add_draco(made);
     return made;
 }
 

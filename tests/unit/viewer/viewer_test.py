@@ -13,8 +13,8 @@ from pathlib import Path
 from driver import Display, Viewer
 
 STERADIAN, SCENES, SCRATCH = (Path(argument).resolve() for argument in sys.argv[1:])
-WIDTH, HEIGHT = 400, 300
-SIZE, SAMPLES = f"{WIDTH}x{HEIGHT}", "4"
+WIDTH, HEIGHT = 400, 300  # of the window
+SIZE, SAMPLES = f"{WIDTH}x{HEIGHT}", "2"
 
 
 def steradian(*arguments) -> subprocess.CompletedProcess:
@@ -63,13 +63,8 @@ def no_file(display: Display):
     assert result.returncode == 3 and result.stderr.startswith("nowhere.gltf"), result
 
 
-def looking_around(display: Display):
-    """The converged picture is render's; a drag orbits; F frames; C goes back; closing the window ends it."""
-    scene = SCENES / "cornell.gltf"
-    viewer = Viewer(display, STERADIAN, SCRATCH / "look", scene, "--size", SIZE, "--samples", SAMPLES, "--gl-debug")
-    viewer.done()
-    viewer.key("h")  # the picture alone
-    first = viewer.shot()
+def looking_around(viewer: Viewer, scene: Path, first: Path):
+    """The converged picture is render's; a drag orbits; F frames; 0 goes back to the file's camera."""
     assert same(first, rendered(scene, "main")), "not the picture that render makes"
     viewer.changed_by(lambda: viewer.drag((200, 150), (240, 160)))
     orbited, camera = viewer.shot(), camera_of(viewer)
@@ -79,74 +74,64 @@ def looking_around(display: Display):
     assert camera_of(viewer) != camera and not same(orbited, viewer.shot()), "F changes nothing"
     viewer.changed_by(lambda: viewer.key("0"))
     assert same(first, viewer.shot()), "the file's camera is not where it was"
-    viewer.close()
 
 
-def editing_lights(display: Display):
-    """A click selects the emitter, Enter takes its value, and twice the flux is twice the radiance. Space switches it off."""
-    viewer = Viewer(display, STERADIAN, SCRATCH / "lights", SCENES / "cornell.gltf", "--size", SIZE, "--samples", SAMPLES,
-                    "--gl-debug")
-    viewer.done()
-    first = viewer.shot()
-    viewer.key("h")
+def editing_lights(viewer: Viewer, scene: Path, first: Path):
+    """A click selects the emitter, Enter takes its value, and twice the flux is twice the radiance, in a saved file, too.
+    Ctrl Z takes it back, Space switches it off."""
+    relit = scene.with_name("relit.gltf")
     viewer.click(*brightest(first))
     viewer.wait(lambda: "selected " in viewer.errors(), "a selected light")
     viewer.key("h", "Return")
     viewer.changed_by(lambda: viewer.type("1600 lm"))
     assert same(first, viewer.shot(), 2.0), "twice the flux is not twice the radiance"
+    viewer.key("ctrl+s", "ctrl+a")
+    viewer.type(str(relit))
+    viewer.wait(relit.exists, "a saved file", 10)
+    assert same(first, rendered(relit, "main"), 2.0), "the saved file is not what was seen"
     viewer.changed_by(lambda: viewer.key("ctrl+z"))
     assert same(first, viewer.shot()), "undone it is not what it was"
     viewer.changed_by(lambda: viewer.key("space"))
     assert same(first, viewer.shot(), 0.0), "switched off it shines"
-    viewer.close()
+    viewer.changed_by(lambda: viewer.key("space"))
+    viewer.key("Escape", "h")
 
 
-def asking_and_opening(display: Display):
-    """A pixel answers with its lights; a kept picture is compared; another file is opened by its path."""
-    viewer = Viewer(display, STERADIAN, SCRATCH / "ask", SCENES / "cornell.gltf", "--size", SIZE, "--samples", SAMPLES,
-                    "--gl-debug", "--exposure", "8")
-    viewer.done()
-    viewer.key("h")
+def asking_and_comparing(viewer: Viewer):
+    """A pixel answers with its lights; a wipe shows a kept picture beside the new one."""
     viewer.click(WIDTH // 2, HEIGHT - 40)
     viewer.wait(lambda: f"pixel {WIDTH // 2},{HEIGHT - 40} answers" in viewer.errors(), "an answer")
     viewer.key("Escape", "b")
     viewer.wait(lambda: "kept: " in viewer.errors(), "a kept picture")
-    before = viewer.screen(WIDTH // 4, HEIGHT // 2), viewer.screen(3 * WIDTH // 4, HEIGHT // 2)
+    places = (WIDTH // 4, HEIGHT // 2), (3 * WIDTH // 4, HEIGHT // 2)
+    before = [viewer.screen(*place) for place in places]
     viewer.changed_by(lambda: viewer.key("1"))
-    assert viewer.screen(3 * WIDTH // 4, HEIGHT // 2) == before[1], "the wipe's other side is not the kept picture"
-    assert viewer.screen(WIDTH // 4, HEIGHT // 2) != before[0], "the wipe's own side is not the new picture"
-    viewer.key("h", "ctrl+o")
-    viewer.changed_by(lambda: viewer.type(str(SCENES / "veach.gltf")))
-    assert "veach.gltf" in viewer.title(), viewer.title()
+    assert viewer.screen(*places[1]) == before[1], "the wipe's other side is not the kept picture"
+    assert viewer.screen(*places[0]) != before[0], "the wipe's own side is not the new picture"
     viewer.key("Escape")
-    assert same(viewer.shot(), rendered(SCENES / "veach.gltf", "main")), "the opened file is not what render makes of it"
-    viewer.close()
+    viewer.changed_by(lambda: viewer.key("0"))
 
 
-def reloading(display: Display):
+def reloading(viewer: Viewer, shader: Path, scene: Path, first: Path):
     """A broken shader is named with its line while the last picture goes on; mended, it shows. So does a saved scene."""
-    shaders, scene = SCRATCH / "shaders" / "brdf", SCRATCH / "scene.gltf"
-    shaders.mkdir(parents=True)
-    shutil.copy(SCENES / "cornell.gltf", scene)
-    viewer = Viewer(display, STERADIAN, SCRATCH / "reload", scene, "--size", SIZE, "--samples", SAMPLES, "--gl-debug",
-                    "--shaders", shaders.parent)
-    viewer.done()
-    first = viewer.shot()
-    body = 'vec3 f_r(Surface x, vec3 wi, vec3 wo) {{\n    return {};\n}}\n'
-    viewer.write(shaders / "f_r.glsl", '#include "surface/surface.glsl"\n' + body.format("undeclared"))
+    code = '#include "surface/surface.glsl"\nvec3 f_r(Surface x, vec3 wi, vec3 wo) {{\n    return {};\n}}\n'
+    viewer.write(shader, code.format("undeclared"))
     viewer.wait(lambda: "f_r.glsl:3" in viewer.errors(), "the error's line", 10)
     assert same(first, viewer.shot()), "the last good picture is gone"
-    viewer.changed_by(lambda: viewer.write(shaders / "f_r.glsl", '#include "surface/surface.glsl"\n'
-                                                                 + body.format("vec3(0.0)")))
+    viewer.changed_by(lambda: viewer.write(shader, code.format("vec3(0.0)")))
     assert not same(first, viewer.shot()), "the mended shader does not show"
-    viewer.changed_by(lambda: (shaders / "f_r.glsl").unlink())
+    viewer.changed_by(shader.unlink)
     assert same(first, viewer.shot()), "without the overlay it is not what it was"
     scene.write_text("{")
     viewer.wait(lambda: "scene.gltf:1:" in viewer.errors(), "the broken file's line", 10)
-    text = (SCENES / "spheres.gltf").read_text()
-    viewer.changed_by(lambda: viewer.write(scene, text))
-    assert same(viewer.shot(), rendered(scene, camera_of(viewer))), "the saved scene does not show"
-    viewer.close()
+    viewer.changed_by(lambda: viewer.write(scene, (SCENES / "spheres.gltf").read_text()))
+    assert same(viewer.shot(), rendered(scene, "main")), "the saved scene does not show"
+
+
+def opening(viewer: Viewer):
+    viewer.key("h", "ctrl+o")
+    viewer.changed_by(lambda: viewer.type(str(SCENES / "veach.gltf")))
+    assert "veach.gltf" in viewer.title(), viewer.title()
 
 
 def main() -> int:
@@ -154,14 +139,24 @@ def main() -> int:
         print("Xvfb and xdotool are needed: sudo apt-get install xvfb xdotool")
         return 77
     shutil.rmtree(SCRATCH, ignore_errors=True)
+    no_display()
     display = Display(SCRATCH / "display", 800, 600)
+    scene, shader = SCRATCH / "scene.gltf", SCRATCH / "shaders" / "brdf" / "f_r.glsl"
+    shader.parent.mkdir(parents=True)
+    shutil.copy(SCENES / "cornell.gltf", scene)
     try:
-        no_display()
         no_file(display)
-        looking_around(display)
-        editing_lights(display)
-        asking_and_opening(display)
-        reloading(display)
+        viewer = Viewer(display, STERADIAN, SCRATCH / "run", scene, "--size", SIZE, "--samples", SAMPLES, "--gl-debug",
+                        "--exposure", "8", "--shaders", shader.parent.parent)
+        viewer.done()
+        viewer.key("h")  # the picture alone
+        first = viewer.shot()
+        looking_around(viewer, scene, first)
+        editing_lights(viewer, scene, first)
+        asking_and_comparing(viewer)
+        reloading(viewer, shader, scene, first)
+        opening(viewer)
+        viewer.close()
     finally:
         display.close()
     return 0

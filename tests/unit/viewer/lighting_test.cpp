@@ -1,0 +1,157 @@
+// Editing lights: what a person types, and that a saved file has the lights that were seen.
+#include "core/error.hpp"
+#include "support/address.hpp"
+#include "viewer/saved_gltf.hpp"
+
+#include <filesystem>
+#include <fstream>
+#include <glm/gtc/matrix_transform.hpp>
+#include <nlohmann/json.hpp>
+
+using namespace sr;
+using namespace sr::viewer;
+using sr::testing::Test;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path scenes = fs::path(STERADIAN_SCENES);
+
+float luminance_of(const scene::Light& light) {
+    return static_cast<float>(scene::luminance(quantity_of(light)));
+}
+
+LightGroup alone(const std::vector<scene::Light>& lights) {
+    static const std::vector<scene::LightProfile> none;
+    return {lights, none};
+}
+
+const Test typed("unit.viewer.lights.typed_values_are_what_they_say", [] {
+    const std::vector<scene::Light> point{scene::PointLight{}};
+    const auto Y = [&](const char* text, const std::vector<scene::Light>& lights) {
+        return scene::luminance(typed_quantity(text, alone(lights)));
+    };
+    EXPECT_NEAR(Y("800 lm", point), 800.0 / (4.0 * pi), 1e-4);
+    EXPECT_NEAR(Y(" 12.5 ", point), 12.5, 1e-5);
+    EXPECT_NEAR(Y("1 W", point), 683.0 / (4.0 * pi), 1e-3);
+    const std::vector<scene::Light> plate{scene::RectangleLight{}}; // 4 m²
+    EXPECT_NEAR(Y("800 lm", plate), 800.0 / (4.0 * pi), 1e-4);
+    EXPECT_NEAR(Y("100 cd", plate), 25.0, 1e-5);
+    std::vector<scene::Light> two(2, scene::RectangleLight{});
+    EXPECT_NEAR(Y("800 lm", two), 800.0 / (8.0 * pi), 1e-4) << "the flux is that of both";
+    const vec3 warm = typed_quantity("2700 K", alone(point));
+    EXPECT_NEAR(scene::luminance(warm), 1.0, 1e-5) << "a colour keeps the luminance";
+    EXPECT_GT(warm.r, 2.0f * warm.b);
+    for (const char* wrong : {"", "bright", "-3 lm", "3 apples", "20 K", "5 lx"})
+        EXPECT_THROW(Y(wrong, point), Error) << wrong;
+});
+
+/// All that makes two lights the same.
+void expect_same(const scene::Light& a, const scene::Light& b) {
+    ASSERT_EQ(a.index(), b.index());
+    EXPECT_LT(glm::distance(quantity_of(a), quantity_of(b)), 1e-5f * (1.0f + glm::length(quantity_of(a))));
+    const scene::Bounds x = bounds_of(a, 0.0f), y = bounds_of(b, 0.0f);
+    EXPECT_EQ(x.is_empty(), y.is_empty());
+    if (!x.is_empty()) {
+        EXPECT_LT(glm::distance(x.min, y.min) + glm::distance(x.max, y.max), 1e-4f);
+    }
+    std::visit(
+        [&](const auto& l) {
+            const auto& other = std::get<std::decay_t<decltype(l)>>(b);
+            if constexpr (requires { l.direction; }) {
+                EXPECT_LT(glm::distance(l.direction, other.direction), 1e-5f);
+            }
+            if constexpr (requires { l.half_u; }) {
+                EXPECT_LT(glm::distance(l.normal(), other.normal()), 1e-5f);
+            }
+        },
+        a);
+}
+
+/// A copy of a bundled scene in a folder of its own.
+fs::path copied(const fs::path& scene, const fs::path& folder) {
+    fs::create_directories(folder);
+    for (const fs::path& name : {scene, fs::path("downlight.ies")})
+        fs::copy_file(scenes / name, folder / name, fs::copy_options::overwrite_existing);
+    return folder / scene;
+}
+
+const Test saved("unit.viewer.lights.a_saved_file_has_the_lights_that_were_seen", [] {
+    const fs::path folder = fs::temp_directory_path() / "steradian_saved_lights";
+    for (const char* name : {"zoo.gltf", "emitters.gltf"}) {
+        const std::string file = copied(name, folder);
+        LoadedScene loaded = load_scene(file, {}, 1.0f);
+        Lighting lighting(loaded, false);
+        const std::size_t lights = lighting.state().lights.size();
+        ASSERT_GE(lights, 4u);
+        const mat4 by = glm::rotate(glm::translate(mat4(1.0f), vec3(0.1f, 0.2f, -0.3f)), 0.4f, vec3(0, 1, 0));
+        for (std::size_t i = 0; i < lights; ++i)
+            if (i != 1) lighting.transform(i, by);
+        lighting.set_quantity(0, 3.0f * quantity_of(lighting.state().lights[0]));
+        lighting.set_quantity(lighting.lamps().size() - 1, vec3(7.0f, 5.0f, 3.0f));
+        lighting.switch_to(3, false);
+        lighting.remove(2);
+        lighting.add(scene::SphereLight{"more", vec3(0.5f), 0.2f, vec3(10.0f)});
+        lighting.add(scene::PointLight{"spark", vec3(0.1f), vec3(2.0f)});
+        scene::RectangleLight plate;
+        plate.L = vec3(30.0f, 20.0f, 10.0f);
+        lighting.add(plate);
+        lighting.apply(loaded);
+        const std::string copy = folder / (std::string("relit_") + name);
+        save(loaded, lighting, &loaded.stage.camera, copy);
+
+        const LoadedScene again = load_scene(copy, {}, 1.0f);
+        EXPECT_EQ(again.stage.camera.name, "view");
+        // Lights that moved come back where their nodes are: after those that did not.
+        ASSERT_EQ(again.stage.lights.size(), loaded.stage.lights.size());
+        for (const scene::Light& light : loaded.stage.lights) {
+            const auto same = std::ranges::find_if(again.stage.lights, [&](const scene::Light& other) {
+                const auto a = center_of(light), b = center_of(other);
+                return light.index() == other.index() && (!a || glm::distance(*a, *b) < 1e-4f);
+            });
+            ASSERT_NE(same, again.stage.lights.end()) << name;
+            expect_same(light, *same);
+        }
+    }
+    fs::remove_all(folder);
+});
+
+const Test untouched("unit.viewer.lights.saving_keeps_what_was_not_edited", [] {
+    const fs::path folder = fs::temp_directory_path() / "steradian_saved_same";
+    const fs::path file = copied("emitters.gltf", folder);
+    const LoadedScene loaded = load_scene(file, {}, 1.0f);
+    const Lighting lighting(loaded, false);
+    save(loaded, lighting, nullptr, folder / "same.gltf");
+    const auto text = [](const fs::path& path) {
+        std::ifstream in(path);
+        return nlohmann::json::parse(in);
+    };
+    EXPECT_EQ(text(file), text(folder / "same.gltf"));
+    EXPECT_THROW(save(loaded, lighting, nullptr, folder.parent_path() / "elsewhere.gltf"), Error);
+    EXPECT_THROW(save(loaded, lighting, nullptr, folder / "same.glb"), Error);
+    fs::remove_all(folder);
+});
+
+const Test undone("unit.viewer.lights.undoing_goes_back_step_by_step", [] {
+    LoadedScene loaded = load_scene(scenes / "zoo.gltf", {}, 1.0f);
+    Lighting lighting(loaded, false);
+    const float first = luminance_of(lighting.state().lights[0]);
+    lighting.begin_step();
+    lighting.set_quantity(0, vec3(5.0f));
+    lighting.set_quantity(0, vec3(6.0f)); // the same drag
+    lighting.begin_step();
+    lighting.solo(1);
+    lighting.apply(loaded);
+    EXPECT_EQ(luminance_of(loaded.stage.lights[0]), 0.0f);
+    EXPECT_GT(luminance_of(loaded.stage.lights[1]), 0.0f);
+    EXPECT_TRUE(lighting.undo());
+    lighting.apply(loaded);
+    EXPECT_NEAR(luminance_of(loaded.stage.lights[0]), 6.0f, 1e-5f);
+    EXPECT_TRUE(lighting.undo());
+    lighting.apply(loaded);
+    EXPECT_EQ(luminance_of(loaded.stage.lights[0]), first);
+    EXPECT_FALSE(lighting.undo());
+});
+
+} // namespace
