@@ -72,6 +72,15 @@ class MetallicRoughness(mi.BSDF):
         cos_o = dr.dot(n, si.wi)
         return dr.select(cos_o >= 0, n, dr.normalize(n - cos_o * si.wi))
 
+    def arrives(self, si, light, active):
+        """Whether light comes from the side of the surface that is seen: a normal map does not bend it through."""
+        if self.textures["normal_texture"] is None:
+            return active
+        n = si.to_local(self.vector("vertex_normal", si, active))
+        if self.is_double_sided:
+            n = dr.select(dr.dot(si.n, si.to_world(si.wi)) < 0, -n, n)
+        return active & (dr.dot(n, light) > 0)
+
     def is_seen(self, si):
         return True if self.is_double_sided else dr.dot(si.n, si.to_world(si.wi)) > 0
 
@@ -134,13 +143,13 @@ class MetallicRoughness(mi.BSDF):
         bs.eta = 1.0
         bs.sampled_type = mi.UInt32(+mi.BSDFFlags.GlossyReflection)
         bs.sampled_component = mi.UInt32(0)
-        active = active & (bs.pdf > 0) & self.is_seen(si)
+        active = self.arrives(si, light, active & (bs.pdf > 0) & self.is_seen(si))
         value = self.f_r(surface, si.wi, light) * dr.maximum(dr.dot(surface[0], light), 0) / bs.pdf
         return bs, dr.select(active, value, 0)
 
     def eval_pdf(self, ctx, si, wo, active=True):
         surface = self.surface(si, active)
-        active = active & self.is_seen(si)
+        active = self.arrives(si, wo, active & self.is_seen(si))
         value = self.f_r(surface, si.wi, wo) * dr.maximum(dr.dot(surface[0], wo), 0)
         return dr.select(active, value, 0), dr.select(active, self.density(surface, si.wi, wo), 0)
 

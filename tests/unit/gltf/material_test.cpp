@@ -199,4 +199,42 @@ const Test foreign_texture("unit.gltf.material.a_texture_without_image_is_warned
     EXPECT_TRUE(warns_once(loaded, "a texture has no image in a supported format"));
 });
 
+const Test layers("unit.gltf.material.layers", [] {
+    const scene::Material m = material_of(R"({"extensions": {
+        "KHR_materials_anisotropy": {"anisotropyStrength": 0.5, "anisotropyRotation": 1.25, "anisotropyTexture": {"index": 0}},
+        "KHR_materials_clearcoat": {"clearcoatFactor": 0.75, "clearcoatNormalTexture": {"index": 1, "scale": 2}},
+        "KHR_materials_sheen": {"sheenColorFactor": [0.1, 0.2, 0.3], "sheenRoughnessFactor": 0.25},
+        "KHR_materials_iridescence": {"iridescenceFactor": 1, "iridescenceIor": 1.5, "iridescenceThicknessMaximum": 500}}})");
+    EXPECT_EQ(vec2(m.anisotropy, m.anisotropy_rotation), vec2(0.5f, 1.25f));
+    EXPECT_TRUE(m.anisotropy_texture.is_present());
+    EXPECT_EQ(vec2(m.clearcoat, m.clearcoat_normal_scale), vec2(0.75f, 2.0f));
+    EXPECT_EQ(vec4(m.sheen_color, m.sheen_roughness), vec4(0.1f, 0.2f, 0.3f, 0.25f));
+    EXPECT_EQ(vec3(m.film_ior, m.least_film_thickness, m.largest_film_thickness), vec3(1.5f, 100.0f, 500.0f));
+    EXPECT_FALSE(
+        load(with_material(R"({"extensions": {"KHR_materials_anisotropy": {"anisotropyStrength": 0.5}}})"))
+            .scene.meshes.at(0)
+            .tangents.empty());
+});
+
+const Test brdfs("unit.gltf.material.brdfs_of_extras", [] {
+    const scene::Material gold = material_of(
+        R"({"extras": {"steradian": {"brdf": "conductor", "metal": "gold", "roughness_across": 0.5}}})");
+    EXPECT_EQ(gold.model, scene::Model::conductor);
+    EXPECT_GT(gold.conductor.k.r, gold.conductor.k.b);
+    EXPECT_EQ(gold.roughness_across, 0.5f);
+    const auto error_with = [](const char* stated) {
+        return error_of(with_material(
+            (std::string(R"({"name": "m", "extras": {"steradian": )") + stated + "}}").c_str()));
+    };
+    EXPECT_EQ(error_with(R"({"brdf": "lambert", "exponent": 5})"),
+              "made.gltf: material \"m\" has exponent: that belongs to the brdf phong or blinn_phong: say "
+              "so, or leave it out");
+    EXPECT_EQ(error_with(R"({"brdf": "conductor"})"),
+              "made.gltf: material \"m\" is a conductor that does not say of what once: give it one of "
+              "metal, complex_ior and "
+              "ior_spectrum");
+    EXPECT_NE(error_with(R"({"brdf": "merl", "file": "no.binary"})").find("no.binary"), std::string::npos);
+    EXPECT_NE(error_with(R"({"brdf": "plastic"})").find("brdf"), std::string::npos);
+});
+
 } // namespace
