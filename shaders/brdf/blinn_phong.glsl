@@ -7,9 +7,7 @@
 #include "brdf/phong.glsl"
 
 float blinn_power(vec3 n, vec3 wi, vec3 wo, float exponent) {
-    vec3 h = normalize(wi + wo);
-    vec3 s = cross(n, h);
-    return dot(n, h) > 0.0 ? power_of_cosine(dot(s, s), exponent) : 0.0;
+    return power_of_cosine(n, normalize(wi + wo), exponent);
 }
 
 float f_blinn_phong(vec3 n, vec3 wi, vec3 wo, float exponent) {

@@ -7,20 +7,20 @@
 #include "base/constants.glsl"
 #include "base/frame_around.glsl"
 
-// cos^e by the sine squared, since near a narrow peak the cosine has lost its digits: e/2 log(1 - s²), by the series of the area
-// tangent where that is small.
-float power_of_cosine(float sin2, float exponent) {
-    float t = sin2 / (2.0 - sin2);
+// (a·b)^e for unit vectors; near a narrow peak by the sine, since there the cosine has lost its digits:
+// log cos² = log(1 - s²) = -2 artanh(s² / (2 - s²)).
+float power_of_cosine(vec3 a, vec3 b, float exponent) {
+    float c = dot(a, b);
+    vec3 s = cross(a, b);
+    float s2 = dot(s, s);
+    float t = s2 / (2.0 - s2);
     float t2 = t * t;
-    float log_cos2 = sin2 < 0.25 ? -2.0 * t * (1.0 + t2 * (1.0 / 3.0 + t2 * (1.0 / 5.0 + t2 / 7.0))) : log(1.0 - sin2);
-    return exp(0.5 * exponent * log_cos2);
+    float log_cos2 = -2.0 * t * (1.0 + t2 * (1.0 / 3.0 + t2 * (1.0 / 5.0 + t2 / 7.0)));
+    if (s2 >= 0.25) log_cos2 = 2.0 * log(c);
+    return c > 0.0 ? exp(0.5 * exponent * log_cos2) : 0.0;
 }
 
-float phong_power(vec3 n, vec3 wi, vec3 wo, float exponent) {
-    vec3 m = reflect(-wo, n);
-    vec3 s = cross(m, wi);
-    return dot(m, wi) > 0.0 ? power_of_cosine(dot(s, s), exponent) : 0.0;
-}
+float phong_power(vec3 n, vec3 wi, vec3 wo, float exponent) { return power_of_cosine(reflect(-wo, n), wi, exponent); }
 
 float f_phong(vec3 n, vec3 wi, vec3 wo, float exponent) {
     return (exponent + 2.0) / (2.0 * pi) * phong_power(n, wi, wo, exponent);

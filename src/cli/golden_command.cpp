@@ -38,6 +38,7 @@ void print_line(const golden::TestResult& test) {
 std::string summary(const golden::RunResult& result) {
     using golden::Outcome;
     std::string text = fmt::format("{} of {} passed", result.count(Outcome::passed), result.tests.size());
+    if (const int n = result.passed_by_alternates()) text += fmt::format(" ({} as an alternate)", n);
     if (const int n = result.count(Outcome::differs)) text += fmt::format(", {} differ", n);
     if (const int n = result.count(Outcome::missing)) text += fmt::format(", {} without a golden", n);
     if (const int n = result.count(Outcome::broken)) text += fmt::format(", {} broken", n);
@@ -166,6 +167,10 @@ void add_approve(CLI::App& app, const std::shared_ptr<GoldenArguments>& argument
         ->add_option("--laws", options.laws,
                      "JUnit XML of law and truth tests (ctest --output-junit); a failing one refuses")
         ->type_name("FILE");
+    command
+        ->add_option("--alternate", options.alternate,
+                     "keep them beside the goldens, for this driver alone; counted and named in every run")
+        ->type_name("LABEL");
     command->add_flag("--dry-run", arguments->dry_run, "show what would be done, and do nothing");
     command->add_flag("--force", options.force, "approve against failing laws, or of another renderer");
     command->footer("All or nothing: if one test is refused, no golden is written.\n"

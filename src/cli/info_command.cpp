@@ -3,11 +3,14 @@
 #include "gl/context.hpp"
 #include "gltf/extensions.hpp"
 #include "gltf/load.hpp"
+#include "render/features.hpp"
 #include "scene/emitters.hpp"
+#include "scene/material_description.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <fmt/format.h>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -66,6 +69,26 @@ ordered_json extensions_json(const gltf::Contents& contents) {
     return list;
 }
 
+/// How many materials have which BRDF, and what the analytic estimator makes of it.
+ordered_json brdfs_json(const scene::Scene& s) {
+    std::map<std::string, int> count;
+    for (const scene::Material& material : s.materials) {
+        scene::Mesh mesh;
+        if (scene::needs_tangents(material)) mesh.tangents.emplace_back(1.0f);
+        scene::Scene alone;
+        alone.materials.push_back(material);
+        std::string text = scene::described(material);
+        if (material.model == scene::Model::mirror)
+            text += " (sees emitters that have an extent; points and parallel light have none)";
+        else if (!material.is_unlit && !render::shading_features(alone, mesh, {}).is_analytic())
+            text += " (sampled under --estimator analytic too)";
+        ++count[text];
+    }
+    ordered_json list = ordered_json::array();
+    for (const auto& [text, n] : count) list.push_back(fmt::format("{} {}", n, text));
+    return list;
+}
+
 ordered_json scene_json(const std::string& file) {
     const gltf::Loaded loaded = gltf::load(file);
     const scene::Scene& s = loaded.scene;
@@ -78,6 +101,7 @@ ordered_json scene_json(const std::string& file) {
                       {"instances", s.instances.size()},
                       {"triangles", scene::triangle_count(s)},
                       {"materials", s.materials.size()},
+                      {"brdfs", brdfs_json(s)},
                       {"textures", s.textures.size()},
                       {"images", s.images.size()},
                       {"unit", scene::radiance_unit(s.units)},

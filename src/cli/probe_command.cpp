@@ -148,7 +148,8 @@ ExitStatus probe(const ProbeCommand& command) {
         throw CLI::ValidationError("--pixel",
                                    fmt::format("{},{} is outside the picture of {}x{}", command.pixel.column,
                                                command.pixel.row, open.size.width, open.size.height));
-    const render::GpuScene scene(open.stage.scene, open.stage.lights, command.rendering.visibility);
+    const render::GpuScene scene(open.stage.scene, open.stage.lights, command.rendering.visibility,
+                                 command.rendering.has_energy_compensation);
     const Interruption interruption;
     const auto terms =
         render::probe(scene, open.stage.camera, render_options(command.rendering, open.size),

@@ -15,6 +15,7 @@
 #include <fmt/format.h>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <tuple>
 
 namespace sr::cli {
 namespace {
@@ -98,9 +99,8 @@ void check_outputs(const RenderCommand& command) {
     for (const std::string& output : command.outputs) {
         image::is_scene_referred(output);
         if (command.frames && !numbered(output, 0))
-            throw CLI::ValidationError("-o", fmt::format("'{}' has no place for the frame's number: name it "
-                                                         "like frame.####.png",
-                                                         output));
+            throw CLI::ValidationError(
+                "-o", "'" + output + "' has no place for the frame's number: name it like frame.####.png");
     }
     if (std::ranges::find(command.aovs, Aov::error) != command.aovs.end() && command.stop.samples < 2)
         throw CLI::ValidationError("--aov", "error takes --samples 2 at least");
@@ -176,8 +176,7 @@ void remark_on_stop(const Picture& picture, const RenderCommand& command) {
                    100.0 * picture.stop.error.value_or(INFINITY), 100.0 * *command.stop.error);
 }
 
-/// Draws, and writes the files. @return absent if the program was asked to leave, and for a frame that was
-/// interrupted: then nothing was written
+/// Draws, and writes the files. @return absent if nothing was: half a frame of a sequence is not
 std::optional<std::pair<Picture, std::optional<float>>> make_picture(const Work& work,
                                                                      const gl::Context& context) {
     Picture picture = draw(work);
@@ -229,8 +228,7 @@ bool make_frames(Rendering& rendering) {
         picture.at = seconds_of(frame, command);
         for (std::size_t i = 0; i < command.outputs.size(); ++i)
             picture.outputs[i] = *numbered(command.outputs[i], frame);
-        const auto what =
-            fmt::format("frame {} ({} of {})", frame, frame - open.frames.front() + 1, open.frames.size());
+        const auto what = fmt::format("frame {} of {} to {}", frame, open.frames.front(), open.frames.back());
         auto made = make_picture({picture, open.stage, scene, options, renderer, interruption, times, what},
                                  *open.context);
         if (!made) return false;
@@ -248,8 +246,7 @@ bool make_single(Rendering& rendering) {
                              *rendering.open.context);
     if (!made) return false;
     rendering.written = rendering.command.outputs;
-    rendering.ev100 = made->second;
-    rendering.last = std::move(made->first);
+    std::tie(rendering.last, rendering.ev100) = *std::move(made);
     return true;
 }
 
@@ -272,7 +269,8 @@ ExitStatus render(const RenderCommand& command) {
     check_denoising(command);
     check_outputs(command);
     OpenScene open = open_scene(command, times);
-    render::GpuScene gpu_scene(open.stage.scene, open.stage.lights, command.visibility);
+    render::GpuScene gpu_scene(open.stage.scene, open.stage.lights, command.visibility,
+                               command.has_energy_compensation);
     glFinish();
     times.end("upload");
     if (gpu_scene.occluders()) times.add("bvh (in upload)", gpu_scene.occluders()->build_seconds());

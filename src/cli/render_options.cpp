@@ -148,6 +148,8 @@ void declare_estimator(CLI::App& command, RenderCommand& o) {
         "how light from emitters of finite size is added up (default: sampled, which converges to the truth; "
         "analytic is noiseless: exact for Lambert, near it for gloss)",
         "sampled|analytic", estimator_named, [&o](render::Estimator estimator) { o.estimator = estimator; });
+    command.add_flag("--energy-compensation", o.has_energy_compensation,
+                     "rough GGX gives back what bounces twice between its microfacets (glTF has it not)");
     command
         .add_option("--analytic-points", o.analytic_points,
                     "points the analytic estimator takes a lobe and emitter; 0: none, the fitted lobe alone")

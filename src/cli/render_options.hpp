@@ -37,6 +37,7 @@ struct RenderCommand {
     int analytic_points = render::default_analytic_points;
     vec3 background{0.0f};
     scene::Rig rig = scene::Rig::studio;
+    bool has_energy_compensation = false;
     bool hide_emitters = false;
     std::optional<float> ev100; // absent: automatic
     image::ToneCurve tone_curve = image::ToneCurve::neutral;

@@ -1,6 +1,7 @@
 #include "golden/approve.hpp"
 
 #include "core/error.hpp"
+#include "golden/alternate.hpp"
 #include "golden/bytes_of_file.hpp"
 #include "golden/fingerprint.hpp"
 #include "golden/law_record.hpp"
@@ -68,6 +69,18 @@ std::optional<Refusal> renderer_refusal(const Suite& suite, const TestResult& te
                    true};
 }
 
+/// Whether the candidate may stand beside the golden.
+std::optional<Refusal> alternate_refusal(const Suite& suite, const TestResult& result, const GoldenTest& test) {
+    std::error_code ignored;
+    if (!fs::exists(suite.golden_of(test), ignored))
+        return Refusal{"there is no golden yet: an alternate stands beside one"};
+    if (result.candidate_renderer.empty())
+        return Refusal{"it does not say who rendered it (steradian:GL_RENDERER)"};
+    if (result.candidate_renderer == result.golden_renderer && result.alternate.empty())
+        return Refusal{"the golden's own renderer made it: mend it, or approve it as the golden"};
+    return std::nullopt;
+}
+
 /// What is wrong with the candidate itself.
 void inspect(Approval& approval, const TestResult& result, const GoldenTest& test) {
     std::error_code ignored;
@@ -126,6 +139,7 @@ ApprovalPlan plan_approval(const Suite& suite, const ApproveOptions& options) {
         throw Error({results_file(options.output).string()},
                     fmt::format("the last run there was of {}", run.suite_file),
                     "run this suite, or name its output folder with --output");
+    if (!options.alternate.empty()) check_label(options.alternate);
     ApprovalPlan plan;
     const auto laws = law_record(suite, options, plan.remarks);
     for (const TestResult& result : chosen(run, options.names)) {
@@ -136,13 +150,15 @@ ApprovalPlan plan_approval(const Suite& suite, const ApproveOptions& options) {
             plan.approvals.push_back(std::move(approval));
             continue;
         }
-        approval.golden = suite.golden_of(*test);
+        const bool is_alternate = !options.alternate.empty();
+        approval.golden = is_alternate ? alternate_of(suite, *test, options.alternate) : suite.golden_of(*test);
         inspect(approval, result, *test);
         if (laws)
             for (const std::string& law : laws->failed_among(test->guards))
                 approval.refusals.push_back({fmt::format("{} fails", law), true});
         if (!approval.bytes.empty())
-            if (auto refusal = renderer_refusal(suite, result, !test->scene.empty()))
+            if (auto refusal = is_alternate ? alternate_refusal(suite, result, *test)
+                                            : renderer_refusal(suite, result, !test->scene.empty()))
                 approval.refusals.push_back(std::move(*refusal));
         plan.approvals.push_back(std::move(approval));
     }

@@ -13,6 +13,7 @@ struct ApproveOptions {
     std::vector<std::string> names; // patterns of tests; empty: every test that did not pass
     std::filesystem::path laws;     // JUnit XML of law and truth tests; empty: the suite's, if it names one
     bool force = false;             // overcomes the refusals that are marked so
+    std::string alternate;          // label: they become alternates, beside the goldens (alternate.hpp)
 };
 
 /// Why a candidate is not to become a golden.
@@ -43,7 +44,8 @@ struct ApprovalPlan {
 /// have, a candidate that is missing or is not the one that was compared (by its fingerprint), one with
 /// pixels that are not finite where the test does not allow them. Refused unless forced: a failing pixel
 /// known in closed form, a failing law or truth test, a renderer that is not the suite's reference (or, where
-/// the suite names none, not the one that made the golden).
+/// the suite names none, not the one that made the golden). An alternate is refused without regard to force
+/// where there is no golden yet, or it does not say who rendered it, or the golden's renderer did.
 /// @throws Error if there are no results, or they are another suite's, or no test fits the names.
 ApprovalPlan plan_approval(const Suite& suite, const ApproveOptions& options);
 

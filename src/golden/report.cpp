@@ -109,8 +109,9 @@ std::string plain_table(const RunResult& result) {
 
 std::string report_html(const RunResult& result, const Suite& suite, const fs::path& output) {
     const ReportPage page = report_page();
-    const std::string title =
+    std::string title =
         fmt::format("{}: {} of {} passed", result.suite, result.count(Outcome::passed), result.tests.size());
+    if (const int n = result.passed_by_alternates()) title += fmt::format(" ({} as an alternate)", n);
     std::string data =
         page_data(result, suite, output).dump(-1, ' ', false, ordered_json::error_handler_t::replace);
     std::string html = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n";

@@ -13,7 +13,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
-constexpr int format_version = 1;
+constexpr int format_version = 2;
 constexpr std::array<std::string_view, 4> outcome_names{"passed", "differs", "missing", "broken"};
 
 ordered_json json_of(const TestResult& test) {
@@ -26,6 +26,7 @@ ordered_json json_of(const TestResult& test) {
             {"candidate", test.candidate},
             {"candidate_sha256", test.candidate_sha256},
             {"golden", test.golden},
+            {"alternate", test.alternate},
             {"candidate_renderer", test.candidate_renderer},
             {"golden_renderer", test.golden_renderer},
             {"command", test.command},
@@ -46,6 +47,7 @@ TestResult test_of(const ordered_json& json) {
     json.at("candidate").get_to(test.candidate);
     json.at("candidate_sha256").get_to(test.candidate_sha256);
     json.at("golden").get_to(test.golden);
+    json.at("alternate").get_to(test.alternate);
     json.at("candidate_renderer").get_to(test.candidate_renderer);
     json.at("golden_renderer").get_to(test.golden_renderer);
     json.at("command").get_to(test.command);
@@ -60,6 +62,12 @@ std::string_view name_of(Outcome outcome) { return outcome_names[static_cast<std
 
 int RunResult::count(Outcome outcome) const {
     return static_cast<int>(std::ranges::count(tests, outcome, &TestResult::outcome));
+}
+
+int RunResult::passed_by_alternates() const {
+    return static_cast<int>(std::ranges::count_if(tests, [](const TestResult& test) {
+        return test.outcome == Outcome::passed && !test.alternate.empty();
+    }));
 }
 
 fs::path results_file(const fs::path& output) { return output / "results.json"; }

@@ -28,6 +28,7 @@ struct TestResult {
     std::string candidate;          // file in the output folder; empty if there is none
     std::string candidate_sha256;   // fingerprint of the candidate that was compared
     std::string golden;             // file, relative to the suite's folder
+    std::string alternate;          // label of the alternate that it agrees with in the golden's stead; mostly empty
     std::string candidate_renderer; // "GL_RENDERER, GL_VERSION" as its file says; empty if it does not
     std::string golden_renderer;
     std::string command;               // one line for a shell in the suite's folder
@@ -42,6 +43,7 @@ struct RunResult {
     std::vector<TestResult> tests; // in the suite's order
 
     int count(Outcome outcome) const;
+    int passed_by_alternates() const;
     bool passed() const { return count(Outcome::passed) == static_cast<int>(tests.size()); }
 };
 

@@ -1,6 +1,7 @@
 #include "golden/run_test.hpp"
 
 #include "core/error.hpp"
+#include "golden/alternate.hpp"
 #include "golden/bytes_of_file.hpp"
 #include "golden/child.hpp"
 #include "golden/comparison_json.hpp"
@@ -90,6 +91,28 @@ std::string summary(const Comparison& comparison) {
     return text;
 }
 
+/// GL_RENDERER of what renderer_of() says.
+std::string_view driver_of(std::string_view renderer) { return renderer.substr(0, renderer.rfind(", ")); }
+
+/// Judges by an alternate that the candidate's renderer made, if one passes. @return whether one does
+bool passes_alternate(TestResult& result, const image::Image& candidate, const Suite& suite,
+                      const GoldenTest& test) {
+    for (const std::string& label : alternates_of(suite, test)) {
+        const fs::path file = alternate_of(suite, test, label);
+        const image::Image reference = image::read(file);
+        const std::string renderer = renderer_of(reference);
+        if (renderer.empty() || driver_of(renderer) != driver_of(result.candidate_renderer)) continue;
+        const Comparison comparison = compare(candidate, reference, compare_options(test));
+        if (!comparison.passed) continue;
+        result.alternate = label;
+        result.golden = fs::relative(file, suite.folder).generic_string();
+        result.golden_renderer = renderer;
+        result.comparison = json_of(comparison);
+        return true;
+    }
+    return false;
+}
+
 /// Judges the candidate; the pixels known in closed form first, since they need no golden.
 void judge(TestResult& result, const image::Image& candidate, const Suite& suite, const GoldenTest& test) {
     const std::string wrong = wrong_known_pixels(candidate, test.pixels);
@@ -106,8 +129,10 @@ void judge(TestResult& result, const image::Image& candidate, const Suite& suite
     result.golden_renderer = renderer_of(reference);
     const Comparison comparison = compare(candidate, reference, compare_options(test));
     result.comparison = json_of(comparison);
-    result.outcome = comparison.passed && wrong.empty() ? Outcome::passed : Outcome::differs;
-    if (!comparison.passed) result.message = summary(comparison);
+    const bool agrees = comparison.passed || passes_alternate(result, candidate, suite, test);
+    result.outcome = agrees && wrong.empty() ? Outcome::passed : Outcome::differs;
+    if (!agrees) result.message = summary(comparison);
+    if (!result.alternate.empty()) result.message = fmt::format("as the alternate '{}'", result.alternate);
     if (!wrong.empty()) result.message += (result.message.empty() ? "" : "; ") + wrong;
 }
 

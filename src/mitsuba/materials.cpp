@@ -1,5 +1,7 @@
 #include "mitsuba/materials.hpp"
 
+#include "scene/material_description.hpp"
+
 #include <fmt/format.h>
 
 namespace sr::mitsuba {
@@ -61,6 +63,9 @@ void Materials::warn(const scene::Material& material) {
     const auto add = [&](std::string_view what) {
         warnings_.push_back(fmt::format("material '{}' {}", material.name, what));
     };
+    const std::string brdf = scene::described(material);
+    if (brdf != "metallic_roughness")
+        add(fmt::format("has the BRDF {}: exported as plain metallic-roughness", brdf));
     if (material.alpha_mode == scene::AlphaMode::mask) add("has an alpha mask: exported as opaque");
     if (material.alpha_mode == scene::AlphaMode::blend) add("is blended: exported as opaque");
     for (const scene::TextureSlot* slot : scene::texture_slots(material))

@@ -33,7 +33,9 @@ float fitted_alpha(const std::vector<vec3>& values) {
     double peak = 0.0;
     for (int i = 0; i < merl_half_angles; ++i) peak = std::max(peak, at(i));
     int fallen = 0;
-    while (fallen < merl_half_angles - 1 && at(fallen) > 0.5 * peak) ++fallen;
+    constexpr int far_off = 64; // θh = 46°: what is left there is no part of a peak
+    const double half = 0.5 * (peak + std::min(peak, at(far_off)));
+    while (fallen < merl_half_angles - 1 && at(fallen) > half) ++fallen;
     const double theta = half_angle(fallen + 0.5), s2 = std::pow(std::sin(theta), 2.0);
     const double room = std::sqrt(2.0) - (1.0 - s2);
     return static_cast<float>(std::clamp(std::sqrt(s2 / room), 1e-3, 1.0));

@@ -24,8 +24,8 @@ struct MeasuredBrdf {
     std::string name;
     /// f_r [1/sr] at the middle of cell (θh, θd, φd), φd running fastest; merl_cells of them, none negative.
     std::vector<vec3> values;
-    /// Width of the GGX lobe that falls to half of its height where the measured one does; what it is sampled
-    /// by.
+    /// Width of the GGX lobe that falls to half of its height (above what lies around it) where the measured
+    /// one does; what it is sampled by.
     float alpha = 1.0f;
 };
 

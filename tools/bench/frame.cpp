@@ -38,6 +38,7 @@ scene::Stage stage_for(const Arguments& arguments) {
     scene::Stage stage =
         scene::set_stage(std::move(scene), arguments.scene, {"auto", scene::Rig::studio, aspect});
     if (arguments.own_lights) return stage;
+    for (scene::Instance& instance : stage.scene.instances) instance.emits_as = {}; // of the lights to come
     if (arguments.softboxes > 0) {
         stage.lights.clear();
         const auto rig = scene::studio_rig(bounds, stage.camera);

@@ -38,7 +38,7 @@ class CommandLine(unittest.TestCase):
         self.assertEqual([p.name for p in self.folder.iterdir() if p.suffix in (".png", ".exr", ".tmp")], [])
 
     def test_help_shows_examples(self):
-        for command in ([], ["render"], ["info"], ["expand"], ["export"]):
+        for command in ([], ["render"], ["info"], ["expand"], ["export"], ["brdf"]):
             result = run(*command, "--help")
             self.assertEqual(result.returncode, 0)
             self.assertIn("Examples:", result.stdout)
@@ -236,6 +236,31 @@ class CommandLine(unittest.TestCase):
             self.assertAlmostEqual(total / terms["L_o [cd/m^2]"][channel], 1.0, places=5)
         self.assertEqual(run(*arguments, "--pixel", "48,0").returncode, 2)
         self.assertEqual(run(*arguments, "--pixel", "a,0").returncode, 2)
+
+    def test_brdf_checks_the_laws_of_a_brdf(self):
+        result = run("brdf", "ggx", "--roughness", "0.4", "--json", "-o", self.folder / "lobe.svg", "-o", self.folder / "ball.png",
+                     "--samples", "1")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        laws = {law["law"]: law for law in json.loads(result.stdout)["laws"]}
+        self.assertEqual(set(laws), {"reciprocity", "negativity", "energy", "normalisation", "sampling"})
+        self.assertTrue(all(law["holds"] for law in laws.values()), laws)
+        ElementTree.fromstring((self.folder / "lobe.svg").read_text())
+        self.assertGreater((self.folder / "ball.png").stat().st_size, 1000)
+
+    def test_brdf_finds_what_a_persons_own_brdf_breaks(self):
+        mine = self.folder / "mine.glsl"
+        mine.write_text("#include \"surface/surface.glsl\"\n"
+                        "vec3 f_r(Surface x, vec3 wi, vec3 wo) { return vec3(0.5 * dot(x.n, wi)); }\n")
+        result = run("brdf", mine, "--json")
+        self.assertEqual(result.returncode, 1, result.stderr)
+        holds = {law["law"]: law["holds"] for law in json.loads(result.stdout)["laws"]}
+        self.assertEqual(holds, {"reciprocity": False, "negativity": True, "energy": False})
+        mine.write_text("#include \"surface/surface.glsl\"\n\nvec3 f_r(Surface x, vec3 wi, vec3 wo) { return nonsense; }\n")
+        self.assert_refused(run("brdf", mine), "mine.glsl:3")
+        mine.write_text("float x;")
+        self.assert_refused(run("brdf", mine), "mine.glsl", "f_r")
+        self.assert_refused(run("brdf", self.folder / "no.binary"), "no.binary")
+        self.assertEqual(run("brdf", "plastic").returncode, 2)
 
     def test_expand_prints_a_whole_shader(self):
         result = run("expand", "forward.frag")

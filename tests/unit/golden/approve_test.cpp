@@ -128,4 +128,36 @@ const Test record("unit.golden.laws.reads_junit_of_any_program", [] {
         error_of([&] { golden::read_law_record(written(folder / "t.xml", std::string(laws_xml, length))); });
 });
 
+const Test alternate("unit.golden.approve.an_alternate_holds_for_its_driver_alone", [] {
+    const auto folder = scratch_folder("approve_alternate");
+    const auto suite = copying_suite(folder, {"a"});
+    const auto source = folder / "a-source.exr";
+    const auto plan_alternate = [&](const std::string& label) {
+        golden::ApproveOptions options{folder / "out", {}, {}, false, label};
+        return golden::plan_approval(suite, options);
+    };
+    run_and_keep(suite, folder / "out");
+    EXPECT_NE(refusals(plan_alternate("nvidia")).find("no golden yet"), std::string::npos);
+    golden::carry_out(plan(suite, folder / "out"));
+
+    image::write(plain(0.6f), source, image::SampleType::floating); // a change of the golden's own renderer
+    run_and_keep(suite, folder / "out");
+    EXPECT_NE(refusals(plan_alternate("llvmpipe")).find("own renderer"), std::string::npos);
+
+    image::write(plain(0.6f, "NVIDIA"), source, image::SampleType::floating);
+    EXPECT_EQ(run_and_keep(suite, folder / "out").tests.at(0).outcome, Outcome::differs);
+    EXPECT_NE(error_of([&] { plan_alternate("../x"); }).find("cannot name"), std::string::npos);
+    const auto allowed = plan_alternate("nvidia");
+    EXPECT_TRUE(allowed.is_allowed(false));
+    golden::carry_out(allowed);
+    const auto result = run_and_keep(suite, folder / "out");
+    EXPECT_EQ(result.tests.at(0).outcome, Outcome::passed);
+    EXPECT_EQ(result.tests.at(0).alternate, "nvidia");
+    EXPECT_EQ(result.passed_by_alternates(), 1);
+
+    image::write(plain(0.6f), source, image::SampleType::floating);
+    EXPECT_EQ(run_and_keep(suite, folder / "out").tests.at(0).outcome, Outcome::differs)
+        << "another driver hides behind it";
+});
+
 } // namespace

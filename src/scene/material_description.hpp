@@ -1,0 +1,12 @@
+#pragma once
+// Materials in words.
+#include "scene/material.hpp"
+
+#include <string>
+
+namespace sr::scene {
+
+/// What its BRDF is: "metallic_roughness, clearcoat, sheen".
+std::string described(const Material& material);
+
+} // namespace sr::scene
