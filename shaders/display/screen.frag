@@ -1,5 +1,6 @@
 #version 410 core
 // The film on a screen: what the viewer's window shows behind its panels.
+#include "display/choice.glsl"
 #include "display/displayed.glsl"
 #include "display/false_color.glsl"
 
@@ -9,22 +10,19 @@ uniform sampler2D other_sum; // what it is compared with
 uniform float other_weight;
 uniform vec2 window_size;
 uniform float exposure;
-uniform int curve;
-uniform bool is_false_color;
 uniform vec2 false_color_range; // log2 of the luminances at its ends
-uniform int comparison;         // 0: none, 1: wipe, 2: difference, 3: the other's red, 0 to 1, as false colour
 uniform float wipe;             // where the other picture begins, 0 to 1
 
 out vec4 screen;
 
 // Pixel by pixel where the film has the window's size, else bilinear in linear light.
 vec3 radiance(sampler2D sum, float weight) {
+    if (!is_scaled) return texelFetch(sum, ivec2(gl_FragCoord.xy), 0).rgb * weight;
     vec2 size = vec2(textureSize(sum, 0));
     vec2 at = gl_FragCoord.xy * size / window_size - 0.5;
     ivec2 low = ivec2(floor(at + 1e-3)); // a pixel's centre must not fall below itself by rounding
     vec2 between = clamp(at - vec2(low), 0.0, 1.0);
     ivec2 last = ivec2(size) - 1;
-    if (size == window_size) return texelFetch(sum, ivec2(gl_FragCoord.xy), 0).rgb * weight;
     vec3 rows[2];
     for (int y = 0; y < 2; ++y) {
         vec3 left = texelFetch(sum, clamp(low + ivec2(0, y), ivec2(0), last), 0).rgb;
@@ -35,7 +33,7 @@ vec3 radiance(sampler2D sum, float weight) {
 }
 
 vec3 shown(vec3 L) {
-    if (!is_false_color) return displayed(L, exposure, curve);
+    if (!is_false_color) return displayed(L, exposure, shown_curve);
     if (!is_finite(L)) return vec3(1.0, 0.0, 1.0);
     float ev = log2(max(luminance(L), 1e-30));
     return false_color((ev - false_color_range.x) / (false_color_range.y - false_color_range.x));

@@ -57,7 +57,8 @@ image::Image denoised(const render::Renderer& renderer, const AovSource& source,
     const image::Image bright = without_shadows(source, source.scene.light_count(), goes_on);
     const render::Guides guides = guides_of(source, goes_on);
     if (!goes_on()) return film;
-    const image::Image V = render::filtered_ratio(ratio_of(film, renderer.first_half(), dark, bright), guides);
+    const image::Image V =
+        render::filtered_ratio(ratio_of(film, renderer.first_half(), dark, bright), guides);
     for (std::size_t i = 0; i < film.pixels.size(); ++i) {
         const float L_r = bright.pixels[i] - dark.pixels[i];
         if (i % 4 != 3 && L_r > 0.0f) film.pixels[i] = dark.pixels[i] + L_r * V.pixels[i];

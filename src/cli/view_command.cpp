@@ -55,13 +55,15 @@ ordered_json summary(const viewer::Statistics& statistics) {
                       {"drawn_frames", statistics.drawn_frames},
                       {"reloads", statistics.reloads},
                       {"moving_frames", statistics.moving_frames.size()}};
-    std::vector<double> frames = statistics.moving_frames, scales = statistics.moving_scales;
-    if (frames.empty()) return json;
-    std::ranges::sort(frames);
-    std::ranges::sort(scales);
-    json["moving_scale_median"] = scales[scales.size() / 2];
-    json["moving_frame_median [s]"] = frames[frames.size() / 2];
-    json["moving_frame_p95 [s]"] = frames[frames.size() * 95 / 100];
+    const auto quantile = [](std::vector<double> values, double share) {
+        std::ranges::sort(values);
+        return values[static_cast<std::size_t>(share * static_cast<double>(values.size()))];
+    };
+    if (statistics.moving_frames.empty()) return json;
+    json["moving_scale_median"] = quantile(statistics.moving_scales, 0.5);
+    json["moving_frame_median [s]"] = quantile(statistics.moving_frames, 0.5);
+    json["moving_frame_p95 [s]"] = quantile(statistics.moving_frames, 0.95);
+    json["moving_frame_processor_median [s]"] = quantile(statistics.moving_cpu, 0.5);
     return json;
 }
 

@@ -31,8 +31,8 @@ std::vector<std::string> alternates_of(const Suite& suite, const GoldenTest& tes
 
 void check_label(const std::string& label) {
     const auto is_plain = [](char c) {
-        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_'
-               || c == '.';
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-'
+               || c == '_' || c == '.';
     };
     if (!label.empty() && label.front() != '.' && std::ranges::all_of(label, is_plain)) return;
     throw Error(fmt::format("'{}' cannot name an alternate", label),

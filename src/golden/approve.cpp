@@ -70,7 +70,8 @@ std::optional<Refusal> renderer_refusal(const Suite& suite, const TestResult& te
 }
 
 /// Whether the candidate may stand beside the golden.
-std::optional<Refusal> alternate_refusal(const Suite& suite, const TestResult& result, const GoldenTest& test) {
+std::optional<Refusal> alternate_refusal(const Suite& suite, const TestResult& result,
+                                         const GoldenTest& test) {
     std::error_code ignored;
     if (!fs::exists(suite.golden_of(test), ignored))
         return Refusal{"there is no golden yet: an alternate stands beside one"};
@@ -151,7 +152,8 @@ ApprovalPlan plan_approval(const Suite& suite, const ApproveOptions& options) {
             continue;
         }
         const bool is_alternate = !options.alternate.empty();
-        approval.golden = is_alternate ? alternate_of(suite, *test, options.alternate) : suite.golden_of(*test);
+        approval.golden =
+            is_alternate ? alternate_of(suite, *test, options.alternate) : suite.golden_of(*test);
         inspect(approval, result, *test);
         if (laws)
             for (const std::string& law : laws->failed_among(test->guards))

@@ -42,8 +42,8 @@ public:
         }
     }
 
-    /// Whether all of the pixel lies on one surface, as far as its surroundings and its normal's length tell. What two
-    /// surfaces share has no V of its own.
+    /// Whether all of the pixel lies on one surface, as far as its surroundings and its normal's length tell.
+    /// What two surfaces share has no V of its own.
     bool is_pure(int x, int y) const { return pure_[index(x, y)]; }
 
     /// 0 to 1, of the pixel (x + dx, y + dy) for (x, y).
@@ -54,7 +54,8 @@ public:
         const float cosine = glm::dot(normals_[p], normals_[q]);
         if (!(cosine > 0.0f)) return 0.0f;
         constexpr float normal_power = 128.0f; // σ_n of Schied 2017, section 4.4
-        const float expected = std::abs(slopes_[p].x * static_cast<float>(dx) + slopes_[p].y * static_cast<float>(dy));
+        const float expected =
+            std::abs(slopes_[p].x * static_cast<float>(dx) + slopes_[p].y * static_cast<float>(dy));
         constexpr float roughness = 1e-3f; // of depth itself: what no plane's slope tells
         const float off = std::abs(guides_.depths[q] - guides_.depths[p]);
         return std::pow(cosine, normal_power) * std::exp(-off / (expected + roughness * guides_.depths[p]));
@@ -91,7 +92,8 @@ private:
     const Guides& guides_;
     int width_;
     int height_;
-    static constexpr float straightest = 0.98f; // a mean of normals that differ by 23° from side to side is shorter
+    static constexpr float straightest =
+        0.98f; // a mean of normals that differ by 23° from side to side is shorter
 
     std::vector<bool> pure_;
     std::vector<vec3> normals_;
@@ -125,7 +127,8 @@ public:
                 weights += w;
             }
         }
-        for (int c = 0; c < 3; ++c) to[static_cast<std::size_t>(c)] = sum[c] / weights; // its own weight is not 0
+        for (int c = 0; c < 3; ++c)
+            to[static_cast<std::size_t>(c)] = sum[c] / weights; // its own weight is not 0
         to[3] = sum.w / (weights * weights);
     }
 
@@ -156,8 +159,9 @@ private:
 } // namespace
 
 image::Image filtered_ratio(image::Image ratio, const Guides& guides) {
-    require(ratio.channels == 4 && guides.normals.width == ratio.width && guides.normals.height == ratio.height
-                && guides.depths.size() * 4 == ratio.pixels.size() && guides.objects.size() == guides.depths.size(),
+    require(ratio.channels == 4 && guides.normals.width == ratio.width
+                && guides.normals.height == ratio.height && guides.depths.size() * 4 == ratio.pixels.size()
+                && guides.objects.size() == guides.depths.size(),
             "the guides have the picture's size");
     const Surfaces surfaces(guides);
     for (int i = 0; i < passes; ++i) {

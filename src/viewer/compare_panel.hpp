@@ -18,7 +18,7 @@ public:
 
     const std::string& name() const { return name_; }
     const image::Image& film() const { return film_; }
-    FilmSum sum() const { return {&texture_, 1}; }
+    FilmSum sum() const { return {&texture_, 1, film_.width, film_.height}; }
 
 private:
     std::string name_;

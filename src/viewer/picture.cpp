@@ -101,7 +101,8 @@ void Picture::keep() {
 }
 
 FilmSum Picture::shown() const {
-    return {is_kept_shown_ ? &kept_->color() : &renderer_.film_sum(), sample_count()};
+    if (is_kept_shown_) return {&kept_->color(), kept_samples_, kept_width_, kept_height_};
+    return {&renderer_.film_sum(), sample_count(), renderer_.width(), renderer_.height()};
 }
 
 image::Image Picture::film() const {
@@ -114,15 +115,14 @@ image::Image Picture::film() const {
 
 vec3 Picture::pixel(vec2 place) const {
     const FilmSum film = shown();
-    const int width = is_kept_shown_ ? kept_width_ : renderer_.width();
-    const int height = is_kept_shown_ ? kept_height_ : renderer_.height();
     const auto at = [](float part, int size) {
         return std::clamp(static_cast<int>(part * static_cast<float>(size)), 0, size - 1);
     };
     vec4 sum(0.0f);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, reading_.id());
     glFramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, film.sum->id(), 0);
-    glReadPixels(at(place.x, width), height - 1 - at(place.y, height), 1, 1, GL_RGBA, GL_FLOAT, &sum.x);
+    glReadPixels(at(place.x, film.width), film.height - 1 - at(place.y, film.height), 1, 1, GL_RGBA, GL_FLOAT,
+                 &sum.x);
     return vec3(sum) / static_cast<float>(film.samples);
 }
 

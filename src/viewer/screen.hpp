@@ -5,7 +5,8 @@
 #include "gl/program.hpp"
 #include "image/display.hpp"
 
-#include <optional>
+#include <map>
+#include <tuple>
 
 namespace sr::viewer {
 
@@ -25,18 +26,22 @@ struct Look {
 struct FilmSum {
     const gl::Texture* sum = nullptr;
     int samples = 1;
+    int width = 0;
+    int height = 0;
 };
 
 class Screen {
 public:
-    /// Compiles the program of the embedded shaders: overlays change the equation, not the screen.
-    Screen();
-
     /// Covers the window, whose framebuffer is width × height pixels.
-    void draw(const FilmSum& film, const FilmSum& other, const Look& look, int width, int height) const;
+    void draw(const FilmSum& film, const FilmSum& other, const Look& look, int width, int height);
 
 private:
-    gl::Program program_;
+    /// Which constants a program has: curve, false colour, comparison, and whether films are scaled.
+    using Choice = std::tuple<image::ToneCurve, bool, Comparison, bool>;
+    const gl::Program& program(const Choice& choice);
+
+    /// Of the embedded shaders: overlays change the equation, not the screen.
+    std::map<Choice, gl::Program> programs_;
     gl::VertexArray no_vertices_{"no vertices"};
 };
 

@@ -159,8 +159,10 @@ void Session::advance() {
     if (was_moving_ && picture.is_moving()) {
         statistics_.moving_frames.push_back(seconds);
         statistics_.moving_scales.push_back(picture.scale());
+        statistics_.moving_cpu.push_back(Statistics::cpu() - last_cpu_);
     }
     was_moving_ = picture.is_moving();
+    last_cpu_ = Statistics::cpu();
     const bool was_done = picture.is_done();
     picture.advance();
     if (picture.is_done() && !was_done && options_.is_verbose)
@@ -199,8 +201,10 @@ void Session::draw() {
     ui_.end();
     glfwSwapBuffers(window_.handle());
     ++statistics_.drawn_frames;
-    if (show_ && statistics_.start.size() == 5)
+    if (show_ && statistics_.start.size() == 5) {
         statistics_.start.emplace_back("first picture", statistics_.since_begin());
+        statistics_.start.emplace_back("first picture, processor time", Statistics::cpu());
+    }
     --frames_to_draw_;
     update_title();
 }

@@ -142,6 +142,7 @@ private:
     bool is_closing_ = false;
     Clock::time_point last_frame_ = Clock::now();
     bool was_moving_ = false;
+    double last_cpu_ = 0.0;                          // processor time at the last frame [s]
     std::size_t camera_index_ = 0;                   // of the file's, which C goes on from
     std::array<int, 4> windowed_{40, 40, 1280, 720}; // where the window was before it filled the screen
     int measured_samples_ = 0;                       // at which the exposure was last measured

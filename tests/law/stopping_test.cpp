@@ -95,7 +95,9 @@ const Test word("law.stopping.an_error_keeps_its_word", [] {
             ++all;
         }
         EXPECT_GT(sum_of_ratios / 10.0, 0.3) << "too careful";
-        if (target < 0.05) EXPECT_LT(sum_of_shares / 10.0, 0.8) << "of the most that any pixel took";
+        if (target < 0.05) {
+            EXPECT_LT(sum_of_shares / 10.0, 0.8) << "of the most that any pixel took";
+        }
         ::testing::Test::RecordProperty("true_over_target_at_"
                                             + std::to_string(static_cast<int>(100 * target)) + "_percent",
                                         std::to_string(sum_of_ratios / 10.0));

@@ -8,16 +8,26 @@ import signal
 import subprocess
 import sys
 import time
+from pathlib import Path
 
 import cli_test
 
 
 class Stopping(cli_test.CommandLine):
+    def catches(self, pid, number):
+        """Whether a process has a handler for the signal (proc(5), SigCgt): it has begun to draw."""
+        status = Path(f"/proc/{pid}/status").read_text()
+        caught = next(line for line in status.splitlines() if line.startswith("SigCgt:"))
+        return int(caught.split()[1], 16) >> (number - 1) & 1
+
     def interrupted(self, *signals):
         """A rendering that would take for ever, after these signals; with what it said on stderr."""
         process = subprocess.Popen([cli_test.STERADIAN, "render", cli_test.SCENE, "-o", str(self.folder / "a.exr"), "--size", "32x32",
                                     "--samples", "10000000"], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-        time.sleep(3.0)
+        while not self.catches(process.pid, signal.SIGINT):
+            self.assertIsNone(process.poll(), "it ended by itself")
+            time.sleep(0.05)
+        time.sleep(0.3)
         for number in signals:
             process.send_signal(number)
         _, stderr = process.communicate(timeout=60)
