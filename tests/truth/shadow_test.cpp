@@ -20,6 +20,7 @@ struct How {
     render::Estimator estimator = render::Estimator::sampled;
     int samples = 1;
     int size = truth::shadow_picture_size;
+    render::Visibility visibility = render::Visibility::ray;
 };
 
 image::Image rendered(std::string_view name, const How& how) {
@@ -27,7 +28,7 @@ image::Image rendered(std::string_view name, const How& how) {
     truth::ShadowScene made = truth::shadow_scene(name);
     scene::Stage stage =
         scene::set_stage(std::move(made.scene), std::string(name), {"", scene::Rig::none, 1.0f});
-    const render::GpuScene gpu_scene(stage.scene, stage.lights, render::Visibility::ray);
+    const render::GpuScene gpu_scene(stage.scene, stage.lights, how.visibility);
     render::RenderOptions options;
     options.width = options.height = how.size;
     options.samples = how.samples;
@@ -108,6 +109,14 @@ void expect_sampled(std::string_view name, int samples) {
     EXPECT_LE(d.metrics.rel_mse, 3.0 * d.noise_floor);
 }
 
+/// Depth maps are held to the doubled bars.
+void expect_mapped(std::string_view name, int samples) {
+    const Distance d = distance(name, {.samples = samples, .visibility = render::Visibility::map});
+    print(name, "sampled, map", d);
+    for (const double ratio : d.metrics.energy_ratio) EXPECT_NEAR(ratio, 1.0, 0.006);
+    EXPECT_LE(d.metrics.rel_mse, 6.0 * d.noise_floor);
+}
+
 void expect_analytic(std::string_view name, int samples) {
     const Distance d = distance(name, {render::Estimator::analytic, samples, truth::shadow_picture_size / 2});
     print(name, "analytic", d);
@@ -120,6 +129,11 @@ const Test zoo("truth.shadow.zoo", [] { expect_sampled("zoo", 256); });
 const Test fence("truth.shadow.fence", [] { expect_sampled("fence", 96); });
 const Test mesh("truth.shadow.mesh", [] { expect_sampled("mesh", 128); });
 const Test ball("truth.shadow.ball", [] { expect_sampled("ball", 96); });
+
+// The other scenes take a minute; tests/truth/README.md has what they give.
+const Test cornell_map("truth.shadow.cornell_map", [] { expect_mapped("cornell", 48); });
+const Test fence_map("truth.shadow.fence_map", [] { expect_mapped("fence", 32); });
+const Test ball_map("truth.shadow.ball_map", [] { expect_mapped("ball", 48); });
 
 const Test cornell_analytic("truth.shadow.cornell_analytic", [] { expect_analytic("cornell", 24); });
 const Test veach_analytic("truth.shadow.veach_analytic", [] { expect_analytic("veach", 24); });
