@@ -18,7 +18,8 @@ struct Light {
 std::vector<Light> lights_of(const image::Image& reference) {
     std::vector<Light> lights;
     for (const std::string& name : layer_names(reference))
-        lights.push_back({name, extracted(reference, layer_of(reference, name)->colors).pixels});
+        if (name != "albedo" && name != "irradiance") // terms, by steradian render --aov
+            lights.push_back({name, extracted(reference, layer_of(reference, name)->colors).pixels});
     return lights;
 }
 
