@@ -26,25 +26,24 @@ def masked(c, alpha, exp, where):
 
 def charlie(n, view, light, alpha):
     """D V [1/sr]: (2 + 1/α) sin(h)^(1/α) / 2π over 4 cos cos (1 + Λ + Λ)."""
-    i, o = dr.maximum(dr.dot(n, light), SMALLEST_COSINE), dr.maximum(dr.dot(n, view), SMALLEST_COSINE)
+    i, o = (dr.clip(dr.dot(n, w), SMALLEST_COSINE, 1) for w in (light, view))
     sin_h = dr.norm(dr.cross(n, dr.normalize(light + view)))
     D = (2 + 1 / alpha) * dr.power(sin_h, 1 / alpha) / (2 * dr.pi)
     return D / ((1 + masked(i, alpha, dr.exp, dr.select) + masked(o, alpha, dr.exp, dr.select)) * 4 * i * o)
 
 
-def albedo(cos_o, alpha, count=128):
-    """∫ f cosθ dω for a view, by half vectors that are distributed as D cosθ_h: count² of them in even strata."""
+def albedo(cos_o, alpha, count=96):
+    """∫ f cosθ dω for a view: Gauss and Legendre's points over √cosθ, even ones around."""
     import numpy as np
 
-    v = (np.arange(count) + 0.5) / count
-    phi = np.pi * v[:, None]  # the other half is its mirror image
-    sin_h = (1 - v * v)**(alpha / (2 * alpha + 1))  # v, and not v², since 1/cos_h is infinite where v is 0
-    cos_h = np.sqrt(1 - sin_h * sin_h)
-    cos_o = max(cos_o, SMALLEST_COSINE)
-    cos_d = cos_h * cos_o + sin_h * np.sqrt(1 - cos_o * cos_o) * np.cos(phi)
-    cos_i = 2 * cos_d * cos_h - cos_o
-    lambdas = sum(masked(np.maximum(c, SMALLEST_COSINE), alpha, np.exp, np.where) for c in (cos_i, np.float64(cos_o)))
-    return np.mean(np.where(cos_i > 0, 2 * v * cos_d / (cos_h * cos_o * (1 + lambdas)), 0))
+    points, weights = np.polynomial.legendre.leggauss(count)
+    u, cos_phi = (points + 1) / 2, np.cos(np.pi * (np.arange(count) + 0.5) / count)[:, None]
+    cos_i, cos_o = np.maximum(u * u, SMALLEST_COSINE), max(cos_o, SMALLEST_COSINE)
+    cos_d = cos_i * cos_o + np.sqrt((1 - cos_i * cos_i) * (1 - cos_o * cos_o)) * cos_phi
+    sin_h = np.sqrt(np.maximum(1 - (cos_i + cos_o)**2 / (2 + 2 * cos_d), 0))
+    D = (2 + 1 / alpha) * np.mean(sin_h**(1 / alpha), 0)  # over 2π, of which the integral over φ has as much
+    lambdas = sum(masked(c, alpha, np.exp, np.where) for c in (cos_i, np.float64(cos_o)))
+    return np.sum(weights / 2 * 2 * u * D / (4 * cos_o * (1 + lambdas)))  # dcosθ = 2u du
 
 
 class Albedo:
