@@ -242,19 +242,18 @@ void add_brdf_command(CLI::App& app) {
         ->check(CLI::Range(1, 65536))
         ->capture_default_str();
     command->add_flag("--json", options->json, "print JSON");
-    command->footer(
-        "Laws: reciprocity (f_r stays when wi and wo change places), negativity (none), energy "
-        "(no view gets more\n"
-        "back than arrives), and of the sampling: normalisation (its density integrates to 1) "
-        "and χ² (it draws\n"
-        "what its density says). Exit status 1 if one is broken.\n\n"
-        "Examples:\n"
-        "  steradian brdf ggx --roughness 0.3 -o lobe.svg -o ball.png\n"
-        "  steradian brdf gltf --metallic 1 --anisotropy 0.8 --roughness 0.2 --json\n"
-        "  steradian brdf conductor --metal copper --roughness 0.4 -o ball.png\n"
-        "  steradian brdf my_brdf.glsl -o lobe.svg          GLSL that includes surface/surface.glsl "
-        "and declares vec3 f_r(Surface x, vec3 wi, vec3 wo)\n"
-        "  steradian brdf gold-paint.binary -o ball.png     a measured one");
+    command->footer("Laws: reciprocity (f_r stays when wi and wo change places), negativity (none), energy "
+                    "(no view gets more\n"
+                    "back than arrives), and of the sampling: normalisation (its density integrates to 1) "
+                    "and χ² (it draws\n"
+                    "what its density says). Exit status 1 if one is broken.\n\n"
+                    "Examples:\n"
+                    "  steradian brdf ggx --roughness 0.3 -o lobe.svg -o ball.png\n"
+                    "  steradian brdf gltf --metallic 1 --anisotropy 0.8 --roughness 0.2 --json\n"
+                    "  steradian brdf conductor --metal copper --roughness 0.4 -o ball.png\n"
+                    "  steradian brdf my_brdf.glsl -o lobe.svg          GLSL that declares "
+                    "vec3 f_r(Surface x, vec3 wi, vec3 wo)\n"
+                    "  steradian brdf gold-paint.binary -o ball.png     a measured one");
     command->callback([options] {
         const ExitStatus status = look_at(*options);
         if (status != done) throw CLI::RuntimeError(status);
