@@ -100,13 +100,20 @@ void add_film(scene::Material& m, float ior, float thickness) {
 
 scene::Material layered(std::string_view name) {
     scene::Material m = name == "clearcoat" || name == "sheen" || name == "plastic_film" ? clay() : metal();
-    if (name == "clearcoat") add_clearcoat(m);
-    else if (name == "sheen") add_sheen(m);
-    else if (name == "thin_film") add_film(m, 1.33f, 420.0f);
-    else if (name == "plastic_film") add_film(m, 1.8f, 600.0f);
-    else if (name == "anisotropy_00") add_anisotropy(m, 0.0f);
-    else if (name == "anisotropy_30") add_anisotropy(m, 30.0f);
-    else if (name == "anisotropy_90") add_anisotropy(m, 90.0f);
+    if (name == "clearcoat")
+        add_clearcoat(m);
+    else if (name == "sheen")
+        add_sheen(m);
+    else if (name == "thin_film")
+        add_film(m, 1.33f, 420.0f);
+    else if (name == "plastic_film")
+        add_film(m, 1.8f, 600.0f);
+    else if (name == "anisotropy_00")
+        add_anisotropy(m, 0.0f);
+    else if (name == "anisotropy_30")
+        add_anisotropy(m, 30.0f);
+    else if (name == "anisotropy_90")
+        add_anisotropy(m, 90.0f);
     else {
         require(name == "layers", "the BRDF is one of the list");
         add_anisotropy(m, 20.0f);
@@ -128,7 +135,8 @@ scene::Scene ball_scene(std::string_view brdf, std::string_view light) {
     scene.materials.push_back(is_model(brdf) ? model_named(brdf) : layered(brdf));
     scene.materials[0].name = brdf;
     scene.meshes.push_back(ball());
-    scene.instances.push_back({0, glm::rotate(mat4(1.0f), 0.6f, glm::normalize(vec3(1.0f, 0.3f, 0.5f))), "ball"});
+    scene.instances.push_back(
+        {0, glm::rotate(mat4(1.0f), 0.6f, glm::normalize(vec3(1.0f, 0.3f, 0.5f))), "ball"});
     if (brdf == "merl") scene.measured.push_back(made_measurement());
     if (brdf == "layers") add_layer_textures(scene);
     const vec3 place(-1.6f, 1.2f, 1.8f), towards = glm::normalize(-place);
@@ -159,7 +167,8 @@ scene::MeasuredBrdf made_measurement() {
         const vec3 h = glm::normalize(wi + wo);
         const float retro = 1.0f - glm::dot(h, wi), along = wi.x * wo.x + wi.y * wo.y;
         made.values.push_back(vec3(0.1f, 0.05f, 0.03f) * (1.0f + 0.5f * along)
-                              + std::pow(std::max(h.z, 0.0f), 60.0f) * (vec3(0.8f, 0.9f, 1.0f) + 2.0f * retro * retro));
+                              + std::pow(std::max(h.z, 0.0f), 60.0f)
+                                    * (vec3(0.8f, 0.9f, 1.0f) + 2.0f * retro * retro));
     }
     return made;
 }

@@ -118,7 +118,7 @@ class Reflector(mi.BSDF):
         bs.sampled_type = mi.UInt32(+mi.BSDFFlags.GlossyReflection)
         bs.sampled_component = mi.UInt32(0)
         active = self.arrives(si, light, active & (bs.pdf > 0) & self.is_seen(si))
-        return bs, dr.select(active, self.value(x, light) / bs.pdf, 0)
+        return bs, dr.select(active, self.value(x, light) / dr.select(bs.pdf > 0, bs.pdf, 1), 0)
 
     def eval_pdf(self, ctx, si, wo, active=True):
         x = self.surface(si, active)
