@@ -18,6 +18,7 @@ void Session::answer_question() {
     constexpr int most_samples = 64; // the terms of one pixel take as long as a small picture
     render::RenderOptions options = render_options(options_, width_, height_);
     options.samples = std::min(options.samples, most_samples);
+    options.knows_error = false;
     const int column = std::clamp(static_cast<int>(place.x * static_cast<float>(width_)), 0, width_ - 1);
     const int row = std::clamp(static_cast<int>(place.y * static_cast<float>(height_)), 0, height_ - 1);
     auto terms = render::probe(show_->gpu(), eye_->camera(), options, column, row, [this] {

@@ -139,7 +139,10 @@ bool Session::obey_picture(Command command) {
 
 /// What is copied makes this very picture in a terminal: the same camera, the same pixels.
 void Session::copy_view() {
-    const std::string text = fmt::format("--camera '{}' --size {}x{}", eye_->argument(), width_, height_);
+    const render::StopRule& stop = options_.stop;
+    std::string text = fmt::format("--camera '{}' --size {}x{} --samples {}", eye_->argument(), width_,
+                                   height_, stop.samples);
+    if (stop.error) text += fmt::format(" --error {}%", static_cast<float>(100.0 * *stop.error));
     glfwSetClipboardString(window_.handle(), text.c_str());
     say("copied: " + text);
 }

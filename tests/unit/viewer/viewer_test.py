@@ -3,6 +3,7 @@
 
 usage: viewer_test.py STERADIAN SCENES_FOLDER SCRATCH_FOLDER
 """
+import json
 import os
 import re
 import shutil
@@ -134,6 +135,30 @@ def opening(viewer: Viewer):
     assert "veach.gltf" in viewer.title(), viewer.title()
 
 
+def converging_by_error(display: Display):
+    """It stops when render --error does, with the same pixels at rest; the window divides each by its own samples."""
+    size, error = (160, 120), ("--error", "4%")
+    viewer = Viewer(display, STERADIAN, SCRATCH / "error", SCENES / "cornell.gltf", "--size", "160x120", *error,
+                    "--visibility", "none", "--gl-debug", "--exposure", "10")
+    viewer.done()
+    viewer.key("h")
+    exr, png = viewer.shot(), viewer.shot(exr=False)
+    file = SCRATCH / "error.exr"
+    result = steradian("render", SCENES / "cornell.gltf", "--size", "160x120", *error, "--visibility", "none", "-o", file,
+                       "--json")
+    summary = json.loads(result.stdout)
+    assert summary["samples_min"] < summary["samples"], f"no pixel rests: choose another error, {result.stdout}"
+    assert f"done, {summary['samples']} samples, error" in viewer.title(), (viewer.title(), summary)
+    assert same(exr, file), "not the picture that render makes"
+    shown = SCRATCH / "error.ppm"
+    subprocess.run(["oiiotool", png, "--ch", "R,G,B", "-d", "uint8", "-o", shown], check=True)
+    pixels, screen = shown.read_bytes()[-3 * size[0] * size[1]:], viewer.display.pixels()
+    for x, y in ((x, y) for x in range(0, size[0], 5) for y in range(0, size[1], 5)):
+        there = pixels[3 * (y * size[0] + x):][:3]
+        assert all(abs(a - b) <= 1 for a, b in zip(screen(x, y), there)), (x, y, screen(x, y), tuple(there))
+    viewer.close()
+
+
 def main() -> int:
     if not shutil.which("Xvfb") or not shutil.which("xdotool"):
         print("Xvfb and xdotool are needed: sudo apt-get install xvfb xdotool")
@@ -157,6 +182,7 @@ def main() -> int:
         reloading(viewer, shader, scene, first)
         opening(viewer)
         viewer.close()
+        converging_by_error(display)
     finally:
         display.close()
     return 0
