@@ -26,16 +26,21 @@ std::optional<vec2> Projection::operator()(vec3 point) const {
     return place ? std::optional(*place * window) : std::nullopt;
 }
 
+std::optional<float> metres_of(vec3 point, const Projection& projection, float pixels) {
+    const vec3 right = glm::normalize(vec3(projection.camera.world_from_camera[0]));
+    const auto from = projection(point), metre = projection(point + right);
+    if (!from || !metre) return std::nullopt;
+    const float scale = glm::distance(*metre, *from);
+    return scale > 0.0f ? std::optional(pixels / scale) : std::nullopt;
+}
+
 std::optional<std::array<Arrow, 3>> arrows_at(vec3 center, const Projection& projection, float pixels) {
     const auto from = projection(center);
-    if (!from) return std::nullopt;
-    // A metre across the view, in pixels, says how many metres the arrows have.
-    const vec3 right(projection.camera.world_from_camera[0]);
-    const auto metre = projection(center + right);
-    const float scale = metre ? glm::distance(*metre, *from) : 1.0f;
+    const auto length = metres_of(center, projection, pixels);
+    if (!from || !length) return std::nullopt;
     std::array<Arrow, 3> arrows;
     for (int axis = 0; axis < 3; ++axis) {
-        const auto to = projection(center + pixels / std::max(scale, 1e-6f) * unit(axis));
+        const auto to = projection(center + *length * unit(axis));
         if (!to) return std::nullopt;
         arrows[static_cast<std::size_t>(axis)] = {*from, *to, axis};
     }

@@ -16,6 +16,9 @@ struct Projection {
     Ray ray(vec2 at) const { return ray_through(camera, aspect_ratio, at / window); }
 };
 
+/// How long so many pixels are at a point, across the view [m]; absent behind the eye.
+std::optional<float> metres_of(vec3 point, const Projection& projection, float pixels);
+
 struct Arrow {
     vec2 from{0.0f}, to{0.0f}; // in the window
     int axis = 0;

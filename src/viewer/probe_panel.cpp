@@ -27,6 +27,10 @@ void line(ImDrawList& list, const Projection& projection, vec3 from, vec3 to, Im
     if (a && b) list.AddLine({a->x, a->y}, {b->x, b->y}, color, width);
 }
 
+void label(ImDrawList& list, const Projection& projection, vec3 point, const char* words) {
+    if (const auto at = projection(point)) list.AddText({at->x + 4.0f, at->y - 6.0f}, grey, words);
+}
+
 void header_cells(const scene::Scene& scene) {
     const auto unit = [&](const char* symbol, scene::Quantity quantity) {
         return fmt::format("{} [{}]", symbol, scene::name_of({quantity, scene.units}));
@@ -42,7 +46,7 @@ void header_cells(const scene::Scene& scene) {
 } // namespace
 
 void ProbePanel::draw(const scene::Stage& stage, const Lighting& lighting,
-                      std::optional<std::size_t>& selected) {
+                      std::optional<std::size_t>& selected, float scale) {
     if (!answer) return;
     const render::PixelTerms& terms = answer->terms;
     bool is_open = true;
@@ -69,6 +73,7 @@ void ProbePanel::draw(const scene::Stage& stage, const Lighting& lighting,
         vec3 sum = terms.L_e;
         for (const render::LightTerms& light : terms.lights) sum += light.L_r;
         text(fmt::format("L_e {}   sum {}   L_o {}", three(terms.L_e), three(sum), three(terms.L_o)));
+        if (answer->lobe) lobe_.draw(*answer->lobe, hovered_, scale);
     }
     ImGui::End();
     if (!is_open) answer.reset();
@@ -115,7 +120,11 @@ void ProbePanel::draw_directions(const scene::Stage& stage, const Projection& pr
         line(list, projection, terms.x, terms.x + reach(stage.lights[k], terms.x, far) * glm::normalize(wi),
              is_hovered ? orange : blue, (is_hovered ? 3.5f : 1.5f) * scale);
     }
+    if (answer->lobe) lobe_.draw_in_scene(*answer->lobe, terms.x, projection, scale);
     line(list, projection, terms.x, terms.x + 0.15f * far * terms.n, grey, 2.0f * scale);
+    label(list, projection, terms.x + 0.15f * far * terms.n, "n");
+    line(list, projection, terms.x, terms.x + 0.2f * far * terms.wo, grey, 1.0f * scale);
+    label(list, projection, terms.x + 0.2f * far * terms.wo, "wo");
     if (const auto at = projection(terms.x)) list.AddCircleFilled({at->x, at->y}, 4.0f * scale, orange);
 }
 

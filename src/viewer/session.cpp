@@ -221,7 +221,7 @@ void Session::draw_panels() {
     if (!has_panels_) return;
     draw_dialog();
     probe_.draw_directions(show_->scene().stage, projection(), ui_.scale());
-    probe_.draw(show_->scene().stage, show_->lighting(), lights_.selected);
+    probe_.draw(show_->scene().stage, show_->lighting(), lights_.selected, ui_.scale());
     lights_.draw_marks(show_->lighting(), projection(), ui_.scale());
     const Picture& picture = show_->picture();
     status_line({progress_of(picture), under_pointer(), message_});

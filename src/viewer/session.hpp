@@ -81,6 +81,8 @@ private:
 
     // session_compare.cpp: questions to the picture
     void answer_question();
+    std::optional<Lobe> lobe_of(const render::PixelTerms& terms, const render::RenderOptions& options,
+                                int column, int row) const;
     void obey(const CompareWish& wish);
     void change_estimator(render::Estimator estimator);
     void change_visibility(render::Visibility visibility);

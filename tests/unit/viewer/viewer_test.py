@@ -99,10 +99,16 @@ def editing_lights(viewer: Viewer, scene: Path, first: Path):
 
 
 def asking_and_comparing(viewer: Viewer):
-    """A pixel answers with its lights; a wipe shows a kept picture beside the new one."""
+    """A pixel answers with its lights and its lobe; a wipe shows a kept picture beside the new one."""
     viewer.click(WIDTH // 2, HEIGHT - 40)
     viewer.wait(lambda: f"pixel {WIDTH // 2},{HEIGHT - 40} answers" in viewer.errors(), "an answer")
-    viewer.key("Escape", "b")
+    lobe = (0, 158, 115)
+    assert viewer.count(lobe) == 0, "it is drawn among the panels, which are hidden"
+    viewer.key("h")
+    viewer.click(21, 20)  # folds the panel that is in the way
+    assert viewer.count(lobe) > 100, "no lobe"
+    viewer.click(21, 20)
+    viewer.key("h", "Escape", "b")
     viewer.wait(lambda: "kept: " in viewer.errors(), "a kept picture")
     places = (WIDTH // 4, HEIGHT // 2), (3 * WIDTH // 4, HEIGHT // 2)
     before = [viewer.screen(*place) for place in places]
