@@ -45,8 +45,8 @@ std::optional<Seen> seen_at(const GpuScene& scene, const Target& frame, ShaderLi
     return std::nullopt;
 }
 
-/// Where the answers go: to every second texel, since textures are filtered by squares of two by two pixels, in which
-/// the pixel has to keep its place.
+/// Where the answers go: to every second texel, since textures are filtered by squares of two by two pixels,
+/// in which the pixel has to keep its place.
 class Answers {
 public:
     Answers(std::size_t count, int column, int row_from_below)

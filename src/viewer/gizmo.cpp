@@ -12,13 +12,6 @@ vec3 unit(int axis) {
     return direction;
 }
 
-float distance_to_segment(vec2 p, vec2 a, vec2 b) {
-    const vec2 along = b - a;
-    const float length = glm::dot(along, along);
-    const float t = length > 0.0f ? std::clamp(glm::dot(p - a, along) / length, 0.0f, 1.0f) : 0.0f;
-    return glm::distance(p, a + t * along);
-}
-
 } // namespace
 
 std::optional<vec2> Projection::operator()(vec3 point) const {
@@ -47,20 +40,23 @@ std::optional<std::array<Arrow, 3>> arrows_at(vec3 center, const Projection& pro
     return arrows;
 }
 
-std::optional<int> axis_under(vec2 pointer, const std::array<Arrow, 3>& arrows) {
-    constexpr float slack = 6.0f; // [pixels]
-    const auto nearest = std::ranges::min_element(
-        arrows, {}, [&](const Arrow& a) { return distance_to_segment(pointer, a.from, a.to); });
-    if (distance_to_segment(pointer, nearest->from, nearest->to) > slack) return std::nullopt;
-    return nearest->axis;
+float distance_to_segment(vec2 p, vec2 a, vec2 b) {
+    const vec2 along = b - a;
+    const float length = glm::dot(along, along);
+    const float t = length > 0.0f ? std::clamp(glm::dot(p - a, along) / length, 0.0f, 1.0f) : 0.0f;
+    return glm::distance(p, a + t * along);
 }
 
 float along_axis(vec3 center, int axis, const Ray& pointer) {
+    return along_line(center, unit(axis), pointer);
+}
+
+float along_line(vec3 center, vec3 a, const Ray& pointer) {
     // The point of one line that is closest to another: both differences are perpendicular to both lines.
-    const vec3 a = unit(axis), d = pointer.direction, w = center - pointer.origin;
+    const vec3 d = pointer.direction, w = center - pointer.origin;
     const float between = glm::dot(a, d);
     const float denominator = 1.0f - between * between;
-    if (denominator < 1e-6f) return 0.0f; // the axis points at the eye: no move of the pointer is along it
+    if (denominator < 1e-6f) return 0.0f; // the line points at the eye: no move of the pointer is along it
     return (between * glm::dot(d, w) - glm::dot(a, w)) / denominator;
 }
 

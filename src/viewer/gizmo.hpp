@@ -1,5 +1,5 @@
 #pragma once
-// Three arrows at a light, by which the pointer moves it along an axis of the world.
+// Where things of the scene are in the window, and what the pointer means there.
 #include "viewer/viewpoint.hpp"
 
 #include <array>
@@ -19,6 +19,9 @@ struct Projection {
 /// How long so many pixels are at a point, across the view [m]; absent behind the eye.
 std::optional<float> metres_of(vec3 point, const Projection& projection, float pixels);
 
+/// Of the rings by which lights are turned [pixels].
+inline constexpr float ring_radius = 90.0f;
+
 struct Arrow {
     vec2 from{0.0f}, to{0.0f}; // in the window
     int axis = 0;
@@ -27,10 +30,12 @@ struct Arrow {
 /// The arrows at a point, as long on the screen wherever it is; absent behind the eye.
 std::optional<std::array<Arrow, 3>> arrows_at(vec3 center, const Projection& projection, float pixels);
 
-/// The arrow that the pointer is on; absent: none.
-std::optional<int> axis_under(vec2 pointer, const std::array<Arrow, 3>& arrows);
-
-/// How far along the axis through `center` the pointer is [m]: where the two lines are closest.
+/// How far along the line through `center` the pointer is [m]: where the two lines are closest. `along` is
+/// unit.
+float along_line(vec3 center, vec3 along, const Ray& pointer);
 float along_axis(vec3 center, int axis, const Ray& pointer);
+
+/// From p to the nearest point between a and b.
+float distance_to_segment(vec2 p, vec2 a, vec2 b);
 
 } // namespace sr::viewer

@@ -60,7 +60,8 @@ LobeScale scale_of(const Lobe& lobe, const LobeLook& look) {
     const float largest = values.back();
     if (!look.is_logarithmic) return {largest, 0.0f};
     constexpr float least = 2.0f, most = 12.0f; // decades
-    return {largest, std::clamp(std::ceil(std::log10(largest / values[values.size() / 2])) + 1.0f, least, most)};
+    return {largest,
+            std::clamp(std::ceil(std::log10(largest / values[values.size() / 2])) + 1.0f, least, most)};
 }
 
 float shown_radius(float value, const LobeScale& scale) {

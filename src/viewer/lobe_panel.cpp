@@ -76,7 +76,8 @@ void draw_curve(const Lobe& lobe, const LobeLook& look, const LobeScale& to, con
 }
 
 /// Each light at its θ_i: on the rim, and on the lobe's value in its direction.
-void draw_lights(const Lobe& lobe, const LobeLook& look, const LobeScale& to, int hovered, const PolarFrame& frame) {
+void draw_lights(const Lobe& lobe, const LobeLook& look, const LobeScale& to, int hovered,
+                 const PolarFrame& frame) {
     for (std::size_t k = 0; k < lobe.light_wi.size(); ++k) {
         if (lobe.light_wi[k] == vec3(0.0f)) continue;
         const bool is_hovered = static_cast<int>(k) == hovered;
@@ -85,8 +86,8 @@ void draw_lights(const Lobe& lobe, const LobeLook& look, const LobeScale& to, in
         const float value = shown_value(lobe, lobe.light_wi[k], lobe.light_f_r[k], look);
         frame.line(angle, 0.97f, 1.03f, color, is_hovered ? 4.0f : 2.5f);
         if (!lobe.is_mirror)
-            frame.list().AddCircleFilled(frame.at(angle, shown_radius(value, to)),
-                                         is_hovered ? 5.0f : 3.5f, color);
+            frame.list().AddCircleFilled(frame.at(angle, shown_radius(value, to)), is_hovered ? 5.0f : 3.5f,
+                                         color);
         frame.label(angle, 1.2f, color, fmt::format("{}", k));
     }
 }

@@ -7,7 +7,8 @@ namespace sr::viewer {
 
 class LobePanel {
 public:
-    /// The choices and the curve, in the current window. `hovered`: the light whose row the pointer is on, or -1.
+    /// The choices and the curve, in the current window. `hovered`: the light whose row the pointer is on, or
+    /// -1.
     void draw(const Lobe& lobe, int hovered, float scale);
 
     /// The lobe around x, as large on the screen wherever x is; of a mirror an arrow.

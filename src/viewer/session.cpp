@@ -134,6 +134,7 @@ void Session::show(LoadedScene scene) {
     scene_watch_.set(std::move(files));
     if (is_first) shader_watch_.set({options_.shaders.begin(), options_.shaders.end()});
     lights_.selected.reset();
+    grip_.reset();
     probe_.answer.reset();
     remember_file(show_->scene().file);
 }
@@ -223,6 +224,7 @@ void Session::draw_panels() {
     probe_.draw_directions(show_->scene().stage, projection(), ui_.scale());
     probe_.draw(show_->scene().stage, show_->lighting(), lights_.selected, ui_.scale());
     lights_.draw_marks(show_->lighting(), projection(), ui_.scale());
+    draw_grip();
     const Picture& picture = show_->picture();
     status_line({progress_of(picture), under_pointer(), message_});
     ImGui::SetNextWindowPos({10.0f, 10.0f}, ImGuiCond_FirstUseEver);

@@ -4,6 +4,7 @@
 usage: viewer_test.py STERADIAN SCENES_FOLDER SCRATCH_FOLDER
 """
 import json
+import math
 import os
 import re
 import shutil
@@ -141,6 +142,52 @@ def opening(viewer: Viewer):
     assert "veach.gltf" in viewer.title(), viewer.title()
 
 
+LAMPS = {
+    "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 1, 2]}],
+    "extensionsUsed": ["KHR_lights_punctual"],
+    "extensions": {"KHR_lights_punctual": {"lights": [{"type": "spot", "spot": {}, "intensity": 10}]}},
+    "cameras": [{"type": "perspective", "perspective": {"yfov": 2 * math.atan(0.25), "znear": 0.1}}],
+    "nodes": [
+        {"name": "eye", "camera": 0, "translation": [0, 1, 4]},  # a metre at the lamps is 150 pixels
+        {"name": "plate", "translation": [0, 1, 0], "extras": {"steradian": {
+            "shape": "rectangle", "width": 1, "height": 0.5, "quantity": {"value": 100, "unit": "lm"}}}},
+        {"name": "spot", "translation": [-0.5, 1, 0], "extensions": {"KHR_lights_punctual": {"light": 0}}}]}
+
+
+def gripping(viewer: Viewer, folder: Path):
+    """A drag of its edge widens a rectangle, a key and the pointer turn it; a drag of a ring turns a spot; Esc gives up. The
+    saved file has both."""
+    file, saved = folder / "lamps.gltf", folder / "turned.gltf"
+    file.write_text(json.dumps(LAMPS))
+    viewer.key("ctrl+o")
+    viewer.changed_by(lambda: viewer.type(str(file)))
+    viewer.key("h", "Tab")
+    viewer.changed_by(lambda: viewer.drag((275, 150), (305, 150)))
+    assert "width 1.4 m" in viewer.errors(), viewer.errors()
+    viewer.move(300, 150)
+    viewer.key("r")
+    viewer.changed_by(lambda: (viewer.move(200, 50), viewer.click(200, 50)))
+    assert "turned by 90.0 deg about the view" in viewer.errors(), viewer.errors()
+    viewer.key("Tab")
+    viewer.changed_by(lambda: viewer.drag((116, 221), (116, 266)))
+    assert "turned by 28.6 deg about X" in viewer.errors(), viewer.errors()
+    viewer.key("g")
+    viewer.move(230, 120)
+    viewer.key("Escape")
+    viewer.wait(lambda: "it is as it was" in viewer.errors(), "a move that was given up")
+    viewer.key("h", "ctrl+s", "ctrl+a")
+    viewer.type(str(saved))
+    viewer.wait(saved.exists, "a saved file", 10)
+    nodes = json.loads(saved.read_text())["nodes"]
+    plate, spot = (nodes[nodes[i]["children"][0]] for i in (1, 2))
+    assert abs(plate["extras"]["steradian"]["width"] - 1.4) < 1e-3, plate
+    assert plate["extras"]["steradian"]["height"] == 0.5, plate
+    for node, axes in (plate, [0, 1, 0, -1, 0, 0, 0, 0, 1]), (spot, [1, 0, 0, 0, .878, .479, 0, -.479, .878]):
+        turned = [node["matrix"][i] for i in (0, 1, 2, 4, 5, 6, 8, 9, 10)]
+        assert all(abs(a - b) < 2e-3 for a, b in zip(turned, axes)), node
+        assert all(abs(x) < 1e-5 for x in node["matrix"][12:15]), node
+
+
 def converging_by_error(display: Display):
     """It stops when render --error does, with the same pixels at rest; the window divides each by its own samples."""
     size, error = (160, 120), ("--error", "4%")
@@ -187,6 +234,7 @@ def main() -> int:
         asking_and_comparing(viewer)
         reloading(viewer, shader, scene, first)
         opening(viewer)
+        gripping(viewer, SCRATCH)
         viewer.close()
         converging_by_error(display)
     finally:
