@@ -22,7 +22,8 @@ void stretch(vec3& half, float by) { half *= by; }
 } // namespace
 
 std::vector<Extent> extents_of(const scene::Light& light) {
-    if (const auto* flat = std::get_if<scene::RectangleLight>(&light)) return sides(flat->half_u, flat->half_v);
+    if (const auto* flat = std::get_if<scene::RectangleLight>(&light))
+        return sides(flat->half_u, flat->half_v);
     if (const auto* disk = std::get_if<scene::DiskLight>(&light)) {
         if (!is_circle(*disk)) return sides(disk->half_u, disk->half_v);
         return {{"radius", glm::length(disk->half_u), disk->half_u}};

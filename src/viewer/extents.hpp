@@ -10,7 +10,8 @@ struct Extent {
     vec3 half{0.0f};       // from the centre to the edge [m]; 0: a radius in all directions
 };
 
-/// Those of a light; none where only the whole can be scaled (polygons, meshes) or nothing (points without a radius).
+/// Those of a light; none where only the whole can be scaled (polygons, meshes) or nothing (points without a
+/// radius).
 std::vector<Extent> extents_of(const scene::Light& light);
 
 /// Gives extent number `extent` another size, above 0 [m].

@@ -2,17 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
 
 namespace sr::viewer {
-namespace {
-
-vec3 unit(int axis) {
+vec3 axis_direction(int axis) {
     vec3 direction(0.0f);
     direction[axis] = 1.0f;
     return direction;
 }
 
-} // namespace
+mat4 around(vec3 center, const mat4& change) {
+    return glm::translate(mat4(1.0f), center) * change * glm::translate(mat4(1.0f), -center);
+}
 
 std::optional<vec2> Projection::operator()(vec3 point) const {
     const auto place = projected(camera, aspect_ratio, point);
@@ -33,7 +34,7 @@ std::optional<std::array<Arrow, 3>> arrows_at(vec3 center, const Projection& pro
     if (!from || !length) return std::nullopt;
     std::array<Arrow, 3> arrows;
     for (int axis = 0; axis < 3; ++axis) {
-        const auto to = projection(center + *length * unit(axis));
+        const auto to = projection(center + *length * axis_direction(axis));
         if (!to) return std::nullopt;
         arrows[static_cast<std::size_t>(axis)] = {*from, *to, axis};
     }
@@ -48,7 +49,7 @@ float distance_to_segment(vec2 p, vec2 a, vec2 b) {
 }
 
 float along_axis(vec3 center, int axis, const Ray& pointer) {
-    return along_line(center, unit(axis), pointer);
+    return along_line(center, axis_direction(axis), pointer);
 }
 
 float along_line(vec3 center, vec3 a, const Ray& pointer) {

@@ -6,6 +6,12 @@
 
 namespace sr::viewer {
 
+/// The unit vector along an axis of the world.
+vec3 axis_direction(int axis);
+
+/// A change of the world around a point that stays.
+mat4 around(vec3 center, const mat4& change);
+
 /// How the picture lies in the window.
 struct Projection {
     const scene::Camera& camera;

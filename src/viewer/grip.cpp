@@ -14,12 +14,6 @@ namespace {
 constexpr std::array axis_names{"X", "Y", "Z"};
 constexpr float smallest_factor = 0.01f; // a light keeps some size
 
-vec3 unit(int axis) {
-    vec3 direction(0.0f);
-    direction[axis] = 1.0f;
-    return direction;
-}
-
 /// From the point to the eye, unit.
 vec3 towards_eye(vec3 point, const Projection& projection) {
     const auto at = projection(point);
@@ -46,7 +40,7 @@ std::optional<float> number(const std::string& typed) {
 float snapped(float value, float step, bool snaps) { return snaps ? step * std::round(value / step) : value; }
 
 vec3 moved_by(const Grip& grip, const Projection& projection, vec2 pointer, bool snaps) {
-    if (const auto typed = number(grip.typed)) return *typed * unit(grip.axis.value_or(0));
+    if (const auto typed = number(grip.typed)) return *typed * axis_direction(grip.axis.value_or(0));
     vec3 by(0.0f);
     if (grip.axis) {
         by[*grip.axis] = along_axis(grip.center, *grip.axis, projection.ray(pointer))
@@ -61,8 +55,8 @@ vec3 moved_by(const Grip& grip, const Projection& projection, vec2 pointer, bool
     return by;
 }
 
-/// The angle by which the pointer has gone around the axis, in the plane across it; where that plane is seen from its
-/// side, as it would roll a wheel.
+/// The angle by which the pointer has gone around the axis, in the plane across it; where that plane is seen
+/// from its side, as it would roll a wheel.
 float angle_about(vec3 axis, const Grip& grip, const Projection& projection, vec2 pointer) {
     constexpr float least_facing = 0.2f;
     const vec3 view = towards_eye(grip.center, projection);
@@ -80,22 +74,18 @@ float angle_about(vec3 axis, const Grip& grip, const Projection& projection, vec
     return glm::dot(pointer - grip.from, glm::normalize(*rim - *center)) / ring_radius;
 }
 
-mat4 around(vec3 center, const mat4& change) {
-    return glm::translate(mat4(1.0f), center) * change * glm::translate(mat4(1.0f), -center);
-}
-
 Pull turned(const Grip& grip, const Projection& projection, vec2 pointer, bool snaps) {
-    const vec3 axis = grip.axis ? unit(*grip.axis) : towards_eye(grip.center, projection);
+    const vec3 axis = grip.axis ? axis_direction(*grip.axis) : towards_eye(grip.center, projection);
     const auto typed = number(grip.typed);
     const float degrees =
-        typed ? *typed
-              : snapped(glm::degrees(angle_about(axis, grip, projection, pointer)), 15.0f, snaps);
+        typed ? *typed : snapped(glm::degrees(angle_about(axis, grip, projection, pointer)), 15.0f, snaps);
     return {around(grip.center, glm::rotate(mat4(1.0f), glm::radians(degrees), axis)), 0.0f,
             fmt::format("turned by {:.1f} deg about {}", degrees,
                         grip.axis ? axis_names[static_cast<std::size_t>(*grip.axis)] : "the view")};
 }
 
-/// How much farther from the centre the pointer is than it was: on the screen, or along the extent that it pulls.
+/// How much farther from the centre the pointer is than it was: on the screen, or along the extent that it
+/// pulls.
 float stretched(const Grip& grip, const Projection& projection, vec2 pointer) {
     const auto center = projection(grip.center);
     if (!center) return 1.0f;
@@ -110,7 +100,7 @@ float stretched(const Grip& grip, const Projection& projection, vec2 pointer) {
     return glm::distance(pointer, *center) / std::max(from, 1.0f); // a pixel at least
 }
 
-Pull scaled(const Grip& grip, const Projection& projection, vec2 pointer, bool snaps) {
+Pull sized(const Grip& grip, const Projection& projection, vec2 pointer, bool snaps) {
     const auto typed = number(grip.typed);
     if (grip.axis) {
         const Extent& extent = grip.extents[static_cast<std::size_t>(*grip.axis)];
@@ -118,8 +108,8 @@ Pull scaled(const Grip& grip, const Projection& projection, vec2 pointer, bool s
         const float size = std::max(smallest_factor * extent.size, typed.value_or(pointed));
         return {mat4(1.0f), size, fmt::format("{} {:.4g} m", extent.name, size)};
     }
-    const float factor =
-        std::max(smallest_factor, typed ? *typed : snapped(stretched(grip, projection, pointer), 0.1f, snaps));
+    const float factor = std::max(
+        smallest_factor, typed ? *typed : snapped(stretched(grip, projection, pointer), 0.1f, snaps));
     return {around(grip.center, glm::scale(mat4(1.0f), vec3(factor))), 0.0f,
             fmt::format("scaled by {:.3g}", factor)};
 }
@@ -133,7 +123,7 @@ void Grip::constrain_to(int other) {
 
 Pull pulled(const Grip& grip, const Projection& projection, vec2 pointer, bool snaps) {
     if (grip.verb == Verb::turn) return turned(grip, projection, pointer, snaps);
-    if (grip.verb == Verb::scale) return scaled(grip, projection, pointer, snaps);
+    if (grip.verb == Verb::scale) return sized(grip, projection, pointer, snaps);
     const vec3 by = moved_by(grip, projection, pointer, snaps);
     return {glm::translate(mat4(1.0f), by), 0.0f,
             fmt::format("moved by {:.3f} {:.3f} {:.3f} m", by.x, by.y, by.z)};

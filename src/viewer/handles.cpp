@@ -1,5 +1,7 @@
 #include "viewer/handles.hpp"
 
+#include "viewer/palette.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <imgui.h>
@@ -37,8 +39,6 @@ float distance_to(vec2 p, const std::vector<vec2>& line) {
     return least;
 }
 
-constexpr std::array colors{IM_COL32(213, 94, 0, 255), IM_COL32(0, 158, 115, 255),
-                            IM_COL32(86, 180, 233, 255)}; // Okabe & Ito 2008; letters tell them apart, too
 constexpr std::array letters{"X", "Y", "Z"};
 
 } // namespace
@@ -71,7 +71,8 @@ std::optional<Handle> handle_under(vec2 pointer, const Handles& handles) {
     for (const auto& [at, extent] : handles.sizes)
         if (glm::distance(at, pointer) <= slack + square) return Handle{Verb::scale, extent};
     for (const Arrow& arrow : handles.arrows)
-        if (distance_to_segment(pointer, arrow.from, arrow.to) <= slack) return Handle{Verb::move, arrow.axis};
+        if (distance_to_segment(pointer, arrow.from, arrow.to) <= slack)
+            return Handle{Verb::move, arrow.axis};
     std::optional<Handle> found;
     float least = slack;
     for (int axis = 0; axis < 3; ++axis)
@@ -90,22 +91,24 @@ void draw(const Handles& handles, const std::optional<Handle>& held, float scale
     for (int axis = 0; axis < 3; ++axis) {
         for (const vec2 point : handles.rings[static_cast<std::size_t>(axis)])
             list.PathLineTo({point.x, point.y});
-        list.PathStroke(colors[static_cast<std::size_t>(axis)], ImDrawFlags_None, width(Verb::turn, axis));
+        list.PathStroke(palette::axes[static_cast<std::size_t>(axis)], ImDrawFlags_None,
+                        width(Verb::turn, axis));
         const auto& ring = handles.rings[static_cast<std::size_t>(axis)];
         if (ring.empty()) continue;
         const vec2 middle = ring[ring.size() / 2];
-        list.AddText({middle.x + 3.0f, middle.y + 1.0f}, colors[static_cast<std::size_t>(axis)],
+        list.AddText({middle.x + 3.0f, middle.y + 1.0f}, palette::axes[static_cast<std::size_t>(axis)],
                      letters[static_cast<std::size_t>(axis)]);
     }
     for (const Arrow& arrow : handles.arrows) {
         const auto axis = static_cast<std::size_t>(arrow.axis);
-        list.AddLine({arrow.from.x, arrow.from.y}, {arrow.to.x, arrow.to.y}, colors[axis],
+        list.AddLine({arrow.from.x, arrow.from.y}, {arrow.to.x, arrow.to.y}, palette::axes[axis],
                      width(Verb::move, arrow.axis));
-        list.AddText({arrow.to.x + 2.0f, arrow.to.y - 6.0f}, colors[axis], letters[axis]);
+        list.AddText({arrow.to.x + 2.0f, arrow.to.y - 6.0f}, palette::axes[axis], letters[axis]);
     }
     constexpr ImU32 white = IM_COL32(255, 255, 255, 255), black = IM_COL32(0, 0, 0, 255);
     for (const auto& [at, extent] : handles.sizes) {
-        const float half = (held && held->verb == Verb::scale && held->axis == extent ? 1.4f : 1.0f) * square * scale;
+        const float half =
+            (held && held->verb == Verb::scale && held->axis == extent ? 1.4f : 1.0f) * square * scale;
         list.AddRectFilled({at.x - half, at.y - half}, {at.x + half, at.y + half}, white);
         list.AddRect({at.x - half, at.y - half}, {at.x + half, at.y + half}, black);
     }
@@ -114,7 +117,8 @@ void draw(const Handles& handles, const std::optional<Handle>& held, float scale
 void draw_words(const std::string& words, vec2 pointer, float scale) {
     if (words.empty()) return;
     ImDrawList& list = *ImGui::GetForegroundDrawList();
-    const ImVec2 at{pointer.x + 18.0f * scale, pointer.y + 14.0f * scale}, size = ImGui::CalcTextSize(words.c_str());
+    const ImVec2 at{pointer.x + 18.0f * scale, pointer.y + 14.0f * scale},
+        size = ImGui::CalcTextSize(words.c_str());
     list.AddRectFilled({at.x - 4.0f, at.y - 2.0f}, {at.x + size.x + 4.0f, at.y + size.y + 2.0f},
                        IM_COL32(0, 0, 0, 190), 3.0f);
     list.AddText(at, IM_COL32(255, 255, 255, 255), words.c_str());

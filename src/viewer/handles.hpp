@@ -1,5 +1,6 @@
 #pragma once
-// What a selected light is taken by: arrows that move it, rings that turn it, squares that pull one of its sizes.
+// What a selected light is taken by: arrows that move it, rings that turn it, squares that pull one of its
+// sizes.
 #include "viewer/extents.hpp"
 #include "viewer/grip.hpp"
 
@@ -11,12 +12,13 @@ struct Handle {
 };
 
 struct Handles {
-    std::vector<Arrow> arrows;                // none for what is nowhere
-    std::array<std::vector<vec2>, 3> rings;   // the half of each that faces the eye, in the window
-    std::vector<std::pair<vec2, int>> sizes;  // where the squares are, and of which extent
+    std::vector<Arrow> arrows;               // none for what is nowhere
+    std::array<std::vector<vec2>, 3> rings;  // the half of each that faces the eye, in the window
+    std::vector<std::pair<vec2, int>> sizes; // where the squares are, and of which extent
 };
 
-/// Those of a light around `center`; `moves`: whether it is somewhere. `scale`: of a HiDPI screen. None behind the eye.
+/// Those of a light around `center`; `moves`: whether it is somewhere. `scale`: of a HiDPI screen. None
+/// behind the eye.
 Handles handles_of(const std::vector<Extent>& extents, vec3 center, bool moves, const Projection& projection,
                    float scale);
 

@@ -15,10 +15,6 @@ LightGroup group_of(const std::vector<scene::Light>& lights, const scene::Scene&
     return {lights, scene.profiles, scene.units};
 }
 
-mat4 around(vec3 center, const mat4& change) {
-    return glm::translate(mat4(1.0f), center) * change * glm::translate(mat4(1.0f), -center);
-}
-
 /// A mark stands for what the picture does not show.
 bool needs_mark(const Lighting& lighting, std::size_t lamp) {
     if (lighting.lamps()[lamp].kind == Lamp::Kind::softbox) return true;
@@ -144,7 +140,8 @@ LightChange LightsPanel::draw_place(Lighting& lighting) {
         for (int axis = 0; axis < 3; ++axis) {
             vec3 unit(0.0f);
             unit[axis] = 1.0f;
-            rotation = glm::rotate(mat4(1.0f), glm::radians(turn[axis] - turn_[axis]), unit) * rotation;
+            rotation = glm::rotate(mat4(1.0f), glm::radians(turn[axis] - turn_[axis]), axis_direction(axis))
+                       * rotation;
         }
         turn_ = turn;
         transform(around(pivot, rotation));

@@ -1,5 +1,7 @@
 #include "viewer/lobe_panel.hpp"
 
+#include "viewer/palette.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -8,13 +10,7 @@
 namespace sr::viewer {
 namespace {
 
-// Okabe & Ito 2008: told apart by everybody.
-constexpr ImU32 blue = IM_COL32(86, 180, 233, 255), orange = IM_COL32(230, 159, 0, 255),
-                green = IM_COL32(0, 158, 115, 255), grey = IM_COL32(150, 150, 150, 255),
-                white = IM_COL32(235, 235, 235, 255);
-constexpr ImU32 veil = IM_COL32(0, 158, 115, 26), net = IM_COL32(120, 220, 190, 90);
-
-void text(const std::string& line) { ImGui::TextUnformatted(line.data(), line.data() + line.size()); }
+constexpr ImU32 lobe_veil = IM_COL32(0, 158, 115, 26), lobe_net = IM_COL32(120, 220, 190, 90);
 
 /// Half a disk, its middle below: where directions of the plane of incidence go.
 class PolarFrame {
@@ -51,7 +47,7 @@ public:
         for (int degrees = -90; degrees <= 90; degrees += 30) {
             const float angle = glm::radians(static_cast<float>(degrees));
             line(angle, 0.0f, 1.0f, IM_COL32(120, 120, 120, 110), 1.0f);
-            label(angle, 1.1f, grey, fmt::format("{}", degrees));
+            label(angle, 1.1f, palette::grey, fmt::format("{}", degrees));
         }
     }
     ImDrawList& list() const { return list_; }
@@ -72,7 +68,7 @@ void draw_curve(const Lobe& lobe, const LobeLook& look, const LobeScale& to, con
     };
     for (std::size_t i = LobeGrid::points; i > 0; --i) point(LobeGrid::meridians / 2, i);
     for (std::size_t i = 0; i <= LobeGrid::points; ++i) point(0, i);
-    list.PathStroke(green, ImDrawFlags_None, 2.0f);
+    list.PathStroke(palette::green, ImDrawFlags_None, 2.0f);
 }
 
 /// Each light at its θ_i: on the rim, and on the lobe's value in its direction.
@@ -81,7 +77,7 @@ void draw_lights(const Lobe& lobe, const LobeLook& look, const LobeScale& to, in
     for (std::size_t k = 0; k < lobe.light_wi.size(); ++k) {
         if (lobe.light_wi[k] == vec3(0.0f)) continue;
         const bool is_hovered = static_cast<int>(k) == hovered;
-        const ImU32 color = is_hovered ? orange : blue;
+        const ImU32 color = is_hovered ? palette::orange : palette::blue;
         const float angle = plane_angle(lobe, lobe.light_wi[k]);
         const float value = shown_value(lobe, lobe.light_wi[k], lobe.light_f_r[k], look);
         frame.line(angle, 0.97f, 1.03f, color, is_hovered ? 4.0f : 2.5f);
@@ -109,22 +105,24 @@ void LobePanel::draw(const Lobe& lobe, int hovered, float scale) {
     const PolarFrame frame(120.0f * scale, scale);
     frame.grid();
     const float theta_o = std::abs(plane_angle(lobe, lobe.wo));
-    frame.dashes(-theta_o, white);
-    frame.label(-theta_o, 0.85f, white, "wo");
+    frame.dashes(-theta_o, palette::white);
+    frame.label(-theta_o, 0.85f, palette::white, "wo");
     if (lobe.is_mirror) {
-        frame.line(theta_o, 0.0f, 1.0f, green, 3.0f);
-        text(fmt::format("a mirror of reflectance {:.3g}", lobe.f_r[0]));
+        frame.line(theta_o, 0.0f, 1.0f, palette::green, 3.0f);
+        ImGui::TextUnformatted(fmt::format("a mirror of reflectance {:.3g}", lobe.f_r[0]).c_str());
     } else {
         draw_curve(lobe, look_, to, frame);
-        text(fmt::format("{} at most {:.4g} 1/sr", look_.has_cosine ? "f_r cos_i" : "f_r", to.largest));
+        ImGui::TextUnformatted(
+            fmt::format("{} at most {:.4g} 1/sr", look_.has_cosine ? "f_r cos_i" : "f_r", to.largest)
+                .c_str());
         if (look_.is_logarithmic) {
             ImGui::SameLine();
-            text(fmt::format("{:.0f} decades", to.decades));
+            ImGui::TextUnformatted(fmt::format("{:.0f} decades", to.decades).c_str());
         }
     }
     draw_lights(lobe, look_, to, hovered, frame);
     ImGui::SameLine();
-    text(fmt::format("  wo at {:.1f} deg", glm::degrees(theta_o)));
+    ImGui::TextUnformatted(fmt::format("  wo at {:.1f} deg", glm::degrees(theta_o)).c_str());
 }
 
 void LobePanel::draw_in_scene(const Lobe& lobe, vec3 x, const Projection& projection, float scale) const {
@@ -135,8 +133,8 @@ void LobePanel::draw_in_scene(const Lobe& lobe, vec3 x, const Projection& projec
     if (lobe.is_mirror) {
         const auto from = projection(x), to = place(lobe.wi[0], 1.0f);
         if (!from || !to) return;
-        list.AddLine({from->x, from->y}, {to->x, to->y}, green, 3.5f * scale);
-        list.AddCircleFilled({to->x, to->y}, 6.0f * scale, green);
+        list.AddLine({from->x, from->y}, {to->x, to->y}, palette::green, 3.5f * scale);
+        list.AddCircleFilled({to->x, to->y}, 6.0f * scale, palette::green);
         return;
     }
     const LobeScale to = scale_of(lobe, look_);
@@ -152,12 +150,12 @@ void LobePanel::draw_in_scene(const Lobe& lobe, vec3 x, const Projection& projec
         const bool is_in_plane = meridian % (LobeGrid::meridians / 2) == 0;
         for (std::size_t i = 0; i < LobeGrid::points; ++i) {
             list.AddQuadFilled(at(meridian, i), at(meridian, i + 1), at(meridian + 1, i + 1),
-                               at(meridian + 1, i), veil);
-            if (i % 4 == 3) list.AddLine(at(meridian, i + 1), at(meridian + 1, i + 1), net);
+                               at(meridian + 1, i), lobe_veil);
+            if (i % 4 == 3) list.AddLine(at(meridian, i + 1), at(meridian + 1, i + 1), lobe_net);
             if (is_in_plane)
-                list.AddLine(at(meridian, i), at(meridian, i + 1), green, 2.5f * scale);
+                list.AddLine(at(meridian, i), at(meridian, i + 1), palette::green, 2.5f * scale);
             else if (meridian % 2 == 0)
-                list.AddLine(at(meridian, i), at(meridian, i + 1), net);
+                list.AddLine(at(meridian, i), at(meridian, i + 1), lobe_net);
         }
     }
 }

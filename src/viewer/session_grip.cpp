@@ -17,8 +17,8 @@ std::optional<Handles> Session::handles() const {
     const Lighting& lighting = show_->lighting();
     if (!lights_.selected || !lighting.can_move(*lights_.selected)) return std::nullopt;
     const auto center = center_of(lighting, *lights_.selected);
-    return handles_of(extents_of(lighting.lights_of(*lights_.selected).front()), grip_center(), center.has_value(),
-                      projection(), ui_.scale());
+    return handles_of(extents_of(lighting.lights_of(*lights_.selected).front()), grip_center(),
+                      center.has_value(), projection(), ui_.scale());
 }
 
 void Session::take_grip(Verb verb, std::optional<int> axis, bool is_free) {

@@ -39,7 +39,8 @@ const Test turning("unit.viewer.grip.a_ring_turns_what_is_under_the_pointer", []
             const mat4 turn = glm::rotate(mat4(1.0f), angle, about);
             const vec2 pointer = *projection(center + 0.5f * applied(turn, u));
             const Pull pull = pulled(grip, projection, pointer, false);
-            EXPECT_LT(glm::distance(applied(pull.transform, center + u), center + applied(turn, u)), 1e-3f) << axis;
+            EXPECT_LT(glm::distance(applied(pull.transform, center + u), center + applied(turn, u)), 1e-3f)
+                << axis;
             EXPECT_LT(glm::distance(applied(pull.transform, center), center), 1e-5f);
         }
     }
@@ -51,7 +52,8 @@ const Test turning("unit.viewer.grip.a_ring_turns_what_is_under_the_pointer", []
     EXPECT_EQ(pull.words, "turned by -30.5 deg about Y");
     typed.typed.clear();
     typed.from = {300.0f, 300.0f};
-    EXPECT_EQ(pulled(typed, projection, {340.0f, 290.0f}, true).words.find("turned by 1"), 0u) << "15 deg, a step";
+    EXPECT_EQ(pulled(typed, projection, {340.0f, 290.0f}, true).words.find("turned by 1"), 0u)
+        << "15 deg, a step";
 });
 
 const Test moving("unit.viewer.grip.what_is_moved_stays_under_the_pointer", [] {
@@ -64,7 +66,8 @@ const Test moving("unit.viewer.grip.what_is_moved_stays_under_the_pointer", [] {
     EXPECT_LT(glm::distance(*projection(there), pointer), 0.1f);
     EXPECT_NEAR(glm::dot(there - center, vec3(eye.world_from_camera[2])), 0.0f, 1e-2f) << "across the view";
     grip.constrain_to(2);
-    const vec3 along = applied(pulled(grip, projection, *projection(center + vec3(0, 0, 0.7f)), false).transform, center);
+    const vec3 along =
+        applied(pulled(grip, projection, *projection(center + vec3(0, 0, 0.7f)), false).transform, center);
     EXPECT_LT(glm::distance(along, center + vec3(0, 0, 0.7f)), 1e-3f);
 });
 
