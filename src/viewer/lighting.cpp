@@ -1,10 +1,13 @@
 #include "viewer/lighting.hpp"
 
+#include "core/error.hpp"
 #include "scene/emitters.hpp"
 #include "scene/light_surfaces.hpp"
+#include "viewer/extents.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <utility>
 
 namespace sr::viewer {
 namespace {
@@ -39,6 +42,7 @@ Lighting::Lighting(const LoadedScene& loaded, bool hides_emitters) : hides_emitt
     state_.emission_on.assign(state_.emission.size(), true);
     for (std::size_t i = 0; i < state_.lights.size(); ++i) state_.origins.push_back(static_cast<int>(i));
     state_.moved.assign(state_.lights.size(), mat4(1.0f));
+    state_.resized.assign(state_.lights.size(), false);
     original_ = state_;
     staged_ = loaded.stage.lights;
     list(loaded.stage, emitters);
@@ -87,6 +91,7 @@ void Lighting::remember() {
     constexpr std::size_t most = 200;
     if (history_.size() == most) history_.erase(history_.begin());
     history_.push_back(state_);
+    undone_.clear();
     is_step_open_ = true;
 }
 
@@ -125,8 +130,7 @@ bool Lighting::transform(std::size_t index, const mat4& by) {
     if (!can_move(index)) return false;
     remember();
     const Lamp& lamp = lamps_[index];
-    scene::Light& light =
-        lamp.kind == Lamp::Kind::light ? state_.lights[lamp.index] : state_.softboxes[lamp.index];
+    scene::Light& light = light_of(lamp);
     light = transformed(light, by);
     if (lamp.kind == Lamp::Kind::light)
         state_.moved[lamp.index] = by * state_.moved[lamp.index];
@@ -135,12 +139,28 @@ bool Lighting::transform(std::size_t index, const mat4& by) {
     return true;
 }
 
+void Lighting::set_size(std::size_t index, std::size_t extent, float size) {
+    require(can_move(index), "surfaces keep their sizes");
+    remember();
+    const Lamp& lamp = lamps_[index];
+    viewer::set_size(light_of(lamp), extent, size);
+    if (lamp.kind == Lamp::Kind::light)
+        state_.resized[lamp.index] = true;
+    else
+        state_.softboxes_changed = true;
+}
+
+scene::Light& Lighting::light_of(const Lamp& lamp) {
+    return lamp.kind == Lamp::Kind::light ? state_.lights[lamp.index] : state_.softboxes[lamp.index];
+}
+
 std::size_t Lighting::add(scene::Light light) {
     remember();
     state_.lights.push_back(std::move(light));
     state_.lights_on.push_back(true);
     state_.origins.push_back(-1);
     state_.moved.push_back(mat4(1.0f));
+    state_.resized.push_back(false);
     return state_.lights.size() - 1; // lights come first in the list
 }
 
@@ -159,6 +179,7 @@ bool Lighting::remove(std::size_t index) {
     if (lamp.kind == Lamp::Kind::light) {
         state_.origins.erase(state_.origins.begin() + at);
         state_.moved.erase(state_.moved.begin() + at);
+        state_.resized.erase(state_.resized.begin() + at);
     } else {
         state_.softboxes_changed = true;
     }
@@ -168,9 +189,28 @@ bool Lighting::remove(std::size_t index) {
 bool Lighting::undo() {
     is_step_open_ = false;
     if (history_.empty()) return false;
-    state_ = std::move(history_.back());
+    undone_.push_back(std::exchange(state_, std::move(history_.back())));
     history_.pop_back();
     return true;
+}
+
+bool Lighting::redo() {
+    is_step_open_ = false;
+    if (undone_.empty()) return false;
+    history_.push_back(std::exchange(state_, std::move(undone_.back())));
+    undone_.pop_back();
+    return true;
+}
+
+void Lighting::take_back_step() {
+    if (is_step_open_) state_ = history_.back();
+}
+
+void Lighting::cancel_step() {
+    if (!is_step_open_) return;
+    state_ = std::move(history_.back());
+    history_.pop_back();
+    is_step_open_ = false;
 }
 
 void Lighting::apply(LoadedScene& loaded) {

@@ -25,8 +25,9 @@ struct LightingState {
     std::vector<scene::Light> softboxes;
     std::vector<vec3> emission; // of the file's materials
     std::vector<bool> lights_on, softboxes_on, emission_on;
-    std::vector<int> origins; // of each light: which of the file's it was, negative if it was added
-    std::vector<mat4> moved;  // of each light: its world now from its world as it came
+    std::vector<int> origins;  // of each light: which of the file's it was, negative if it was added
+    std::vector<mat4> moved;   // of each light: its world now from its world as it came
+    std::vector<bool> resized; // of each light: whether one of its extents was set
     bool softboxes_changed = false;
 };
 
@@ -47,12 +48,19 @@ public:
     void solo(std::size_t lamp); // it alone; all, if it already is alone
     /// Only lights and softboxes move; surfaces are the scene's. @return whether it does
     bool transform(std::size_t lamp, const mat4& by);
+    /// Of an extent (extents.hpp) of a light or softbox [m].
+    void set_size(std::size_t lamp, std::size_t extent, float size);
     bool can_move(std::size_t lamp) const { return lamps_[lamp].kind != Lamp::Kind::surface; }
     std::size_t add(scene::Light light); // @return its lamp
     bool remove(std::size_t lamp);       // a surface is only switched off
     bool undo();                         // @return false: there is nothing to undo
+    bool redo();                         // likewise; what was undone last
     /// The next changes undo as one until it is called again: a drag is one step.
     void begin_step() { is_step_open_ = false; }
+    /// As it was when the step began, which goes on.
+    void take_back_step();
+    /// As it was when the step began; as if it never had.
+    void cancel_step();
 
     bool is_changed() const { return !history_.empty(); }
     const LightingState& state() const { return state_; }
@@ -63,12 +71,14 @@ public:
 
 private:
     void remember();
+    scene::Light& light_of(const Lamp& lamp);
     std::vector<bool>& switches(Lamp::Kind kind);
     void list(const scene::Stage& stage, std::size_t first_softbox);
 
     LightingState state_;
     LightingState original_;
     std::vector<LightingState> history_;
+    std::vector<LightingState> undone_; // the last one first to come back
     std::vector<Lamp> lamps_;
     std::vector<scene::Light> staged_; // the Stage's lights as if all were on
     std::vector<std::string> material_names_;

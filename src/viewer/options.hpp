@@ -2,6 +2,7 @@
 // What the viewer is asked for.
 #include "image/display.hpp"
 #include "render/renderer.hpp"
+#include "render/stop_rule.hpp"
 #include "scene/stage.hpp"
 
 namespace sr::viewer {
@@ -13,8 +14,9 @@ struct Options {
     scene::Rig rig = scene::Rig::studio;
     bool hide_emitters = false;
     render::Visibility visibility = render::Visibility::ray;
-    /// Of the standing picture; size and shader path are the viewer's own.
+    /// Of the standing picture; size, shader path and samples are the viewer's own.
     render::RenderOptions rendering;
+    render::StopRule stop;            // what the standing picture converges to
     std::vector<std::string> shaders; // folders, looked into before the built-in shaders
     std::optional<float> ev100;       // absent: automatic
     image::ToneCurve tone_curve = image::ToneCurve::neutral;

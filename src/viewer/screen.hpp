@@ -28,6 +28,8 @@ struct FilmSum {
     int samples = 1;
     int width = 0;
     int height = 0;
+    /// 1 / the samples of each pixel that rests, 0 for the others; null: none rests.
+    const gl::Texture* rest_weights = nullptr;
 };
 
 class Screen {
@@ -36,8 +38,9 @@ public:
     void draw(const FilmSum& film, const FilmSum& other, const Look& look, int width, int height);
 
 private:
-    /// Which constants a program has: curve, false colour, comparison, and whether films are scaled.
-    using Choice = std::tuple<image::ToneCurve, bool, Comparison, bool>;
+    /// Which constants a program has: curve, false colour, comparison, whether films are scaled, and whether
+    /// pixels rest.
+    using Choice = std::tuple<image::ToneCurve, bool, Comparison, bool, bool>;
     const gl::Program& program(const Choice& choice);
 
     /// Of the embedded shaders: overlays change the equation, not the screen.
