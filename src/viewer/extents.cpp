@@ -41,6 +41,11 @@ std::vector<Extent> extents_of(const scene::Light& light) {
     return {};
 }
 
+bool has_size(const scene::Light& light) {
+    return !extents_of(light).empty() || std::holds_alternative<scene::PolygonLight>(light)
+           || std::holds_alternative<scene::MeshLight>(light);
+}
+
 void set_size(scene::Light& light, std::size_t extent, float size) {
     const std::vector<Extent> extents = extents_of(light);
     require(extent < extents.size() && size > 0.0f, "the light has the extent, and keeps it");

@@ -14,6 +14,9 @@ struct Extent {
 /// radius).
 std::vector<Extent> extents_of(const scene::Light& light);
 
+/// Whether it is an emitter with an extent, which can be scaled and casts shadows.
+bool has_size(const scene::Light& light);
+
 /// Gives extent number `extent` another size, above 0 [m].
 void set_size(scene::Light& light, std::size_t extent, float size);
 

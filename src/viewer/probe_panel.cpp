@@ -58,7 +58,7 @@ void ProbePanel::draw(const scene::Stage& stage, const Lighting& lighting,
         {0.0f, 0.0f}, {ImGui::GetMainViewport()->Size.x, 0.6f * ImGui::GetMainViewport()->Size.y});
     if (ImGui::Begin("L_o = L_e + sum of E f_r", &is_open, ImGuiWindowFlags_AlwaysAutoResize)) {
         put(fmt::format("pixel {},{}, {} samples, coverage {:.3g}", answer->column, answer->row,
-                         answer->samples, terms.coverage));
+                        answer->samples, terms.coverage));
         put(fmt::format("x {} m   n {}   wo {}", three(terms.x), three(terms.n), three(terms.wo)));
         const auto flags =
             ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerV;

@@ -86,6 +86,7 @@ private:
     void take_grip(Verb verb, std::optional<int> axis, bool is_free);
     void pull_grip(vec2 pointer);
     void let_go(bool keeps);
+    LightChange change_of_grip() const;
     void draw_grip() const;
     vec3 grip_center() const;
     std::optional<Handles> handles() const;

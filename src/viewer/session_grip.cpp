@@ -5,6 +5,7 @@
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
+#include <algorithm>
 
 namespace sr::viewer {
 
@@ -34,6 +35,12 @@ void Session::take_grip(Verb verb, std::optional<int> axis, bool is_free) {
     show_->lighting().begin_step();
 }
 
+/// Shadows are made anew only for what casts some.
+LightChange Session::change_of_grip() const {
+    const scene::Light light = show_->lighting().lights_of(*lights_.selected).front();
+    return has_size(light) ? LightChange::place : LightChange::quantity;
+}
+
 /// By a key: the light follows the pointer until a click.
 void Session::take_grip(Verb verb) {
     if (!lights_.selected) return say("select a light first: click it, or press Tab");
@@ -41,6 +48,8 @@ void Session::take_grip(Verb verb) {
     if (!lighting.can_move(*lights_.selected)) return say("surfaces belong to the scene: they stay");
     if (verb != Verb::turn && !center_of(lighting, *lights_.selected))
         return say("it shines from infinitely far: it can only be turned (R)");
+    if (verb == Verb::scale && !has_size(lighting.lights_of(*lights_.selected).front()))
+        return say("it is a point: a radius is to be given in its file");
     take_grip(verb, std::nullopt, true);
     say("X, Y, Z: along one axis; a number; click or Enter: done; Esc: as it was");
 }
@@ -55,7 +64,7 @@ void Session::pull_grip(vec2 pointer) {
         lighting.set_size(*lights_.selected, static_cast<std::size_t>(*grip_->axis), pull.size);
     else
         lighting.transform(*lights_.selected, pull.transform);
-    change_ = LightChange::place;
+    change_ = std::max(change_, change_of_grip());
     message_ = grip_->words = pull.words;
 }
 
@@ -64,7 +73,7 @@ void Session::let_go(bool keeps) {
     if (words.empty()) return;
     if (keeps) return say(words);
     show_->lighting().cancel_step();
-    change_ = LightChange::place;
+    change_ = std::max(change_, change_of_grip());
     say("it is as it was");
 }
 
