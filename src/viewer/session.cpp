@@ -69,10 +69,13 @@ void Session::run(const std::function<bool()>& is_interrupted) {
         if (lights_.wants_focus() || dialog_.wants_focus()) frames_to_draw_ = std::max(frames_to_draw_, 1);
         const bool has_work = show_ && !show_->picture().is_done();
         if (frames_to_draw_ <= 0 && !has_work && !hand_.is_flying()) continue;
+        for (const Event& event : events)
+            if (const auto* key = std::get_if<KeyEvent>(&event); key && key->is_down) ui_.press(key->key);
         ui_.begin(); // before the events, so that it knows whose the pointer is
         for (const Event& event : events) handle(event);
         advance();
         draw();
+        note_keyboard();
         if (question_) answer_question();
         window_.require_silence();
     }

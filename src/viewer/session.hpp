@@ -70,6 +70,7 @@ private:
     void paste_view();
     void toggle_fullscreen();
     void say(std::string message);
+    void note_keyboard();
 
     // session_lights.cpp: editing lights
     Projection projection() const;
@@ -156,6 +157,8 @@ private:
     bool is_closing_ = false;
     Clock::time_point last_frame_ = Clock::now();
     bool was_moving_ = false;
+    bool had_keyboard_ = false; // a field, at the last frame
+    bool had_active_item_ = false;
     double last_cpu_ = 0.0;                          // processor time at the last frame [s]
     std::size_t camera_index_ = 0;                   // of the file's, which C goes on from
     std::array<int, 4> windowed_{40, 40, 1280, 720}; // where the window was before it filled the screen

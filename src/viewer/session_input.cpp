@@ -8,6 +8,7 @@
 #include <GLFW/glfw3.h>
 #include <cstdio>
 #include <fmt/format.h>
+#include <utility>
 
 namespace sr::viewer {
 namespace {
@@ -180,6 +181,18 @@ void Session::toggle_fullscreen() {
     glfwGetWindowPos(window, &windowed_[0], &windowed_[1]);
     glfwGetWindowSize(window, &windowed_[2], &windowed_[3]);
     glfwSetWindowMonitor(window, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+}
+
+/// Draws on while panels have something to hear or to tell. Says, to whoever drives the viewer by a program,
+/// that a field takes what is typed from now on.
+void Session::note_keyboard() {
+    const bool has_active_item = ui_.has_active_item();
+    const bool has_changed = std::exchange(had_active_item_, has_active_item) != has_active_item;
+    if (has_changed) // the keyboard follows a frame later
+        frames_to_draw_ = std::max(frames_to_draw_, 1);
+    const bool has_keyboard = ui_.has_keyboard();
+    if (!std::exchange(had_keyboard_, has_keyboard) && has_keyboard && options_.is_verbose)
+        std::fprintf(stderr, "a field has the keyboard\n");
 }
 
 void Session::say(std::string message) {

@@ -74,11 +74,29 @@ void Ui::begin() {
 }
 
 void Ui::end() {
+    release_keys();
     ImGui::Render();
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }
 
 bool Ui::has_pointer() const { return ImGui::GetIO().WantCaptureMouse; }
 bool Ui::has_keyboard() const { return ImGui::GetIO().WantTextInput; }
+bool Ui::has_active_item() const { return ImGui::IsAnyItemActive(); }
+
+#if IMGUI_VERSION_NUM < 18700 // later ones keep such keys themselves
+void Ui::press(int key) {
+    if (key < 0 || key >= IM_ARRAYSIZE(ImGui::GetIO().KeysDown)) return;
+    ImGui::GetIO().KeysDown[key] = true;
+    pressed_.push_back(key);
+}
+
+void Ui::release_keys() {
+    for (const int key : pressed_) ImGui::GetIO().KeysDown[key] = glfwGetKey(window_, key) == GLFW_PRESS;
+    pressed_.clear();
+}
+#else
+void Ui::press(int) {}
+void Ui::release_keys() {}
+#endif
 
 } // namespace sr::viewer

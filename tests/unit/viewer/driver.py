@@ -31,6 +31,13 @@ class Display:
                                 text=True, timeout=20)
         return result.stdout.strip()
 
+    def words(self):
+        """All pixels of the screen, row by row, each 0x00rrggbb."""
+        data = self.file.read_bytes()
+        header = struct.unpack(">25I", data[:100])
+        start = header[0] + 12 * header[19]
+        return memoryview(data)[start:start + header[12] * header[5]].cast("I")
+
     def pixels(self):
         """The screen: its width and a function from x, y to (r, g, b)."""
         data = self.file.read_bytes()
@@ -55,6 +62,7 @@ class Viewer:
         self.display, self.folder = display, folder
         shutil.rmtree(folder, ignore_errors=True)
         folder.mkdir(parents=True)
+        self.fields = 0  # that were typed into
         self.log = open(folder / "stderr", "w+")
         self.process = subprocess.Popen([steradian, "view", "--verbose", *map(str, arguments)], cwd=folder,
                                         env=display.environment, stdout=subprocess.PIPE, stderr=self.log, text=True)
@@ -112,15 +120,16 @@ class Viewer:
 
     def type(self, text: str):
         """Into the field that has the keyboard, and Enter."""
-        time.sleep(0.2)
+        self.fields += 1
+        self.wait(lambda: self.errors().count("a field has the keyboard") >= self.fields, "a field to type into")
         self.display.do("type", "--delay", "20", text)
         self.key("Return")
 
     def count(self, color: tuple[int, int, int]) -> int:
         """How many pixels of the screen have just this colour."""
         time.sleep(0.3)
-        pixel = self.display.pixels()
-        return sum(pixel(x, y) == color for x in range(400) for y in range(300))
+        pixels = self.display.words()
+        return sum(word & 0xffffff == (color[0] << 16 | color[1] << 8 | color[2]) for word in pixels)
 
     @staticmethod
     def write(file: Path, text: str):
