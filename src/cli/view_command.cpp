@@ -16,6 +16,7 @@ using nlohmann::ordered_json;
 
 struct ViewCommand {
     RenderCommand rendering;
+    bool plays = false;
     bool is_fullscreen = false;
     bool is_verbose = false;
 };
@@ -28,6 +29,11 @@ viewer::Options viewer_options(const ViewCommand& command) {
     options.camera = r.camera;
     options.rig = r.rig;
     options.hide_emitters = r.hide_emitters;
+    options.at = r.at;
+    options.animation = r.animation;
+    options.plays = command.plays;
+    options.variant = r.variant;
+    options.has_energy_compensation = r.has_energy_compensation;
     options.visibility = r.visibility;
     options.rendering.samples = r.stop.samples;
     options.rendering.seed = r.seed;
@@ -86,6 +92,10 @@ void add_view_command(CLI::App& app) {
     command->remove_option(command->get_option("--backend")); // there is but one with a window
     command->get_option("--size")->description("size of the window (default: as it was last, or 1280x720)");
     command->get_option("--samples")->description("samples a pixel that a standing picture converges to");
+    command->get_option("--at")->description("open the animation at this time (default: the rest pose)");
+    command->get_option("--animation")
+        ->description("which one to play: by name or index, or all at once (default: the first)");
+    command->add_flag("--play", options->plays, "play the animation, from --at or its beginning on");
     command->add_flag("--fullscreen", options->is_fullscreen, "fill the screen (F11)");
     command->add_flag("-v,--verbose", options->is_verbose, "say on stderr what happens");
     command->add_flag("--json", options->rendering.json,
@@ -94,6 +104,7 @@ void add_view_command(CLI::App& app) {
                     "Examples:\n"
                     "  steradian view scene.glb\n"
                     "  steradian view scene.glb --shaders my_shaders      (saved changes show at once)\n"
+                    "  steradian view dancer.glb --animation Walk --play\n"
                     "  steradian view scene.glb --camera 1 --exposure 9 --tone-curve agx --samples 1024");
     command->callback([options] { view(*options); });
 }

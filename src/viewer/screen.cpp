@@ -8,10 +8,13 @@
 namespace sr::viewer {
 namespace {
 
-std::string constants(image::ToneCurve curve, bool is_false_color, Comparison comparison, bool is_scaled) {
+std::string constants(image::ToneCurve curve, bool is_false_color, Comparison comparison, bool is_scaled,
+                      bool is_other_displayed) {
     return fmt::format("const int shown_curve = {};\nconst bool is_false_color = {};\n"
-                       "const int comparison = {};\nconst bool is_scaled = {};\n",
-                       static_cast<int>(curve), is_false_color, static_cast<int>(comparison), is_scaled);
+                       "const int comparison = {};\nconst bool is_scaled = {};\n"
+                       "const bool is_other_displayed = {};\n",
+                       static_cast<int>(curve), is_false_color, static_cast<int>(comparison), is_scaled,
+                       is_other_displayed);
 }
 
 } // namespace
@@ -38,8 +41,9 @@ void Screen::draw(const FilmSum& film, const FilmSum& other, const Look& look, i
     const bool is_compared = other.sum && look.comparison != Comparison::none;
     const auto fits = [&](const FilmSum& f) { return f.width == width && f.height == height; };
     const bool is_scaled = !fits(film) || (is_compared && !fits(other));
-    const gl::Program& used = program(
-        {look.curve, look.is_false_color, is_compared ? look.comparison : Comparison::none, is_scaled});
+    const gl::Program& used =
+        program({look.curve, look.is_false_color, is_compared ? look.comparison : Comparison::none, is_scaled,
+                 is_compared && other.is_displayed});
     used.use();
     const auto weight = [](const FilmSum& f) { return 1.0f / static_cast<float>(f.samples); };
     const auto at = [&](const char* name) { return used.uniform(name); };

@@ -28,6 +28,8 @@ struct FilmSum {
     int samples = 1;
     int width = 0;
     int height = 0;
+    bool is_displayed =
+        false; // the light of a screen, 0 to 1, instead of a scene's: it goes through no curve
 };
 
 class Screen {
@@ -36,8 +38,9 @@ public:
     void draw(const FilmSum& film, const FilmSum& other, const Look& look, int width, int height);
 
 private:
-    /// Which constants a program has: curve, false colour, comparison, and whether films are scaled.
-    using Choice = std::tuple<image::ToneCurve, bool, Comparison, bool>;
+    /// Which constants a program has: curve, false colour, comparison, whether films are scaled, and whether
+    /// the other one is displayed.
+    using Choice = std::tuple<image::ToneCurve, bool, Comparison, bool, bool>;
     const gl::Program& program(const Choice& choice);
 
     /// Of the embedded shaders: overlays change the equation, not the screen.

@@ -7,6 +7,7 @@
 #include "viewer/hand.hpp"
 #include "viewer/input.hpp"
 #include "viewer/lights_panel.hpp"
+#include "viewer/playback.hpp"
 #include "viewer/probe_panel.hpp"
 #include "viewer/screen.hpp"
 #include "viewer/show.hpp"
@@ -44,6 +45,7 @@ private:
     using Clock = std::chrono::steady_clock;
 
     // session.cpp: the loop
+    bool is_busy() const;
     void wait();
     void take_loaded();
     void show(LoadedScene scene);
@@ -79,6 +81,17 @@ private:
     void draw_lights();
     void relight();
 
+    // session_animation.cpp: what moves by itself, and variants
+    void begin_playback(bool is_same_file);
+    void play(double elapsed);
+    void show_moment();
+    std::optional<Command> key_of_the_bar(const KeyEvent& event) const;
+    bool obey_animation(Command command);
+    void draw_animation();
+    void choose_variant(const std::string& name);
+    void next_variant();
+    std::string moment_argument() const;
+
     // session_compare.cpp: questions to the picture
     void answer_question();
     void obey(const CompareWish& wish);
@@ -93,7 +106,9 @@ private:
 
     // session_files.cpp: what is read and written
     void open(const std::string& file);
+    void take_dropped(const std::vector<std::string>& files);
     void reload();
+    void read_again();
     void watch_files();
     void reload_shaders();
     void write_png();
@@ -118,6 +133,9 @@ private:
     LightChange change_ = LightChange::none; // of the lights, since the last frame
     std::optional<int> arrow_;               // the axis that the pointer drags the selected light along
     float arrow_at_ = 0.0f;
+    Playback playback_;
+    bool bar_has_pointer_ = false;
+    bool keeps_edits_ = false; // of lights, when the file that is being read is there
     ProbePanel probe_;
     std::optional<vec2> question_; // the place in the window that is to be asked
     std::optional<Reference> reference_;
