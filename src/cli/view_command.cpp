@@ -68,6 +68,7 @@ ordered_json summary(const viewer::Statistics& statistics) {
     if (statistics.moving_frames.empty()) return json;
     json["moving_scale_median"] = quantile(statistics.moving_scales, 0.5);
     json["moving_frame_median [s]"] = quantile(statistics.moving_frames, 0.5);
+    json["moving_sample_median [s]"] = quantile(statistics.moving_samples, 0.5);
     json["moving_frame_p95 [s]"] = quantile(statistics.moving_frames, 0.95);
     json["moving_frame_processor_median [s]"] = quantile(statistics.moving_cpu, 0.5);
     return json;

@@ -31,8 +31,30 @@ const gl::Program& Screen::program(const Choice& choice) {
     return programs_.emplace(choice, std::move(program)).first->second;
 }
 
+Screen::Codes::Codes(int columns, int rows) : width(columns), height(rows) {
+    texture.bind(0);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture.id(), 0);
+}
+
 void Screen::draw(const FilmSum& film, const FilmSum& other, const Look& look, int width, int height) {
+    const bool is_compared = other.sum && look.comparison != Comparison::none;
+    if (is_compared || (film.width == width && film.height == height)) {
+        glBindFramebuffer(GL_FRAMEBUFFER, 0);
+        return cover(film, other, look, width, height);
+    }
+    if (!codes_ || codes_->width != film.width || codes_->height != film.height)
+        codes_.emplace(film.width, film.height);
+    glBindFramebuffer(GL_FRAMEBUFFER, codes_->framebuffer.id());
+    cover(film, {}, look, film.width, film.height);
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+    glBlitFramebuffer(0, 0, film.width, film.height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_LINEAR);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
+void Screen::cover(const FilmSum& film, const FilmSum& other, const Look& look, int width, int height) {
     glViewport(0, 0, width, height);
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);

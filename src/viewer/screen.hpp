@@ -6,6 +6,7 @@
 #include "image/display.hpp"
 
 #include <map>
+#include <optional>
 #include <tuple>
 
 namespace sr::viewer {
@@ -34,7 +35,8 @@ struct FilmSum {
 
 class Screen {
 public:
-    /// Covers the window, whose framebuffer is width × height pixels.
+    /// Covers the window, whose framebuffer is width × height pixels. A film of another size that is not compared is
+    /// enlarged as code values, which costs a third of doing it in linear light.
     void draw(const FilmSum& film, const FilmSum& other, const Look& look, int width, int height);
 
 private:
@@ -42,10 +44,22 @@ private:
     /// the other one is displayed.
     using Choice = std::tuple<image::ToneCurve, bool, Comparison, bool, bool>;
     const gl::Program& program(const Choice& choice);
+    void cover(const FilmSum& film, const FilmSum& other, const Look& look, int width, int height);
+
+    /// Code values of a film's size.
+    struct Codes {
+        Codes(int width, int height);
+
+        int width;
+        int height;
+        gl::Texture texture{GL_TEXTURE_2D, "code values"};
+        gl::Framebuffer framebuffer{"code values"};
+    };
 
     /// Of the embedded shaders: overlays change the equation, not the screen.
     std::map<Choice, gl::Program> programs_;
     gl::VertexArray no_vertices_{"no vertices"};
+    std::optional<Codes> codes_;
 };
 
 } // namespace sr::viewer

@@ -69,7 +69,7 @@ void Session::run(const std::function<bool()>& is_interrupted) {
         if (input_.take_damage() || !events.empty()) frames_to_draw_ = frames_after_event;
         if (lights_.wants_focus() || dialog_.wants_focus()) frames_to_draw_ = std::max(frames_to_draw_, 1);
         if (!is_busy()) continue;
-        ui_.begin(); // before the events, so that it knows whose the pointer is
+        ui_.begin(taps_among(events)); // before the events, so that it knows whose the pointer is
         for (const Event& event : events) handle(event);
         advance();
         draw();
@@ -169,6 +169,7 @@ void Session::advance() {
     Picture& picture = show_->picture();
     if (was_moving_ && picture.is_moving()) {
         statistics_.moving_frames.push_back(seconds);
+        statistics_.moving_samples.push_back(picture.seconds_per_sample());
         statistics_.moving_scales.push_back(picture.scale());
         statistics_.moving_cpu.push_back(Statistics::cpu() - last_cpu_);
     }

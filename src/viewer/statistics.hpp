@@ -17,6 +17,7 @@ struct Statistics {
     std::vector<double> moving_frames; // [s] from one drawn frame of a moving picture to the next
     std::vector<double>
         moving_cpu; // [s] of all threads in each of them, which other programs do not lengthen
+    std::vector<double> moving_samples; // [s] of each of them that its sample took
     std::vector<double> moving_scales; // of the picture's sides, in each of them
     int reloads = 0;
     int drawn_frames = 0;
