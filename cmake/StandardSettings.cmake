@@ -33,17 +33,11 @@ if(NOT MSVC AND NOT CMAKE_BUILD_TYPE STREQUAL "Debug")
   target_compile_options(sr_compile_quickly INTERFACE $<IF:$<BOOL:${STERADIAN_SANITIZE}>,-O0,-O1>)
 endif()
 
-# Large headers, parsed once a target. ccache cannot keep what is compiled so, so this is for machines without a cache.
-set(precompile_default OFF)
+# Eight files at a time halve what a build from nothing takes (large headers are parsed once for all of them); an edit then costs eight
+# files, so this is for continuous integration, and for whoever only wants the program (tools/demo).
 if(DEFINED ENV{CI})
-  set(precompile_default ON)
+  set(CMAKE_UNITY_BUILD ON CACHE BOOL "Compile several files at a time")
 endif()
-option(STERADIAN_PRECOMPILE "Precompile large headers" ${precompile_default})
-function(sr_precompile target)
-  if(STERADIAN_PRECOMPILE)
-    target_precompile_headers(${target} PRIVATE ${ARGN})
-  endif()
-endfunction()
 
 find_program(CCACHE_PROGRAM ccache)
 if(CCACHE_PROGRAM)

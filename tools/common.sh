@@ -27,6 +27,6 @@ configure_and_build() { # PRESET [TARGET...]
   local preset=$1
   shift
   # A warning is an error where it can be acted on; a newer compiler's new warnings must not stop a user.
-  cmake --preset "$preset" -DSTERADIAN_WERROR="${CI:-OFF}" >/dev/null &&
+  cmake --preset "$preset" -DSTERADIAN_WERROR="${CI:-OFF}" ${unity_build:+-DCMAKE_UNITY_BUILD=ON} >/dev/null &&
     cmake --build --preset "$preset" ${1:+--target "$@"}
 }

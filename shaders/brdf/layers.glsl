@@ -10,17 +10,11 @@
 // arrives at grazing (E up to 18), and E = 1 is where that ends.
 #include "brdf/albedo_table.glsl"
 #include "brdf/charlie.glsl"
-#include "brdf/fresnel.glsl"
+#include "brdf/coat.glsl"
 #include "brdf/ggx_sampling.glsl"
 #include "brdf/lobe_sum.glsl"
 #include "interface/features.glsl"
 #include "surface/surface.glsl"
-
-const float F0_coat = 0.04; // an index of refraction of 1.5
-
-float coat_weight(Surface x, vec3 wo) {
-    return x.clearcoat * F_schlick(vec3(F0_coat), max(dot(x.clearcoat_n, wo), 0.0)).x;
-}
 
 vec3 under_sheen(Surface x, vec3 base, vec3 wi, vec3 wo) {
     float cos_i = dot(x.n, wi);

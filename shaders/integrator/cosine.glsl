@@ -1,5 +1,5 @@
 // cosθ_i: where wi is below n there is none, and where it is below the surface that a normal map bends n away from, none either:
-// light does not come through a surface from behind. Negative or not a number where wi is below n or none.
+// light does not come through a surface from behind. Not positive where wi is below n; not a number where there is no wi.
 #include "interface/features.glsl"
 #include "surface/surface.glsl"
 

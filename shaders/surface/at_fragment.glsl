@@ -1,4 +1,5 @@
 // surface_at_fragment(): from interpolated vertices and textures to the point x of the equation.
+#include "brdf/coat.glsl"
 #include "interface/frame.glsl"
 #include "interface/object.glsl"
 #include "surface/shading_normal.glsl"
@@ -30,8 +31,7 @@ void add_clearcoat(inout Surface x, vec3 wo) {
     x.clearcoat = coat.x;
     x.clearcoat_alpha = alpha_of(coat.y);
     x.clearcoat_n = on_seen_side(mapped_clearcoat_normal(), wo);
-    float m = 1.0 - max(dot(x.clearcoat_n, wo), 0.0); // the coat lies over what emits
-    x.emission *= 1.0 - coat.x * (0.04 + 0.96 * m * m * m * m * m);
+    x.emission *= 1.0 - coat_weight(x, wo); // the coat lies over what emits
 }
 
 void add_layers(inout Surface x, vec3 wo) {

@@ -1,5 +1,6 @@
 #version 410 core
 // A direction of the row's number, in the subject's frame, and p / q there: in the mean, what of p lies above the horizon.
+#include "surface/surface.glsl"
 #include "brdf/f_r.glsl"
 #include "brdf/sample_f_r.glsl"
 #include "trial/density.glsl"

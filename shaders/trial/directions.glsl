@@ -5,7 +5,6 @@
 #include "brdf/ggx_sampling.glsl"
 #include "surface/surface.glsl"
 
-
 float[4] widths_for(Surface x) { return float[4](x.alpha, x.clearcoat_alpha, 0.12, 0.5); }
 
 vec3 direction_of(int number, Surface x, vec3 wo) {

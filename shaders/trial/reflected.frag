@@ -1,5 +1,6 @@
 #version 410 core
 // f_r cosθ_i / q in a direction of the row's number: in the mean over numbers, the albedo for wo.
+#include "surface/surface.glsl"
 #include "brdf/f_r.glsl"
 #include "trial/directions.glsl"
 #include "trial/subject.glsl"

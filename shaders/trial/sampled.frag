@@ -1,5 +1,6 @@
 #version 410 core
 // The direction that sampling makes of u, in the subject's frame, and its density.
+#include "surface/surface.glsl"
 #include "brdf/f_r.glsl"
 #include "brdf/sample_f_r.glsl"
 #include "trial/density.glsl"

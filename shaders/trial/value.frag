@@ -1,5 +1,6 @@
 #version 410 core
 // f_r(wi, wo) [1/sr], directions in the subject's frame.
+#include "surface/surface.glsl"
 #include "brdf/f_r.glsl"
 #include "trial/subject.glsl"
 #include "trial/table.glsl"

@@ -251,8 +251,8 @@ void add_brdf_command(CLI::App& app) {
                     "  steradian brdf ggx --roughness 0.3 -o lobe.svg -o ball.png\n"
                     "  steradian brdf gltf --metallic 1 --anisotropy 0.8 --roughness 0.2 --json\n"
                     "  steradian brdf conductor --metal copper --roughness 0.4 -o ball.png\n"
-                    "  steradian brdf my_brdf.glsl -o lobe.svg          GLSL that includes surface/surface.glsl "
-                    "and declares vec3 f_r(Surface x, vec3 wi, vec3 wo)\n"
+                    "  steradian brdf my_brdf.glsl -o lobe.svg          GLSL that declares "
+                    "vec3 f_r(Surface x, vec3 wi, vec3 wo)\n"
                     "  steradian brdf gold-paint.binary -o ball.png     a measured one");
     command->callback([options] {
         const ExitStatus status = look_at(*options);

@@ -8,8 +8,6 @@
 namespace sr::gltf {
 namespace {
 
-constexpr const char* export_again = "export the file again";
-
 const tinygltf::Accessor& at(const Document& document, int accessor) {
     return document.model.accessors[static_cast<std::size_t>(accessor)];
 }

@@ -10,8 +10,6 @@
 namespace sr::gltf {
 namespace {
 
-constexpr const char* export_again = "export the file again";
-
 Interpolation interpolation_of(const std::string& name) {
     if (name == "STEP") return Interpolation::step;
     return name == "CUBICSPLINE" ? Interpolation::cubic_spline : Interpolation::linear;

@@ -16,8 +16,6 @@ namespace {
 
 using nlohmann::json;
 
-constexpr const char* export_again = "export the file again";
-
 // A file of another version may fail the checks for reasons that would mislead: the version is looked at
 // first.
 void check_version(const json& root, const std::string& name) {

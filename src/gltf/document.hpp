@@ -12,6 +12,9 @@
 
 namespace sr::gltf {
 
+/// What to do about most broken files.
+inline constexpr const char* export_again = "export the file again";
+
 /// An entry of the JSON's `images`: bytes in a buffer view or behind a URI.
 struct ImageSource {
     std::string name;

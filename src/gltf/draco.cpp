@@ -14,11 +14,11 @@
 namespace sr::gltf {
 namespace {
 
-constexpr const char* export_again = "export the file again, or without KHR_draco_mesh_compression";
+constexpr const char* export_draco_again = "export the file again, or without KHR_draco_mesh_compression";
 
 [[noreturn]] void fail_broken(const Document& document, const PrimitivePlace& place, std::string_view why) {
     document.fail(fmt::format("{} has Draco data that is broken, or cut short ({})", place.pointer(), why),
-                  export_again);
+                  export_draco_again);
 }
 
 std::unique_ptr<draco::Mesh> decoded(const Document& document, const PrimitivePlace& place, Bytes stream) {
@@ -30,7 +30,7 @@ std::unique_ptr<draco::Mesh> decoded(const Document& document, const PrimitivePl
     if (*faces > most)
         document.fail(
             fmt::format("{} claims to hold {} triangles in {} bytes", place.pointer(), *faces, stream.size()),
-            export_again);
+            export_draco_again);
     draco::DecoderBuffer buffer;
     buffer.Init(reinterpret_cast<const char*>(stream.data()), stream.size());
     draco::Decoder decoder;
@@ -95,11 +95,12 @@ void unpack_attribute(Document& document, const PrimitivePlace& place, const dra
     const draco::PointAttribute* from = mesh.GetAttributeByUniqueId(id);
     const int components = components_of(document, accessor);
     if (!from || components > 4)
-        document.fail(fmt::format("{} has no {} in its Draco data", place.pointer(), name), export_again);
+        document.fail(fmt::format("{} has no {} in its Draco data", place.pointer(), name),
+                      export_draco_again);
     if (mesh.num_points() != like.count)
         document.fail(fmt::format("{} announces {} of {}, and its Draco data has {}", place.pointer(),
                                   like.count, name, mesh.num_points()),
-                      export_again);
+                      export_draco_again);
     std::vector<std::uint8_t> bytes;
     if (!convert(mesh, *from, like.componentType, components, bytes))
         fail_broken(document, place, name + " cannot be converted");
@@ -126,7 +127,7 @@ void unpack(Document& document, const PrimitivePlace& place, const tinygltf::Val
             .primitives[static_cast<std::size_t>(place.primitive)];
     };
     if (!is_surface(primitive().mode))
-        document.fail(fmt::format("{} has Draco data and no triangles", place.pointer()), export_again);
+        document.fail(fmt::format("{} has Draco data and no triangles", place.pointer()), export_draco_again);
     const Bytes stream = document.view(whole_in(packed, "bufferView", 0), place.pointer());
     const std::unique_ptr<draco::Mesh> mesh = decoded(document, place, stream);
     const tinygltf::Value& ids = packed.Get("attributes");
@@ -134,7 +135,7 @@ void unpack(Document& document, const PrimitivePlace& place, const tinygltf::Val
         const auto found = primitive().attributes.find(name);
         if (found == primitive().attributes.end())
             document.fail(fmt::format("{} has {} in its Draco data alone", place.pointer(), in_quotes(name)),
-                          export_again);
+                          export_draco_again);
         unpack_attribute(document, place, *mesh, name, static_cast<std::uint32_t>(whole_in(ids, name, 0)),
                          found->second);
     }

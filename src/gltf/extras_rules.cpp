@@ -9,7 +9,7 @@ namespace {
 using Kind = Rule::Kind;
 
 // All in one function-local static: rules.cpp points here before main.
-struct Rules {
+struct ExtrasRules {
     Rule boolean{.kind = Kind::boolean};
     Rule number{.kind = Kind::number};
     Rule three_numbers{.kind = Kind::list, .element = &number, .length = 3};
@@ -57,21 +57,21 @@ struct Rules {
     Rule material_extras{.kind = Kind::record, .properties = {{"steradian", &material}}, .is_optional = true};
     Rule asset_extras{.kind = Kind::record, .properties = {{"steradian", &asset}}, .is_optional = true};
 
-    Rules() {
+    ExtrasRules() {
         for (const scene::NamedUnit& named : scene::unit_names) unit.words.push_back(named.name);
     }
 };
 
-const Rules& rules() {
-    static const Rules all;
+const ExtrasRules& extras_rules() {
+    static const ExtrasRules all;
     return all;
 }
 
 } // namespace
 
-const Rule& node_extras_rule() { return rules().node_extras; }
-const Rule& light_extras_rule() { return rules().light_extras; }
-const Rule& material_extras_rule() { return rules().material_extras; }
-const Rule& asset_extras_rule() { return rules().asset_extras; }
+const Rule& node_extras_rule() { return extras_rules().node_extras; }
+const Rule& light_extras_rule() { return extras_rules().light_extras; }
+const Rule& material_extras_rule() { return extras_rules().material_extras; }
+const Rule& asset_extras_rule() { return extras_rules().asset_extras; }
 
 } // namespace sr::gltf

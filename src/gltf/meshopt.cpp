@@ -7,7 +7,7 @@
 namespace sr::gltf {
 namespace {
 
-constexpr const char* export_again = "export the file again, or without EXT_meshopt_compression";
+constexpr const char* export_meshopt_again = "export the file again, or without EXT_meshopt_compression";
 
 /// What the extension's object of a buffer view says.
 struct Packed {
@@ -54,7 +54,7 @@ void decode(const Document& document, const Packed& p, Bytes from, std::vector<s
     else
         failure = meshopt_decodeVertexBuffer(to.data(), p.count, p.stride, from.data(), from.size());
     if (failure != 0)
-        document.fail(fmt::format("{} has data that is broken, or cut short", pointer), export_again);
+        document.fail(fmt::format("{} has data that is broken, or cut short", pointer), export_meshopt_again);
     if (p.filter == "OCTAHEDRAL") meshopt_decodeFilterOct(to.data(), p.count, p.stride);
     if (p.filter == "QUATERNION") meshopt_decodeFilterQuat(to.data(), p.count, p.stride);
     if (p.filter == "EXPONENTIAL") meshopt_decodeFilterExp(to.data(), p.count, p.stride);
@@ -66,17 +66,18 @@ std::vector<std::uint8_t> unpacked(const Document& document, const Packed& p, co
     if (!buffer || p.offset > buffer->size() || p.length > buffer->size() - p.offset)
         document.fail(fmt::format("{} ends at byte {} of /buffers/{}, which has {}", pointer,
                                   p.offset + p.length, p.buffer, buffer ? buffer->size() : 0),
-                      export_again);
+                      export_meshopt_again);
     if (!is_allowed(p))
         document.fail(fmt::format("{} has {} elements of {} bytes, which mode {} with filter {} forbids",
                                   pointer, p.count, p.stride, p.mode, p.filter),
-                      export_again);
+                      export_meshopt_again);
     // At their densest the formats take two bits a 16-byte group of each byte of an element, and a byte a
     // triangle or an index: a sixty-fourth of what comes out, so that nothing is allocated for a lie.
     constexpr std::size_t densest = 64;
     const std::size_t size = p.count * p.stride; // each below 2^31
     if (size > densest * p.length)
-        document.fail(fmt::format("{} claims to hold {} bytes in {}", pointer, size, p.length), export_again);
+        document.fail(fmt::format("{} claims to hold {} bytes in {}", pointer, size, p.length),
+                      export_meshopt_again);
     std::vector<std::uint8_t> bytes(size);
     if (size > 0) decode(document, p, buffer->subspan(p.offset, p.length), bytes, pointer);
     return bytes;

@@ -6,7 +6,7 @@ namespace {
 using Kind = Rule::Kind;
 
 // All in one function-local static: rules.cpp points here before main.
-struct Rules {
+struct MotionRules {
     Rule boolean{.kind = Kind::boolean};
     Rule text{.kind = Kind::text};
     Rule whole{.kind = Kind::whole, .largest = 0x7FFFFFFF}; // where tinygltf stores an int
@@ -59,24 +59,24 @@ struct Rules {
         {"KHR_materials_variants", &mappings}, {"KHR_draco_mesh_compression", &draco}}};
     // clang-format on
 
-    Rules() = default;
-    Rules(const Rules&) = delete; // they point at one another
-    Rules& operator=(const Rules&) = delete;
+    MotionRules() = default;
+    MotionRules(const MotionRules&) = delete; // they point at one another
+    MotionRules& operator=(const MotionRules&) = delete;
 };
 
-const Rules& rules() {
-    static const Rules all;
+const MotionRules& motion_rules() {
+    static const MotionRules all;
     return all;
 }
 
 } // namespace
 
-const Rule& skin_rule() { return rules().skin; }
-const Rule& animation_rule() { return rules().animation; }
-const Rule& visibility_rule() { return rules().visibility; }
-const Rule& instancing_rule() { return rules().instancing; }
-const Rule& variants_rule() { return rules().variants; }
-const Rule& view_extensions_rule() { return rules().view_extensions; }
-const Rule& primitive_extensions_rule() { return rules().primitive_extensions; }
+const Rule& skin_rule() { return motion_rules().skin; }
+const Rule& animation_rule() { return motion_rules().animation; }
+const Rule& visibility_rule() { return motion_rules().visibility; }
+const Rule& instancing_rule() { return motion_rules().instancing; }
+const Rule& variants_rule() { return motion_rules().variants; }
+const Rule& view_extensions_rule() { return motion_rules().view_extensions; }
+const Rule& primitive_extensions_rule() { return motion_rules().primitive_extensions; }
 
 } // namespace sr::gltf

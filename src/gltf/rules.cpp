@@ -25,7 +25,7 @@ const Rule texts{.kind = Kind::list, .element = &text};
 
 Rule index_into(std::string_view pointer) { return {.kind = Kind::index, .pool = pointer}; }
 Rule list_of(const Rule& element) { return {.kind = Kind::list, .element = &element}; }
-Rule record(std::vector<Property> properties) {
+Rule record(std::vector<PropertyRule> properties) {
     return {.kind = Kind::record, .properties = std::move(properties)};
 }
 Rule one_of(std::vector<std::string_view> words) { return {.kind = Kind::text, .words = std::move(words)}; }

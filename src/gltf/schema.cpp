@@ -102,7 +102,7 @@ private:
     void record(json& value, const Rule& rule, const Place& place) const {
         if (rule.is_optional && !value.is_object()) return;
         claim(value.is_object(), "must be an object", value, place);
-        for (const Property& property : rule.properties) {
+        for (const PropertyRule& property : rule.properties) {
             const auto found = value.find(property.name);
             if (found != value.end())
                 this->value(*found, *property.rule, {&place, property.name, 0});
@@ -114,7 +114,7 @@ private:
 
     void no_others(const json& value, const Rule& rule, const Place& place) const {
         std::vector<std::string_view> names;
-        for (const Property& property : rule.properties) names.push_back(property.name);
+        for (const PropertyRule& property : rule.properties) names.push_back(property.name);
         for (const auto& [key, ignored] : value.items())
             if (std::find(names.begin(), names.end(), key) == names.end())
                 fail(fmt::format("may have {} only", fmt::join(names, ", ")), json{{key, value.at(key)}},

@@ -14,7 +14,7 @@ namespace sr::gltf {
 
 struct Rule;
 
-struct Property {
+struct PropertyRule {
     std::string_view name;
     const Rule* rule = nullptr;
     bool is_required = false;
@@ -24,14 +24,14 @@ struct Rule {
     enum class Kind { anything, boolean, text, number, whole, index, list, record, dictionary };
 
     Kind kind = Kind::anything;
-    std::string_view pool{};               // index: the JSON pointer of the array it counts in
-    const Rule* element = nullptr;         // list, dictionary: what each element obeys
-    std::size_t length = 0;                // list: the exact number of elements; 0: any
-    std::vector<Property> properties{};    // record: properties that are not listed may be anything, unless
-    bool is_closed = false;                // record: only those that are listed may be there
-    bool is_optional = false;              // record: what is no object passes
-    std::vector<std::string_view> words{}; // text: the only ones allowed; empty: any
-    std::vector<std::uint64_t> values{};   // whole: the only ones allowed; empty: any
+    std::string_view pool{};                // index: the JSON pointer of the array it counts in
+    const Rule* element = nullptr;          // list, dictionary: what each element obeys
+    std::size_t length = 0;                 // list: the exact number of elements; 0: any
+    std::vector<PropertyRule> properties{}; // record: properties that are not listed may be anything, unless
+    bool is_closed = false;                 // record: only those that are listed may be there
+    bool is_optional = false;               // record: what is no object passes
+    std::vector<std::string_view> words{};  // text: the only ones allowed; empty: any
+    std::vector<std::uint64_t> values{};    // whole: the only ones allowed; empty: any
     std::uint64_t largest =
         0xFFFFFFFF; // whole: what is larger is a broken file (GLB's own lengths are 32-bit)
 };

@@ -10,8 +10,6 @@
 namespace sr::gltf {
 namespace {
 
-constexpr const char* export_again = "export the file again";
-
 void append_set(const Document& document, const tinygltf::Primitive& primitive, const PrimitivePlace& place,
                 int set, std::vector<std::vector<vec4>>& joints, std::vector<std::vector<vec4>>& weights) {
     const std::size_t count = count_of(document, primitive.attributes.at("POSITION"));

@@ -12,7 +12,7 @@ namespace {
 using shadow::MapKind;
 using shadow::MapView;
 
-constexpr std::size_t bytes_per_texel = 4;
+constexpr std::size_t bytes_per_map_texel = 4;
 constexpr int smallest_size = 64;
 
 /// A sequence of its own for each point of each light.
@@ -108,7 +108,8 @@ void DepthMaps::make_room() {
     GLint most = 0;
     glGetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &most);
     const auto bytes = [&] {
-        return count_ * static_cast<std::size_t>(size_) * static_cast<std::size_t>(size_) * bytes_per_texel;
+        return count_ * static_cast<std::size_t>(size_) * static_cast<std::size_t>(size_)
+               * bytes_per_map_texel;
     };
     while (bytes() > most_bytes && size_ > smallest_size) size_ /= 2;
     triangles_.bind(0);

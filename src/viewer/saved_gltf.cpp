@@ -15,14 +15,14 @@ using nlohmann::ordered_json;
 
 constexpr std::array light_extensions{"KHR_lights_punctual", "EXT_lights_area", "EXT_lights_ies"};
 
-ordered_json three(vec3 v) { return {v.x, v.y, v.z}; }
+ordered_json numbers_of(vec3 v) { return {v.x, v.y, v.z}; }
 
 /// States a quantity and a colour in an object of extras.steradian, in the place of what it said of them.
 void state(ordered_json& steradian, double value, std::string_view unit, vec3 rgb) {
     if (!steradian.is_object()) steradian = ordered_json::object();
     for (const char* key : {"quantity", "color", "temperature", "spectrum"}) steradian.erase(key);
     steradian["quantity"] = {{"value", value}, {"unit", unit}};
-    if (value > 0.0) steradian["color"] = three(scene::with_unit_luminance(glm::dvec3(rgb)));
+    if (value > 0.0) steradian["color"] = numbers_of(scene::with_unit_luminance(glm::dvec3(rgb)));
 }
 
 void state(ordered_json& steradian, const scene::Light& light, bool is_on, const scene::Scene& scene) {
@@ -164,10 +164,10 @@ private:
                          {"height", 2.0f * glm::length(flat->half_v)}};
             if (!flat->is_visible) steradian["visible"] = false;
         } else if (const auto* sphere = std::get_if<scene::SphereLight>(&light)) {
-            node["translation"] = three(sphere->center);
+            node["translation"] = numbers_of(sphere->center);
             steradian = {{"shape", "sphere"}, {"radius", sphere->radius}};
         } else {
-            node["translation"] = three(std::get<scene::PointLight>(light).position);
+            node["translation"] = numbers_of(std::get<scene::PointLight>(light).position);
             ordered_json& lights = json()["extensions"]["KHR_lights_punctual"]["lights"];
             lights.push_back({{"type", "point"}, {"intensity", 1.0}});
             node["extensions"]["KHR_lights_punctual"]["light"] = lights.size() - 1;

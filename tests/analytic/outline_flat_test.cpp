@@ -11,9 +11,6 @@ using glm::dvec3;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
-const dvec3 up(0.0, 1.0, 0.0);
-
 /// E of a polygon of radiance 1 above x, cut at the plane y = x.y (Sutherland & Hodgman 1974), by Lambert's
 /// formula (Baum et al. 1989, Eq. 5).
 double polygon_irradiance(const std::vector<dvec3>& corners, dvec3 x) {
@@ -83,7 +80,7 @@ const Test two_sided("analytic.outline.rectangle.two_sided", [] {
 const Test polygon("analytic.outline.polygon", [] {
     scene::PolygonLight light;
     for (int k = 0; k < 7; ++k) { // irregular, convex, faces down and to the side
-        const double t = 2.0 * pi * (k + 0.3 * std::sin(3.0 * k)) / 7.0;
+        const double t = 2.0 * std::numbers::pi * (k + 0.3 * std::sin(3.0 * k)) / 7.0;
         light.corners.emplace_back(0.5 + 0.9 * std::cos(t), 0.8 + 0.45 * std::cos(t), 0.6 * std::sin(t));
     }
     const auto expect = [&] {
@@ -142,7 +139,8 @@ const Test disk_closed("analytic.outline.disk.closed_form", [] {
         light,
         [&](dvec3 x) {
             const double a2 = x.x * x.x + x.z * x.z, sum = h * h + a2 + r * r;
-            return 0.5 * pi * (1.0 - (sum - 2.0 * r * r) / std::sqrt(sum * sum - 4.0 * r * r * a2));
+            return 0.5 * std::numbers::pi
+                   * (1.0 - (sum - 2.0 * r * r) / std::sqrt(sum * sum - 4.0 * r * r * a2));
         },
         2.0);
 });

@@ -9,9 +9,6 @@ using glm::dvec3;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
-const dvec3 up(0.0, 1.0, 0.0);
-
 /// A cone of half-angle sigma around `axis`, by rays.
 double cone_irradiance(dvec3 axis, double sigma) {
     const dvec3 c = glm::normalize(axis);
@@ -25,7 +22,7 @@ double sphere_irradiance(const scene::SphereLight& light, dvec3 x) {
     return cone_irradiance(c, std::asin(light.radius / glm::length(c)));
 }
 
-const Test whole("analytic.outline.sphere.closed_form", [] {
+const Test whole_sphere("analytic.outline.sphere.closed_form", [] {
     // Wholly above the horizon E / L = π (r / d)² cosθ.
     const scene::SphereLight light{"", {0.3f, 0.9f, -0.2f}, 0.6f};
     expect_irradiance(
@@ -33,7 +30,7 @@ const Test whole("analytic.outline.sphere.closed_form", [] {
         [&](dvec3 x) {
             const dvec3 c = dvec3(light.center) - x;
             const double d2 = glm::dot(c, c);
-            return pi * 0.36 * c.y / std::sqrt(d2) / d2;
+            return std::numbers::pi * 0.36 * c.y / std::sqrt(d2) / d2;
         },
         2.0);
 });
@@ -68,7 +65,7 @@ const Test sun("analytic.outline.sun", [] {
             light, [&](dvec3) { return cos_i; }, 2.0);
     }
     light.direction = glm::normalize(vec3(0.3f, -0.1f, 0.5f)); // 10° above the horizon, 23° wide: partly set
-    const double L = 1.0 / (pi * std::pow(std::sin(double(light.angular_radius)), 2.0));
+    const double L = 1.0 / (std::numbers::pi * std::pow(std::sin(double(light.angular_radius)), 2.0));
     const double E = L * cone_irradiance(-dvec3(light.direction), light.angular_radius);
     expect_irradiance(
         light, [&](dvec3) { return E; }, 2.0);

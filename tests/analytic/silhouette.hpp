@@ -8,6 +8,8 @@
 
 namespace sr::testing {
 
+inline const glm::dvec3 up(0.0, 1.0, 0.0);
+
 /// Whether a ray from x in direction w meets the emitter.
 using Meets = std::function<bool(glm::dvec3 w)>;
 

@@ -75,7 +75,7 @@ const Test layers("law.brdf.layers.of_no_weight_change_nothing", [] {
 
 // A smooth conductor's albedo is Fresnel's reflectance, and a fitted index of refraction reflects what the
 // spectrum does through the observer, at every angle.
-const Test metals("law.brdf.conductor.reflects_as_measured", [] {
+const Test measured_metals("law.brdf.conductor.reflects_as_measured", [] {
     for (const std::string_view name : scene::metal_names()) {
         const scene::IorSpectrum spectrum = *scene::measured_metal(name);
         const scene::ComplexIor ior = scene::fitted_ior(spectrum);

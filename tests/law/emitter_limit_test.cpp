@@ -8,13 +8,13 @@ using namespace sr::testing;
 
 namespace {
 
-constexpr int size = 17;
-constexpr float extent = 1.0f;
+constexpr int coarse_size = 17;
+constexpr float near_extent = 1.0f;
 
 image::Image lit_by(const scene::Light& light, int samples,
-                    scene::Scene scene = lambert_plane(2.0f * extent)) {
+                    scene::Scene scene = lambert_plane(2.0f * near_extent)) {
     const std::vector<scene::Light> lights{light};
-    return picture(scene, lights, camera_from_above(extent), size, samples);
+    return picture(scene, lights, camera_from_above(near_extent), coarse_size, samples);
 }
 
 void expect_equal(const scene::Light& a, const scene::Light& b, float tolerance, int samples = 64) {
@@ -33,7 +33,7 @@ const Test disk("law.emitter.disk.small_is_a_point_on_its_axis", [] {
     const float r = 0.01f;
     const scene::DiskLight light{"", {0, 1, 0}, {r, 0, 0}, {0, 0, r}, vec3(1000.0f)};
     const auto image = lit_by(light, 1); // at the pixel's centre
-    EXPECT_NEAR(image.at(size / 2, size / 2)[0], 1000.0f * r * r, 1e-3f * 1000.0f * r * r);
+    EXPECT_NEAR(image.at(coarse_size / 2, coarse_size / 2)[0], 1000.0f * r * r, 1e-3f * 1000.0f * r * r);
 });
 
 const Test bulb("law.emitter.point.a_radius_keeps_its_intensity", [] {
@@ -74,7 +74,7 @@ const Test plates("law.emitter.polygon.of_four_corners_is_a_rectangle", [] {
 });
 
 scene::Scene with_profile(scene::LightProfile profile) {
-    scene::Scene scene = lambert_plane(2.0f * extent);
+    scene::Scene scene = lambert_plane(2.0f * near_extent);
     scene.profiles.push_back(std::move(profile));
     return scene;
 }
@@ -97,10 +97,10 @@ const Test angles("law.emitter.profile.knows_its_angles", [] {
     scene::PointLight light{"", {0, 1, 0}, vec3(2.0f)};
     light.profile = 0;
     const auto image = lit_by(light, 1, with_profile({"", gamma, phi, I}));
-    for (int y = 0; y < size; ++y) {
-        for (int x = 0; x < size; ++x) {
-            const vec2 p = place_of(x, y, size, extent);
-            if (y == size / 2) continue; // φ = 0, where the grid's ends meet
+    for (int y = 0; y < coarse_size; ++y) {
+        for (int x = 0; x < coarse_size; ++x) {
+            const vec2 p = place_of(x, y, coarse_size, near_extent);
+            if (y == coarse_size / 2) continue; // φ = 0, where the grid's ends meet
             const float g = std::atan(glm::length(p));
             const float turn = std::atan2(p.y, p.x) / (2.0f * pi);
             const float expected = 2.0f * g * (1.0f + (turn < 0.0f ? turn + 1.0f : turn));
@@ -112,7 +112,7 @@ const Test angles("law.emitter.profile.knows_its_angles", [] {
 
 /// A picture whose left half is white, the right black, as every emissive material reads it.
 scene::Scene with_half_white_texture() {
-    scene::Scene scene = lambert_plane(2.0f * extent);
+    scene::Scene scene = lambert_plane(2.0f * near_extent);
     scene::TextureImage image{"half", 64, 64, std::vector<std::uint8_t>(64 * 64 * 4, 0)};
     auto& texels = std::get<std::vector<std::uint8_t>>(image.texels);
     for (std::size_t i = 0; i < texels.size(); ++i)

@@ -51,7 +51,7 @@ const Test rectangle("law.emitter.rectangle.sampling_matches_density", [] {
     expect_lawful({panel, {0, -20, 0}, {0, 1, 0}, 0.03f}); // where area is sampled
 });
 
-const Test disk("law.emitter.disk.sampling_matches_density", [] {
+const Test disk_directions("law.emitter.disk.sampling_matches_density", [] {
     expect_lawful({ellipse, {0, 0, 0}, {0, 1, 0}, 0.6f});
     expect_lawful({ellipse, {0.4f, 0.9f, 0.1f}, {0, 1, 0}, 1.571f});
     expect_lawful({ellipse, {2.5f, 0.7f, 0.3f}, glm::normalize(vec3(-2.5f, 0.3f, -0.3f)), 0.3f});
@@ -64,7 +64,7 @@ const Test sphere("law.emitter.sphere.sampling_matches_density", [] {
     expect_lawful({scene::SphereLight{"", {0, 100, 0}, 0.01f, vec3(1.0f)}, {0, 0, 0}, {0, 1, 0}, 2e-4f});
 });
 
-const Test sun("law.emitter.sun.sampling_matches_density", [] {
+const Test sun_directions("law.emitter.sun.sampling_matches_density", [] {
     expect_lawful(
         {scene::DirectionalLight{"", {0, -1, 0}, vec3(1.0f), 0.00465f}, {0, 0, 0}, {0, 1, 0}, 0.006f});
     expect_lawful({scene::DirectionalLight{"", {0, -1, 0}, vec3(1.0f), 0.5f}, {0, 0, 0}, {0, 1, 0}, 0.6f});

@@ -9,7 +9,7 @@ using namespace sr::testing;
 
 namespace {
 
-constexpr int size = 16, samples = 32;
+constexpr int probed_size = 16, samples = 32;
 
 scene::Scene glossy_plane() {
     scene::Scene scene = lambert_plane(4.0f, vec3(0.5f, 0.6f, 0.7f));
@@ -27,7 +27,7 @@ const std::vector<scene::Light> lights{
 
 render::RenderOptions options() {
     render::RenderOptions o;
-    o.width = o.height = size;
+    o.width = o.height = probed_size;
     o.samples = samples;
     o.seed = 3;
     return o;
@@ -39,7 +39,7 @@ const Test sum("law.probe.terms_add_up_to_the_pixel", [] {
     context();
     const scene::Camera camera = camera_from_above(1.0f);
     const scene::Scene plane = glossy_plane();
-    const auto image = picture(plane, lights, camera, size, samples, 3);
+    const auto image = picture(plane, lights, camera, probed_size, samples, 3);
     const render::GpuScene scene(plane, lights);
     for (const auto& [column, row] : {std::pair{8, 8}, {0, 15}, {12, 3}}) {
         const auto terms = render::probe(scene, camera, options(), column, row);

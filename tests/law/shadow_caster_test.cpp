@@ -14,7 +14,7 @@ using render::Visibility;
 
 namespace {
 
-constexpr std::array providers{Visibility::ray_on_cpu, Visibility::ray_in_glsl, Visibility::map};
+constexpr std::array every_provider{Visibility::ray_on_cpu, Visibility::ray_in_glsl, Visibility::map};
 constexpr int size = 64;
 constexpr float extent = 2.0f;
 
@@ -63,7 +63,7 @@ const Test mask("law.shadow.a_mask_lets_through_what_it_cuts_away", [] {
         auto material = fence(scene, {0, 0, 0, 0, 255, 255, 255, 255}, c.wrap);
         material.base_color_texture.uv_transform[0][0] = 2.0f;
         add_quad(scene, {-0.5f, 1.0f, 0.0f}, {0.5f, 0, 0}, {0, 0, -1.0f}, material);
-        for (const Visibility visibility : providers) {
+        for (const Visibility visibility : every_provider) {
             const auto image = picture(scene, sun, camera_from_above(extent), size, 1, 0, visibility);
             for (std::size_t i = 0; i < 4; ++i)
                 EXPECT_NEAR(V_at(image, 0.125f + 0.25f * static_cast<float>(i)), c.V[i], 1e-4f) << i;
@@ -77,7 +77,7 @@ const Test blend("law.shadow.transparent_sheets_multiply", [] {
     add_quad(scene, {-0.5f, 1.0f, 0.0f}, {0.5f, 0, 0}, {0, 0, 1.0f},
              of_alpha(scene::AlphaMode::blend, 0.25f));
     add_quad(scene, {-0.8f, 1.1f, 0.0f}, {0.3f, 0, 0}, {0, 0, 1.0f}, of_alpha(scene::AlphaMode::blend, 0.5f));
-    for (const Visibility visibility : providers) {
+    for (const Visibility visibility : every_provider) {
         const bool by_chance =
             visibility == Visibility::map; // a sheet is there in as many samples as it is dense
         const float slack = by_chance ? 0.02f : 1e-5f;
@@ -94,7 +94,7 @@ const Test receiver("law.shadow.a_transparent_sheet_receives_shadows", [] {
     auto scene = lambert_plane(4.0f, vec3(0.0f));
     add_quad(scene, {0.0f, 0.5f, 0.0f}, {2.0f, 0, 0}, {0, 0, -2.0f}, of_alpha(scene::AlphaMode::blend, 0.5f));
     add_quad(scene, {-0.5f, 1.5f, 0.0f}, {0.5f, 0, 0}, {0, 0, 1.0f}, lambert()); // seen from its culled back
-    for (const Visibility visibility : providers) {
+    for (const Visibility visibility : every_provider) {
         const auto image = picture(scene, sun, camera_from_above(extent), size, 1, 0, visibility);
         EXPECT_EQ(V_at(image, 0.5f), 0.0f);
         EXPECT_NEAR(V_at(image, 1.5f), 0.5f, 1e-4f) << "half covered, lit";
@@ -130,7 +130,7 @@ const Test group("law.shadow.an_emitters_faces_hide_each_other", [] {
     for (const bool is_two_sided : {false, true}) {
         const auto stage = under_a_glowing_box(is_two_sided);
         ASSERT_EQ(stage.lights.size(), 6u);
-        for (const Visibility visibility : providers)
+        for (const Visibility visibility : every_provider)
             EXPECT_NEAR(mean_E(stage.scene, stage.lights, visibility) / expected, 1.0, 2e-3);
     }
 });
@@ -144,7 +144,7 @@ const Test emitter("law.shadow.an_emitter_shadows_others_only", [] {
     const auto stage = scene::set_stage(scene, "", {});
     const std::span<const scene::Light> all(stage.lights);
     const auto camera = camera_from_above(extent);
-    for (const Visibility visibility : providers) {
+    for (const Visibility visibility : every_provider) {
         const auto panel = [&](Visibility how) {
             std::vector<scene::Light> lights(all.begin(), all.end());
             std::get<scene::PointLight>(lights[1]).I = vec3(0.0f);
@@ -210,7 +210,7 @@ const Test degenerate("law.shadow.degenerate_triangles_do_no_harm", [] {
     for (int i = 0; i < 40; ++i) // the same again, points, lines, and corners that are no numbers
         mesh.indices.insert(mesh.indices.end(),
                             {0, 1, 2, 1, 1, 1, 0, 1, 1, 0, 1, 4, 5, 2, 3, 6, 0, 1, 4, 5, 6});
-    for (const Visibility visibility : providers) {
+    for (const Visibility visibility : every_provider) {
         const auto expected = picture(clean, sun, camera_from_above(extent), size, 1, 0, visibility);
         const auto image = picture(broken, sun, camera_from_above(extent), size, 1, 0, visibility);
         EXPECT_LT(largest_relative_difference(image, expected, 1e-3f), 1e-6f);

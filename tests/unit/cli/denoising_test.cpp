@@ -11,7 +11,7 @@ using namespace sr::testing;
 
 namespace {
 
-constexpr int size = 48;
+constexpr int denoised_size = 48;
 
 /// A sheet that throws its shadow on a plane, itself out of the picture.
 struct Shade {
@@ -33,7 +33,7 @@ Films films_of(const Shade& shade, int samples, bool denoises) {
     const render::GpuScene scene(shade.scene, shade.lights);
     const scene::Camera camera = camera_from_above(1.03f);
     render::RenderOptions options;
-    options.width = options.height = size;
+    options.width = options.height = denoised_size;
     options.samples = samples;
     options.estimator = render::Estimator::analytic;
     options.knows_error = true;
@@ -70,8 +70,8 @@ const Test edge("unit.cli.denoising.sharp_shadows_stay_sharp", [] {
         changed += std::abs(films.plain.pixels[i] - films.denoised.pixels[i]) > 1e-5f;
         dark += films.denoised.pixels[i] == 0.0f;
     }
-    EXPECT_LT(changed, 8 * size) << "of " << size * size;
-    EXPECT_GT(dark, 2 * size);
+    EXPECT_LT(changed, 8 * denoised_size) << "of " << denoised_size * denoised_size;
+    EXPECT_GT(dark, 2 * denoised_size);
 });
 
 } // namespace

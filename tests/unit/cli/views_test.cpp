@@ -13,7 +13,7 @@ using namespace sr::testing;
 
 namespace {
 
-constexpr int size = 17; // the middle pixel looks at the origin
+constexpr int view_size = 17; // the middle pixel looks at the origin
 
 /// The middle pixel of a view of the scene from above.
 std::vector<float> middle_of(const char* view, const scene::Scene& scene, vec3 light) {
@@ -21,13 +21,13 @@ std::vector<float> middle_of(const char* view, const scene::Scene& scene, vec3 l
     const std::vector<scene::Light> lights{scene::PointLight{"", light, vec3(1.0f)}};
     const render::GpuScene gpu_scene(scene, lights);
     render::RenderOptions options;
-    options.width = options.height = size;
+    options.width = options.height = view_size;
     options.samples = 1;
     options.shader = cli::view_named(view)->shader;
     render::Renderer renderer(gpu_scene, camera_from_above(1.0f), options);
     renderer.add_sample();
     const image::Image numbers = cli::numbers_of(*cli::view_named(view), renderer.film());
-    const auto pixel = numbers.at(size / 2, size / 2);
+    const auto pixel = numbers.at(view_size / 2, view_size / 2);
     return {pixel.begin(), pixel.end()};
 }
 

@@ -8,8 +8,6 @@ using sr::testing::Test;
 
 namespace {
 
-scene::Mesh mesh_of(const MadeGltf& made) { return load(made).scene.meshes.at(0); }
-
 template<typename T>
 std::vector<vec2> texcoords_from(const std::vector<T>& numbers, int component_type, bool is_normalized) {
     MadeGltf made = MadeGltf::triangle();

@@ -79,7 +79,7 @@ const Test quantities("unit.gltf.bad_light.quantities", [] {
     EXPECT_NE(error_of(nan).find("this is not valid JSON"), std::string::npos);
 });
 
-const Test colors("unit.gltf.bad_light.colours", [] {
+const Test bad_colors("unit.gltf.bad_light.colours", [] {
     const auto sphere = [](const std::string& more) {
         return shape(R"("shape": "sphere", "radius": 1, )" + more);
     };
@@ -93,7 +93,7 @@ const Test colors("unit.gltf.bad_light.colours", [] {
     expect_error(sphere(R"("spectrum": [[0.5, 1], [0.6, 1]])"), "has nothing between 360 and 830 nm");
 });
 
-const Test punctual("unit.gltf.bad_light.punctual", [] {
+const Test bad_punctual("unit.gltf.bad_light.punctual", [] {
     const auto with_light = [](const char* type, const std::string& stated) {
         MadeGltf made = with_extras(stated);
         made.root["extensions"]["KHR_lights_punctual"]["lights"] =

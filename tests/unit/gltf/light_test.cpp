@@ -25,11 +25,6 @@ MadeGltf with_light(const std::string& extension, const char* light) {
 MadeGltf punctual(const char* light) { return with_light("KHR_lights_punctual", light); }
 MadeGltf area(const char* light) { return with_light("EXT_lights_area", light); }
 
-template<typename T>
-T light_of(const MadeGltf& made) {
-    return std::get<T>(load(made).scene.lights.at(0));
-}
-
 const Test point("unit.gltf.light.point", [] {
     const auto light = light_of<scene::PointLight>(
         punctual(R"({"type": "point", "name": "Key", "color": [1, 0.5, 0], "intensity": 40, "range": 7})"));

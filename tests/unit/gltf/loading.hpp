@@ -26,6 +26,15 @@ inline gltf::Loaded load(const MadeGltf& made, const gltf::LoadOptions& options 
     return load_text(made.gltf(), options);
 }
 
+/// Its first mesh.
+inline scene::Mesh mesh_of(const MadeGltf& made) { return load(made).scene.meshes.at(0); }
+
+/// Its first light, which is of that kind.
+template<typename T>
+T light_of(const MadeGltf& made) {
+    return std::get<T>(load(made).scene.lights.at(0));
+}
+
 /// The error of a file, without the folder's name; empty if it loads.
 inline std::string error_at(const std::filesystem::path& file, const gltf::LoadOptions& options = {}) {
     try {

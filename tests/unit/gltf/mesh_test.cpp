@@ -12,8 +12,6 @@ namespace {
 
 using Indices = std::vector<std::uint32_t>;
 
-scene::Mesh mesh_of(const MadeGltf& made) { return load(made).scene.meshes.at(0); }
-
 // Four corners of the unit square, lower left first, counter-clockwise.
 MadeGltf square() {
     MadeGltf made = MadeGltf::triangle();

@@ -33,16 +33,11 @@ MadeGltf punctual(const std::string& stated, const char* light, const std::strin
     return made;
 }
 
-template<typename T>
-T light_of(const MadeGltf& made) {
-    return std::get<T>(load(made).scene.lights.at(0));
-}
-
 constexpr const char* nits = R"("quantity": {"value": 100, "unit": "nit"})";
 
 std::string with(const std::string& properties) { return "{" + properties + ", " + nits + "}"; }
 
-const Test rectangle("unit.gltf.shape.rectangle", [] {
+const Test panel("unit.gltf.shape.rectangle", [] {
     const auto light = light_of<scene::RectangleLight>(shaped(
         with(R"("shape": "rectangle", "width": 3, "height": 1, "two_sided": true, "visible": false)")));
     EXPECT_EQ(light.name, "lamp");
@@ -113,7 +108,7 @@ const Test extras_of_lights("unit.gltf.shape.extras_of_punctual_lights", [] {
 });
 
 // A quantity is what the light has, whatever its colour; without one glTF's product stays.
-const Test colors("unit.gltf.shape.a_stated_quantity_is_kept", [] {
+const Test stated_colors("unit.gltf.shape.a_stated_quantity_is_kept", [] {
     const auto red =
         light_of<scene::SphereLight>(shaped(with(R"("shape": "sphere", "radius": 1, "color": [1, 0, 0])")));
     EXPECT_NEAR(scene::luminance(red.L), 100.0, 1e-4);
@@ -175,7 +170,7 @@ const Test schema("unit.gltf.shape.schema_and_rules_agree", [] {
         const gltf::Rule& rule = *extras->properties.at(0).rule;
         const json& properties = definitions.at(name).at("properties");
         EXPECT_EQ(properties.size(), rule.properties.size()) << name;
-        for (const gltf::Property& property : rule.properties) {
+        for (const gltf::PropertyRule& property : rule.properties) {
             ASSERT_TRUE(properties.contains(property.name)) << name << ' ' << property.name;
             const json& published = properties.at(std::string(property.name));
             EXPECT_EQ(published.contains("enum"), !property.rule->words.empty()) << property.name;

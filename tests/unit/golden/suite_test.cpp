@@ -62,7 +62,7 @@ const Test places("unit.golden.suite.errors_name_line_and_column", [] {
         "s.json:1:54: \"time_limit\" is -1: wri");
 });
 
-const Test refusals("unit.golden.suite.refuses_what_cannot_work", [] {
+const Test impossible("unit.golden.suite.refuses_what_cannot_work", [] {
     const auto has = [](const std::string& test, const std::string& what) {
         const std::string text = complaint("{\"tests\": [" + test + "]}");
         EXPECT_NE(text.find(what), std::string::npos) << text;

@@ -31,7 +31,7 @@ const Test exact("unit.image.webp.texels_are_as_stored", [] {
     EXPECT_EQ(std::get<ByteVector>(texture.texels), texels); // alpha multiplies nothing
 });
 
-const Test truncated("unit.image.webp.what_is_cut_short_is_one_line", [] {
+const Test truncated_webp("unit.image.webp.what_is_cut_short_is_one_line", [] {
     const ByteVector whole = lossless();
     for (std::size_t size = 12; size + 1 < whole.size(); ++size) {
         try {
