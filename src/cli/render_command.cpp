@@ -220,6 +220,7 @@ void print_summary(const Rendering& rendering) {
     json["outputs"] = rendering.written;
     json.update(stopping(*rendering.last));
     json["draw_calls"] = rendering.scene.opaque_draws().size() * 2 + rendering.scene.blended_draws().size();
+    json["feature_sets"] = rendering.scene.feature_set_count();
     json["programs"] = rendering.renderer.program_count();
     json["shadows"] = shadows(rendering.scene, rendering.renderer);
     if (rendering.ev100) json["ev100"] = *rendering.ev100;

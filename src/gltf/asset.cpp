@@ -26,12 +26,13 @@ public:
           animations_(animations_of(document_, warnings_)),
           drawn_(document_, placed_nodes(document_, options.scene),
                  variant_named(document_, options.variant)),
-          materials_(document_, warnings_),
+          measured_(document_),
+          materials_(document_, measured_, warnings_),
           lights_(document_, materials_.textures()) {
         warn_of_unsupported(document_.model.extensionsUsed, warnings_);
         drawn_.ask_for(materials_);
         scene_.materials = materials_.materials();
-        scene_.measured = materials_.measured();
+        scene_.measured = measured_.brdfs();
         place_lights(placed_nodes(document_, scene_index_));
         scene_.profiles = lights_.profiles();
         scene_.units = unit_system_of(document_);
@@ -58,7 +59,7 @@ public:
         for (const int animation : moment.animations)
             animations_[static_cast<std::size_t>(animation)].apply(moment.seconds);
         Warnings heard_before(document_.name);
-        MaterialTable materials(document_, heard_before);
+        MaterialTable materials(document_, measured_, heard_before);
         drawn_.ask_for(materials);
         scene.materials = materials.materials();
         scene.meshes.resize(mesh_count_);
@@ -120,6 +121,7 @@ private:
     std::optional<int> scene_index_;
     std::vector<Animation> animations_; // they point into the document
     DrawnMeshes drawn_;
+    MeasuredTable measured_;
     MaterialTable materials_; // at rest; its textures are those of every moment
     LightTable lights_;
     std::vector<int> light_nodes_; // of those that were placed last

@@ -54,8 +54,8 @@ vec3 not_negative(const Document& document, vec3 value, const char* factor, cons
     return value;
 }
 
-MaterialTable::MaterialTable(const Document& document, Warnings& warnings)
-    : document_(document), warnings_(warnings), textures_(document, warnings) {}
+MaterialTable::MaterialTable(const Document& document, MeasuredTable& measured, Warnings& warnings)
+    : document_(document), measured_(measured), warnings_(warnings), textures_(document, warnings) {}
 
 int MaterialTable::material(int gltf_material) {
     const auto [number, is_new] = number_of_.try_emplace(gltf_material, static_cast<int>(materials_.size()));

@@ -1,5 +1,6 @@
 #pragma once
 // glTF materials.
+#include "gltf/measured.hpp"
 #include "gltf/statement.hpp"
 #include "gltf/texture.hpp"
 #include "scene/scene.hpp"
@@ -11,7 +12,7 @@ namespace sr::gltf {
 /// Collects the materials that primitives ask for, in that order, and the textures that those read.
 class MaterialTable {
 public:
-    MaterialTable(const Document& document, Warnings& warnings);
+    MaterialTable(const Document& document, MeasuredTable& measured, Warnings& warnings);
 
     /// The number (in materials()) of an entry of the JSON's `materials`; of glTF's default material for -1.
     /// @throws Error if a factor makes no sense
@@ -20,8 +21,6 @@ public:
     const std::vector<scene::Material>& materials() const { return materials_; }
     /// The number in the file of each of them; negative for glTF's default material.
     std::vector<int> numbers() const;
-    /// What Material::measured counts in.
-    const std::vector<scene::MeasuredBrdf>& measured() const { return measured_; }
     /// Lights ask for textures, too.
     TextureTable& textures() { return textures_; }
 
@@ -43,18 +42,16 @@ private:
     void read_sheen(const tinygltf::Material& from, scene::Material& to);
     void read_iridescence(const tinygltf::Material& from, scene::Material& to);
     void read_brdf(const tinygltf::Material& from, scene::Material& to);
-    int measured(const std::string& uri, const std::string& title);
     scene::TextureSlot slot(const tinygltf::Value& info, scene::ColorSpace color_space);
     scene::TextureSlot slot(int texture, int texcoord, const tinygltf::ExtensionMap& extensions,
                             scene::ColorSpace color_space);
     float fraction(double value, const char* factor, const std::string& material);
 
     const Document& document_;
+    MeasuredTable& measured_;
     Warnings& warnings_;
     TextureTable textures_;
     std::vector<scene::Material> materials_;
-    std::vector<scene::MeasuredBrdf> measured_;
-    std::map<std::string, int> measured_at_; // by uri
     std::map<int, int> number_of_;
     std::map<int, StatedFlux> fluxes_; // by number
 };

@@ -1,7 +1,6 @@
 // BRDFs of extras.steradian, in the place of glTF's own.
 #include "gltf/material.hpp"
 #include "gltf/text.hpp"
-#include "gltf/uri.hpp"
 #include "scene/conductor.hpp"
 
 #include <algorithm>
@@ -78,17 +77,6 @@ scene::ComplexIor ior_in(const Document& document, const Value& stated, const st
 
 } // namespace
 
-int MaterialTable::measured(const std::string& uri, const std::string& title) {
-    const auto [entry, is_new] = measured_at_.try_emplace(uri, static_cast<int>(measured_.size()));
-    if (!is_new) return entry->second;
-    if (uri.empty() || uri.starts_with("data:"))
-        document_.fail(fmt::format("{} is measured, and its file is not named", title),
-                       R"(name one beside the glTF, as in "file": "gold-paint.binary")");
-    const std::vector<std::uint8_t> bytes = read_uri(uri, document_.folder, {document_.name, title});
-    measured_.push_back(scene::read_merl(std::as_bytes(std::span(bytes)), (document_.folder / uri).string()));
-    return entry->second;
-}
-
 void MaterialTable::read_brdf(const tinygltf::Material& from, scene::Material& to) {
     const Value* stated = steradian_in(from.extras);
     if (!stated) return;
@@ -115,7 +103,8 @@ void MaterialTable::read_brdf(const tinygltf::Material& from, scene::Material& t
     }
     if (to.model == Model::conductor) to.conductor = ior_in(document_, *stated, title);
     if (to.model == Model::merl)
-        to.measured = measured(stated->Has("file") ? stated->Get("file").Get<std::string>() : "", title);
+        to.measured =
+            measured_.number(stated->Has("file") ? stated->Get("file").Get<std::string>() : "", title);
 }
 
 } // namespace sr::gltf

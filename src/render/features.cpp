@@ -1,5 +1,7 @@
 #include "render/features.hpp"
 
+#include "core/error.hpp"
+
 #include <algorithm>
 #include <array>
 #include <fmt/format.h>
@@ -177,6 +179,15 @@ Features shading_features(const scene::Scene& scene, const scene::Mesh& mesh, co
     f.is_blended = material.alpha_mode == scene::AlphaMode::blend;
     f.is_unlit = material.is_unlit;
     return f;
+}
+
+void require_texture_units(const Features& features, std::string_view material, int units) {
+    constexpr int of_lights_and_shadows = 8; // lights, their textures, five of the casters, the fitted lobes
+    const int count = features.material_texture_count();
+    if (count + of_lights_and_shadows <= units) return;
+    throw Error(fmt::format("material \"{}\" reads {} textures, this driver has room for {}", material, count,
+                            units - of_lights_and_shadows),
+                "take a texture of its clearcoat, sheen or iridescence away");
 }
 
 Features depth_features(const Features& shading) {

@@ -7,6 +7,7 @@
 #include <compare>
 #include <span>
 #include <string>
+#include <string_view>
 
 namespace sr::render {
 
@@ -79,6 +80,10 @@ bool has_transparent_casters(const scene::Scene& scene);
 
 /// What shading this mesh takes under lights that take `lights`.
 Features shading_features(const scene::Scene& scene, const scene::Mesh& mesh, const Features& lights);
+
+/// @throws Error if the material of that name takes more than `units` textures together with lights and
+/// shadows; OpenGL grants 16 at least, GL_MAX_TEXTURE_IMAGE_UNITS
+void require_texture_units(const Features& features, std::string_view material, int units);
 
 /// What the depth pre-pass needs of `shading`: nothing, unless the material is masked.
 Features depth_features(const Features& shading);

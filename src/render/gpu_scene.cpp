@@ -10,6 +10,7 @@
 #include <future>
 #include <glm/gtc/matrix_inverse.hpp>
 #include <optional>
+#include <set>
 #include <tuple>
 #include <utility>
 
@@ -212,6 +213,8 @@ void GpuScene::list_draws(const scene::Scene& scene, std::span<const scene::Ligh
     Features lit = light_features(lights);
     lit.has_energy_compensation = has_energy_compensation_;
     lit.has_transparent_casters = has_transparent_casters(scene);
+    GLint texture_units = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_IMAGE_UNITS, &texture_units);
     opaque_.clear();
     blended_.clear();
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {
@@ -223,6 +226,7 @@ void GpuScene::list_draws(const scene::Scene& scene, std::span<const scene::Ligh
         draw.instance = static_cast<int>(i);
         draw.material = mesh.material;
         draw.features = shading_features(scene, mesh, lit);
+        require_texture_units(draw.features, scene.materials[mesh.material].name, texture_units);
         draw.mirrors = mirrors(instance.world_from_object);
         draw.is_double_sided = scene.materials[mesh.material].is_double_sided;
         if (draw.features.is_blended) {
@@ -250,6 +254,13 @@ void GpuScene::bind_material(int material) const {
         images_[image_of_texture_[texture]].bind(slot);
         glBindSampler(slot, samplers_[sampler_of_texture_[texture]].id());
     }
+}
+
+std::size_t GpuScene::feature_set_count() const {
+    std::set<Features> sets;
+    for (const auto* draws : {&opaque_, &blended_})
+        for (const Draw& draw : *draws) sets.insert(draw.features);
+    return sets.size();
 }
 
 void GpuScene::draw(const Draw& draw) const {

@@ -49,6 +49,9 @@ public:
     const std::vector<Draw>& opaque_draws() const { return opaque_; }   // opaque and masked, by program
     const std::vector<Draw>& blended_draws() const { return blended_; } // in the scene's order
 
+    /// How many distinct sets of features its draws have: each takes its own programs.
+    std::size_t feature_set_count() const;
+
     /// Binds the light table, the emitters' textures, the fitted lobes and the shadow casters to their units.
     void bind_lights() const;
 

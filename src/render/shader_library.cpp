@@ -1,6 +1,5 @@
 #include "render/shader_library.hpp"
 
-#include "core/error.hpp"
 #include "render/blocks.hpp"
 #include "render/gpu_casters.hpp"
 
@@ -51,18 +50,6 @@ void connect(const gl::Program& program) {
         program.bind_texture(caster_sampler_names[i], static_cast<GLint>(first_caster_unit + i));
 }
 
-/// @throws Error if the driver cannot read as many textures in one shader as this material takes.
-void require_units(const Features& features) {
-    constexpr int of_lights_and_shadows = 8; // lights, their textures, five of the casters, the fitted lobes
-    GLint most = 0;
-    glGetIntegerv(GL_MAX_TEXTURE_IMAGE_UNITS, &most);
-    const int count = features.material_texture_count();
-    if (count + of_lights_and_shadows <= most) return;
-    throw Error(fmt::format("a material reads {} textures, this driver has room for {}", count,
-                            most - of_lights_and_shadows),
-                "take a texture of its clearcoat, sheen or iridescence away");
-}
-
 } // namespace
 
 const gl::Program& ShaderLibrary::mesh_program(const std::string& fragment, const Features& features,
@@ -72,7 +59,6 @@ const gl::Program& ShaderLibrary::mesh_program(const std::string& fragment, cons
     // Behind the user's own roots: a folder that brings its own features.glsl means it.
     std::vector<glsl::Root> path{shader_path_.begin(), shader_path_.end() - 1};
     if (estimator_ && features.is_analytic()) path.push_back(*estimator_);
-    require_units(features);
     path.push_back(specialised(features, visibility));
     path.push_back(shader_path_.back());
     gl::Program program(fragment, glsl::expand(path, "mesh.vert"), glsl::expand(path, fragment));

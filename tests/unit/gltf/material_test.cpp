@@ -234,6 +234,12 @@ const Test brdfs("unit.gltf.material.brdfs_of_extras", [] {
               "metal, complex_ior and "
               "ior_spectrum");
     EXPECT_NE(error_with(R"({"brdf": "merl", "file": "no.binary"})").find("no.binary"), std::string::npos);
+    const auto folder = test_folder();
+    write_text(folder / "short.binary", std::string("\x5a\0\0\0\x5a\0\0\0\xb4\0\0\0cut", 15));
+    write_text(
+        folder / "made.gltf",
+        with_material(R"({"extras": {"steradian": {"brdf": "merl", "file": "short.binary"}}})").gltf());
+    EXPECT_EQ(error_at(folder / "made.gltf").find("short.binary: "), 0u) << error_at(folder / "made.gltf");
     EXPECT_NE(error_with(R"({"brdf": "plastic"})").find("brdf"), std::string::npos);
 });
 

@@ -1,0 +1,59 @@
+#include "render/features.hpp"
+
+#include "core/error.hpp"
+#include "support/address.hpp"
+#include "support/gl.hpp"
+#include "support/scenes.hpp"
+
+using namespace sr;
+using namespace sr::testing;
+
+namespace {
+
+/// A row of squares, one a material.
+scene::Scene squares(const std::vector<scene::Material>& materials) {
+    scene::Scene scene;
+    for (std::size_t i = 0; i < materials.size(); ++i)
+        add_quad(scene, vec3(static_cast<float>(i), 0, 0), {0.4f, 0, 0}, {0, 0, -0.4f}, materials[i]);
+    return scene;
+}
+
+std::size_t programs_of(const std::vector<scene::Material>& materials) {
+    const std::vector<scene::Light> lights{scene::PointLight{"", {0, 2, 0}, vec3(1)}};
+    const render::GpuScene scene(squares(materials), lights);
+    render::Renderer renderer(scene, camera_from_above(4.0f), {});
+    renderer.compile();
+    return renderer.program_count();
+}
+
+const Test programs("unit.render.features.materials_share_programs", [] {
+    context();
+    std::vector<scene::Material> coated(15), plain(15);
+    for (std::size_t i = 0; i < 15; ++i) {
+        coated[i].clearcoat = 1.0f / (1.0f + static_cast<float>(i));
+        plain[i].roughness = coated[i].roughness = static_cast<float>(i) / 15.0f;
+    }
+    std::vector<scene::Material> all = coated;
+    all.insert(all.end(), plain.begin(), plain.end());
+    EXPECT_EQ(programs_of(coated), programs_of({coated.front()}));
+    EXPECT_EQ(programs_of(all), programs_of({coated.front(), plain.front()}));
+    EXPECT_GT(programs_of(all), programs_of(plain));
+});
+
+const Test units("unit.render.features.too_many_textures_name_the_material", [] {
+    render::Features features;
+    features.has_base_color_texture = features.has_metallic_roughness_texture = features.has_normal_texture =
+        features.has_emission_texture = features.has_specular_texture = features.has_specular_color_texture =
+            features.has_clearcoat_texture = features.has_clearcoat_normal_texture = true;
+    render::require_texture_units(features, "paint", 16);
+    features.has_sheen_color_texture = true;
+    render::require_texture_units(features, "paint", 17);
+    try {
+        render::require_texture_units(features, "paint", 16);
+        FAIL() << "nine textures and eight of the renderer's own are more than sixteen";
+    } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find("material \"paint\" reads 9 textures"), std::string::npos) << error.what();
+    }
+});
+
+} // namespace
