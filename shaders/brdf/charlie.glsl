@@ -23,8 +23,8 @@ float lambda_charlie(float c, float alpha) {
 }
 
 float f_charlie(vec3 n, vec3 wi, vec3 wo, float alpha) {
-    float cos_i = max(dot(n, wi), 1e-4);
-    float cos_o = max(dot(n, wo), 1e-4);
+    float cos_i = clamp(dot(n, wi), 1e-4, 1.0); // a cosine rounded to above 1 has no power of 1 - c
+    float cos_o = clamp(dot(n, wo), 1e-4, 1.0);
     float shadowing = 1.0 + lambda_charlie(cos_i, alpha) + lambda_charlie(cos_o, alpha);
     return D_charlie(dot(n, normalize(wi + wo)), alpha) / (shadowing * 4.0 * cos_i * cos_o);
 }

@@ -4,6 +4,7 @@
 //
 // Matusik et al. 2003; the angles: Rusinkiewicz 1998, section 3. Values are those at the middle of their cells, and linear between. The
 // database's own reader takes the nearest cell. φ_d has period π, since f_r is reciprocal; at n = h only θ_d counts.
+#include "base/angle.glsl"
 #include "base/constants.glsl"
 #include "base/frame_around.glsl"
 
@@ -14,12 +15,12 @@ vec3 merl_place(vec3 n, vec3 wi, vec3 wo) {
     vec3 h = normalize(wi + wo);
     vec3 across = cross(n, h); // what h turns around when it is brought to n
     float sin_h = length(across);
-    float theta_h = atan(sin_h, dot(n, h));
+    float theta_h = angle_of(vec2(dot(n, h), sin_h));
     // In the frame where h is z and n lies in the plane of x.
     vec3 y = sin_h > 1e-6 ? across / sin_h : frame_around(h)[1];
     vec3 x = cross(y, h);
-    float theta_d = acos(clamp(dot(h, wi), 0.0, 1.0));
-    float phi_d = atan(dot(y, wi), dot(x, wi));
+    float theta_d = angle_of(vec2(dot(h, wi), length(cross(h, wi))));
+    float phi_d = angle_of(vec2(dot(x, wi), dot(y, wi)));
     if (phi_d < 0.0) phi_d += pi;
     return vec3(phi_d / pi * 180.0, theta_d / (0.5 * pi) * 90.0, sqrt(clamp(theta_h / (0.5 * pi), 0.0, 1.0)) * 90.0);
 }

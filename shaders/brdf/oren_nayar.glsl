@@ -7,6 +7,7 @@
 //
 // Portsmouth, Kutz & Hill 2024, "EON: A practical energy-preserving rough diffuse BRDF", with the exact E. A, r(c1 - G/π)
 // and so on are taken out of 1 - E and 1 - E_avg, so that r = 0 (Lambert) is no special case. 0 ≤ r ≤ 1, cosines above 0.
+#include "base/angle.glsl"
 #include "base/constants.glsl"
 
 const float oren_nayar_c1 = 0.5 - 2.0 / (3.0 * pi);
@@ -15,7 +16,7 @@ const float oren_nayar_c2 = 2.0 / 3.0 - 28.0 / (15.0 * pi);
 // c1 - G/π, with G = s (acos c - s c) + (2/3) (s (1 - s³)/c - s) and (1 - s³)/c = c (1 + s + s²) / (1 + s).
 float oren_nayar_lack(float c) {
     float s = sqrt(max(1.0 - c * c, 0.0));
-    float G = s * (acos(min(c, 1.0)) - s * c) + 2.0 / 3.0 * (s * c * (1.0 + s + s * s) / (1.0 + s) - s);
+    float G = s * (angle_of(vec2(c, s)) - s * c) + 2.0 / 3.0 * (s * c * (1.0 + s + s * s) / (1.0 + s) - s);
     return oren_nayar_c1 - G / pi;
 }
 

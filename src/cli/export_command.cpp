@@ -28,12 +28,12 @@ scene::Stage staged(const ExportCommand& command, std::optional<Size> size, scen
     scene::StageOptions options{command.camera,
                                 command.rig == "none" ? scene::Rig::none : scene::Rig::studio};
     if (size) options.aspect_ratio = static_cast<float>(size->width) / static_cast<float>(size->height);
-    const std::size_t instances = scene.instances.size();
-    const bool has_lights = !scene.lights.empty();
+    const std::size_t instances = scene.instances.size(), emitters = scene::emitters_of(scene).size();
     scene::Stage stage = scene::set_stage(std::move(scene), command.scene, options);
     stage.scene.instances.resize(instances);
-    const bool has_emissive_surfaces = scene::emitters_of(stage.scene).size() > stage.scene.lights.size();
-    if (!has_lights && !has_emissive_surfaces) stage.scene.lights = stage.lights; // the rig
+    const auto rig =
+        stage.lights.begin() + static_cast<std::ptrdiff_t>(emitters); // behind what emits by itself
+    stage.scene.lights.insert(stage.scene.lights.end(), rig, stage.lights.end());
     return stage;
 }
 

@@ -16,8 +16,9 @@ namespace {
 namespace fs = std::filesystem;
 
 /// What an export leaves in a folder, and Python's cache of it.
-constexpr std::array<std::string_view, 7> own_names{
-    "scene.xml", "README.md", "render.py", "steradian_mitsuba.py", "meshes", "textures", "__pycache__"};
+constexpr std::array<std::string_view, 9> own_names{
+    "scene.xml", "README.md", "render.py", "steradian_mitsuba", "steradian_mitsuba.py",
+    "meshes",    "textures",  "measured",  "__pycache__"};
 
 void require_own(const fs::path& place) {
     std::error_code failure;

@@ -6,11 +6,11 @@
 namespace sr::mitsuba {
 
 struct PluginFile {
-    std::string name;
+    std::string name; // may begin with a folder: "steradian_mitsuba/phong.py"
     std::string text;
 };
 
-/// README.md, render.py and steradian_mitsuba.py as they were when the program was built.
+/// README.md, render.py and the package steradian_mitsuba as they were when the program was built.
 std::vector<PluginFile> plugin_files();
 
 } // namespace sr::mitsuba

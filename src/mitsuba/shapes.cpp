@@ -26,7 +26,8 @@ float size_of(const Triangles& triangles) {
     return bounds.radius();
 }
 
-/// What shading by a normal map reads besides: vectors at the length they are interpolated at (MikkTSpace).
+/// What normal maps and lobes with a direction are relative to: vectors at the length they are interpolated
+/// at (MikkTSpace).
 void add_tangent_space(Triangles& triangles, const scene::Mesh& mesh, const mat4& world_from_object) {
     const float sign = glm::determinant(mat3(world_from_object)) < 0.0f ? -1.0f : 1.0f;
     VertexAttribute normal{"normal", triangles.normals}, tangent{"tangent", {}}, handedness{"handedness", {}};
@@ -85,7 +86,7 @@ Triangles triangles_of(const scene::Scene& scene, const scene::Instance& instanc
         for (const vec4 value : mesh.colors) color.values.emplace_back(value);
         triangles.attributes.push_back(color);
     }
-    if (reads_normal_map(material, mesh)) add_tangent_space(triangles, mesh, world_from_object);
+    if (reads_tangents(material, mesh)) add_tangent_space(triangles, mesh, world_from_object);
     triangles.indices = mesh.indices;
     if (glm::determinant(mat3(world_from_object)) < 0.0f) // keeps the front in front
         for (std::size_t i = 0; i + 2 < triangles.indices.size(); i += 3)

@@ -13,7 +13,7 @@ struct Output {
     std::filesystem::path folder;
     Xml xml{};
     Textures textures{scene, folder};
-    Materials materials{scene, textures};
+    Materials materials{scene, textures, folder};
     int mesh_count = 0;
     std::vector<std::string> warnings{};
 };

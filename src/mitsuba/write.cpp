@@ -35,7 +35,10 @@ std::vector<std::string> write(const Subject& subject, const std::filesystem::pa
     write_emitters(output);
     output.xml.close();
     write_text(place.path() / "scene.xml", output.xml.result());
-    for (const PluginFile& file : plugin_files()) write_text(place.path() / file.name, file.text);
+    for (const PluginFile& file : plugin_files()) {
+        make_folder((place.path() / file.name).parent_path());
+        write_text(place.path() / file.name, file.text);
+    }
     place.put_in_place();
     return collected(output);
 }

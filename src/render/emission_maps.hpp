@@ -16,14 +16,15 @@ struct EmissionMapPlace {
     int wrap = 0;
 };
 
-/// Appends every texture once, for as long as it lives: a scene at another moment, or in other light, has the same
-/// textures. Texels are linear RGBA in half precision, whose steps (2^-11) are finer than those of 8-bit sRGB.
+/// Appends every texture once, for as long as it lives: a scene at another moment, or in other light, has the
+/// same textures. Texels are linear RGBA in half precision, whose steps (2^-11) are finer than those of 8-bit
+/// sRGB.
 class EmissionMaps {
 public:
     EmissionMapPlace place_of(const scene::Scene& scene, int texture);
 
-    /// The mean linear colour of the part of a texture that a triangle covers, by 64 points of it. Remembered, for those
-    /// who ask about the same triangles in the same order after each ask_anew().
+    /// The mean linear colour of the part of a texture that a triangle covers, by 64 points of it.
+    /// Remembered, for those who ask about the same triangles in the same order after each ask_anew().
     vec3 mean(const scene::Scene& scene, int texture, const std::array<vec2, 3>& uv);
 
     void ask_anew() { asked_ = 0; }

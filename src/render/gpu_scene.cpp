@@ -263,12 +263,20 @@ std::size_t GpuScene::feature_set_count() const {
     return sets.size();
 }
 
-void GpuScene::draw(const Draw& draw) const {
+void GpuScene::bind(const Draw& draw) const {
     glBindBufferRange(GL_UNIFORM_BUFFER, object_block, objects_.id(), draw.instance * object_stride_,
                       sizeof(ObjectBlock));
     bind_material(draw.material);
     glFrontFace(draw.mirrors ? GL_CW : GL_CCW);
+}
+
+void GpuScene::draw(const Draw& draw) const {
+    bind(draw);
     meshes_[draw.mesh].draw();
+}
+
+void GpuScene::draw_triangle(const Draw& draw, int triangle) const {
+    meshes_[draw.mesh].draw_triangle(triangle);
 }
 
 } // namespace sr::render

@@ -58,6 +58,10 @@ public:
     /// Binds the instance's and the material's data and draws with whatever program is in use.
     void draw(const Draw& draw) const;
 
+    /// The two by themselves; of the mesh one triangle.
+    void bind(const Draw& draw) const;
+    void draw_triangle(const Draw& draw, int triangle) const;
+
 private:
     void upload_textures(const scene::Scene& scene);
     void upload_objects(const scene::Scene& scene);

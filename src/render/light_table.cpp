@@ -142,7 +142,8 @@ private:
         std::vector<double> power;
         float brightest = 0.0f;
         for (const auto& triangle : light.triangles) {
-            const vec3 color = light.texture >= 0 ? maps_.mean(scene_, light.texture, triangle.uv) : vec3(1.0f);
+            const vec3 color =
+                light.texture >= 0 ? maps_.mean(scene_, light.texture, triangle.uv) : vec3(1.0f);
             power.push_back(image::luminance(color));
             brightest = std::max(brightest, image::luminance(color));
         }

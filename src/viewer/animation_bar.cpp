@@ -101,7 +101,8 @@ AnimationWish animation_bar(Playback& playback, Animations all, float scale) {
 
 std::optional<std::string> variants_panel(std::span<const std::string> variants, const std::string& shown) {
     std::optional<std::string> chosen;
-    if (variants.empty() || !ImGui::CollapsingHeader("Variants", ImGuiTreeNodeFlags_DefaultOpen)) return chosen;
+    if (variants.empty() || !ImGui::CollapsingHeader("Variants", ImGuiTreeNodeFlags_DefaultOpen))
+        return chosen;
     if (ImGui::RadioButton("none##variant", shown.empty())) chosen = "";
     for (const std::string& name : variants)
         if (ImGui::RadioButton((name + "##variant").c_str(), shown == name)) chosen = name;

@@ -11,8 +11,8 @@ namespace sr::viewer {
 /// What a person wants of the bar. It changes speed, direction and looping itself.
 struct AnimationWish {
     std::optional<Command> command;
-    std::optional<double> time; // [s]
-    bool rests = false;         // the pose without animations
+    std::optional<double> time;           // [s]
+    bool rests = false;                   // the pose without animations
     std::optional<std::string> animation; // as `--animation` takes it
     bool has_pointer = false;             // ← → Home End are meant for it
 };

@@ -73,7 +73,12 @@ constexpr auto table = std::to_array<Binding>({
     {GLFW_KEY_SPACE, 0, switch_light, "Space", "switch it off and on", "Lights"},
     {GLFW_KEY_SPACE, shift, solo_light, "Shift Space", "it alone", "Lights"},
     {GLFW_KEY_DELETE, 0, delete_light, "Delete", "remove it", "Lights"},
-    {GLFW_KEY_Z, control, undo_light, "Ctrl Z", "undo a light's change", "Lights"},
+    {GLFW_KEY_G, 0, move_light, "G R S", "move, turn, scale it; then X Y Z, a number, Enter, Esc", "Lights"},
+    {GLFW_KEY_R, 0, turn_light},
+    {GLFW_KEY_S, 0, scale_light},
+    {GLFW_KEY_Z, control, undo_light, "Ctrl Z, Ctrl Shift Z", "undo a light's change, do it again", "Lights"},
+    {GLFW_KEY_Z, control | shift, redo_light},
+    {GLFW_KEY_Y, control, redo_light},
     {GLFW_KEY_P, 0, ask, "P", "ask the pixel under the pointer", "Lights"},
     {GLFW_KEY_K, 0, play, "K, Space", "play, pause (Space: no light selected)", "Animation"},
     {GLFW_KEY_LEFT, alt, frame_back, "Alt left, right", "a frame back, on (on the bar without Alt)",
@@ -102,6 +107,7 @@ constexpr auto mouse = std::to_array<Gesture>({
     {"two fingers", "closer, farther; sideways: pan"},
     {"click", "select a light, or ask the pixel"},
     {"drop a file", "glTF: open; EXR, HDR, PNG, JPEG: compare with"},
+    {"arrow, ring, square", "of the selected light: move, turn, size it; Ctrl: in steps"},
 });
 
 } // namespace

@@ -19,7 +19,7 @@ public:
     const std::string& name() const { return name_; }
     const image::Image& film() const { return film_; }
     bool is_displayed() const { return is_displayed_; }
-    FilmSum sum() const { return {&texture_, 1, film_.width, film_.height, is_displayed_}; }
+    FilmSum sum() const { return {&texture_, 1, film_.width, film_.height, nullptr, is_displayed_}; }
 
 private:
     std::string name_;

@@ -1,10 +1,13 @@
 #include "viewer/lighting.hpp"
 
+#include "core/error.hpp"
 #include "scene/emitters.hpp"
 #include "scene/light_surfaces.hpp"
+#include "viewer/extents.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <utility>
 
 namespace sr::viewer {
 namespace {
@@ -93,6 +96,7 @@ void Lighting::remember() {
     constexpr std::size_t most = 200;
     if (history_.size() == most) history_.erase(history_.begin());
     history_.push_back(state_);
+    undone_.clear();
     is_step_open_ = true;
 }
 
@@ -137,14 +141,28 @@ bool Lighting::transform(std::size_t index, const mat4& by) {
     if (!can_move(index)) return false;
     remember();
     const Lamp& lamp = lamps_[index];
-    scene::Light& light =
-        lamp.kind == Lamp::Kind::light ? state_.lights[lamp.index] : state_.softboxes[lamp.index];
+    scene::Light& light = light_of(lamp);
     light = transformed(light, by);
     if (lamp.kind == Lamp::Kind::light)
         state_.moved[lamp.index] = by * state_.moved[lamp.index];
     else
         state_.softboxes_changed = true;
     return true;
+}
+
+void Lighting::set_size(std::size_t index, std::size_t extent, float size) {
+    require(can_move(index), "surfaces keep their sizes");
+    remember();
+    const Lamp& lamp = lamps_[index];
+    viewer::set_size(light_of(lamp), extent, size);
+    if (lamp.kind == Lamp::Kind::light)
+        state_.resized[lamp.index] = true;
+    else
+        state_.softboxes_changed = true;
+}
+
+scene::Light& Lighting::light_of(const Lamp& lamp) {
+    return lamp.kind == Lamp::Kind::light ? state_.lights[lamp.index] : state_.softboxes[lamp.index];
 }
 
 std::size_t Lighting::add(scene::Light light) {
@@ -155,6 +173,7 @@ std::size_t Lighting::add(scene::Light light) {
     state_.lights_there.push_back(true);
     state_.origins.push_back(-1);
     state_.moved.push_back(mat4(1.0f));
+    state_.resized.push_back(false);
     return static_cast<std::size_t>(std::ranges::count(state_.lights_there, true))
            - 1; // they come first in the list
 }
@@ -172,7 +191,7 @@ bool Lighting::remove(std::size_t index) {
     if (lamp.kind == Lamp::Kind::light) {
         if (lamp.id >= 0) state_.removed.push_back(lamp.id);
         drop(state_.lights, state_.lights_on, state_.lights_given, state_.lights_there, state_.origins,
-             state_.moved);
+             state_.moved, state_.resized);
     } else {
         drop(state_.softboxes, state_.softboxes_on);
         state_.softboxes_changed = true;
@@ -183,10 +202,33 @@ bool Lighting::remove(std::size_t index) {
 bool Lighting::undo() {
     is_step_open_ = false;
     if (history_.empty()) return false;
-    state_ = std::move(history_.back());
+    undone_.push_back(std::exchange(state_, std::move(history_.back())));
     history_.pop_back();
     viewer::follow(state_, file_); // it may be of another moment
     return true;
+}
+
+bool Lighting::redo() {
+    is_step_open_ = false;
+    if (undone_.empty()) return false;
+    history_.push_back(std::exchange(state_, std::move(undone_.back())));
+    undone_.pop_back();
+    viewer::follow(state_, file_);
+    return true;
+}
+
+void Lighting::take_back_step() {
+    if (!is_step_open_) return;
+    state_ = history_.back();
+    viewer::follow(state_, file_);
+}
+
+void Lighting::cancel_step() {
+    if (!is_step_open_) return;
+    state_ = std::move(history_.back());
+    history_.pop_back();
+    viewer::follow(state_, file_);
+    is_step_open_ = false;
 }
 
 bool Lighting::adds_or_removes() const {
@@ -199,7 +241,8 @@ void Lighting::follow(const LoadedScene& loaded) {
     const FileLights before = file_;
     file_.take(loaded);
     if (file_.materials != before.materials) {
-        for (LightingState& state : history_) renumber(state, before, file_);
+        for (std::vector<LightingState>* states : {&history_, &undone_})
+            for (LightingState& state : *states) renumber(state, before, file_);
         renumber(state_, before, file_);
         name_materials(loaded.stage.scene, loaded.base.materials);
     }

@@ -39,12 +39,19 @@ public:
     void solo(std::size_t lamp); // it alone; all, if it already is alone
     /// Only lights and softboxes move; surfaces are the scene's. @return whether it does
     bool transform(std::size_t lamp, const mat4& by);
+    /// Of an extent (extents.hpp) of a light or softbox [m].
+    void set_size(std::size_t lamp, std::size_t extent, float size);
     bool can_move(std::size_t lamp) const { return lamps_[lamp].kind != Lamp::Kind::surface; }
     std::size_t add(scene::Light light); // @return its lamp
     bool remove(std::size_t lamp);       // a surface is only switched off
     bool undo();                         // @return false: there is nothing to undo
+    bool redo();                         // likewise; what was undone last
     /// The next changes undo as one until it is called again: a drag is one step.
     void begin_step() { is_step_open_ = false; }
+    /// As it was when the step began, which goes on.
+    void take_back_step();
+    /// As it was when the step began; as if it never had.
+    void cancel_step();
 
     bool is_changed() const { return !history_.empty(); }
     const LightingState& state() const { return state_; }
@@ -60,6 +67,7 @@ public:
 
 private:
     void remember();
+    scene::Light& light_of(const Lamp& lamp);
     std::vector<bool>& switches(Lamp::Kind kind);
     void name_materials(const scene::Scene& scene, std::size_t count);
     void list(const scene::Stage& stage, std::size_t first_softbox);
@@ -67,6 +75,7 @@ private:
     LightingState state_;
     FileLights file_;
     std::vector<LightingState> history_;
+    std::vector<LightingState> undone_; // the last one first to come back
     std::vector<Lamp> lamps_;
     std::vector<scene::Light> staged_; // the Stage's lights as if all were on
     std::vector<std::string> material_names_;

@@ -1,5 +1,7 @@
 #include "viewer/moment_lights.hpp"
 
+#include "viewer/extents.hpp"
+
 #include <algorithm>
 
 namespace sr::viewer {
@@ -17,10 +19,21 @@ void insert_light(LightingState& state, std::size_t at, const scene::Light& ligh
     insert_at(state.lights_there, at, true);
     insert_at(state.origins, at, number);
     insert_at(state.moved, at, mat4(1.0f));
+    insert_at(state.resized, at, false);
+}
+
+/// Gives a light the sizes of another one of its kind.
+void take_sizes(scene::Light& light, const scene::Light& from) {
+    const std::vector<Extent> sizes = extents_of(from);
+    const std::size_t count = extents_of(light).size();
+    const float across = sizes.size() < count ? 2.0f : 1.0f;   // a radius, where an ellipse became a circle
+    for (std::size_t i = 0; i < extents_of(light).size(); ++i) // an ellipse may become a circle on the way
+        set_size(light, i, across * sizes[std::min(i, sizes.size() - 1)].size);
 }
 
 scene::Light edited(const scene::Light& file, const LightingState& state, std::size_t at) {
     scene::Light light = state.moved[at] == mat4(1.0f) ? file : transformed(file, state.moved[at]);
+    if (state.resized[at]) take_sizes(light, state.lights[at]);
     if (state.lights_given[at]) set_quantity(light, quantity_of(state.lights[at]));
     return light;
 }

@@ -1,20 +1,22 @@
 #pragma once
-// What a person edited, brought to another moment of the file or to another of its variants. Plain data: no GL.
+// What a person edited, brought to another moment of the file or to another of its variants. Plain data: no
+// GL.
 #include "viewer/light_value.hpp"
 #include "viewer/loaded_scene.hpp"
 
 namespace sr::viewer {
 
-/// Everything that can be edited; a copy of it is a step of undoing. What is said of each light or material stands
-/// at its index.
+/// Everything that can be edited; a copy of it is a step of undoing. What is said of each light or material
+/// stands at its index.
 struct LightingState {
     std::vector<scene::Light> lights; // the file's, in its order, then those that were added
     std::vector<bool> lights_on;
     std::vector<bool> lights_given; // whether its quantity is a person's and no longer the file's
     std::vector<bool> lights_there; // whether the file shows it at the moment
-    std::vector<int> origins;       // which of the file's it is, as FileLights counts; negative if it was added
-    std::vector<mat4> moved;        // from where the file has it to where it is, in the world
-    std::vector<int> removed;       // lights of the file that are gone
+    std::vector<int> origins;  // which of the file's it is, as FileLights counts; negative if it was added
+    std::vector<mat4> moved;   // from where the file has it to where it is, in the world
+    std::vector<bool> resized; // whether one of its extents is a person's
+    std::vector<int> removed;  // lights of the file that are gone
 
     std::vector<scene::Light> softboxes;
     std::vector<bool> softboxes_on;
@@ -44,8 +46,8 @@ private:
     std::vector<int> nodes_; // of every light that was seen so far
 };
 
-/// Brings a state from before to now: what a person gave a light stays, all else is the file's. A light that was moved
-/// keeps its distance from where the file has it.
+/// Brings a state from before to now: what a person gave a light stays, all else is the file's. A light that
+/// was moved keeps its distance from where the file has it.
 void follow(LightingState& state, const FileLights& now);
 
 /// The same where materials have other places: those of `before` and of `now`.

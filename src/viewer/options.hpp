@@ -2,6 +2,7 @@
 // What the viewer is asked for.
 #include "image/display.hpp"
 #include "render/renderer.hpp"
+#include "render/stop_rule.hpp"
 #include "scene/stage.hpp"
 
 namespace sr::viewer {
@@ -19,8 +20,9 @@ struct Options {
     bool is_reloading = false; // what the file no longer has is remarked on, and is no error
     render::Visibility visibility = render::Visibility::ray;
     bool has_energy_compensation = false; // as GpuScene has it
-    /// Of the standing picture; size and shader path are the viewer's own.
+    /// Of the standing picture; size, shader path and samples are the viewer's own.
     render::RenderOptions rendering;
+    render::StopRule stop;            // what the standing picture converges to
     std::vector<std::string> shaders; // folders, looked into before the built-in shaders
     std::optional<float> ev100;       // absent: automatic
     image::ToneCurve tone_curve = image::ToneCurve::neutral;

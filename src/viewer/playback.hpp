@@ -22,7 +22,8 @@ struct Playback {
     /// Other animations; the time stays, as far as they last.
     void choose(std::vector<int> chosen, double lasts);
 
-    /// What `elapsed` seconds do to one that plays: beyond the end it begins anew or, if it does not loop, stops.
+    /// What `elapsed` seconds do to one that plays: beyond the end it begins anew or, if it does not loop,
+    /// stops.
     void advance(double elapsed);
     /// Goes to a time within the animation and stays there [s].
     void go_to(double time);

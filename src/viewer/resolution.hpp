@@ -5,9 +5,9 @@
 
 namespace sr::viewer {
 
-/// Chooses the scale of a picture's sides by what the frames before took: 1, or a power of 2^(-1/4) down to an eighth. It
-/// shrinks when two frames in a row were too long (one may have been another program's), at once when one was far too
-/// long, and grows when several in a row say that the next step would fit.
+/// Chooses the scale of a picture's sides by what the frames before took: 1, or a power of 2^(-1/4) down to
+/// an eighth. It shrinks when two frames in a row were too long (one may have been another program's), at
+/// once when one was far too long, and grows when several in a row say that the next step would fit.
 class Resolution {
 public:
     /// `frame`: the seconds from one frame to the next that it aims at.
@@ -15,7 +15,8 @@ public:
 
     float scale() const { return std::exp2(-0.25f * static_cast<float>(step_)); }
 
-    /// What of a frame is not drawn at scale() [s], such as covering the window: it leaves the less for the rest.
+    /// What of a frame is not drawn at scale() [s], such as covering the window: it leaves the less for the
+    /// rest.
     void others_took(double seconds) { others_ += 0.2 * (std::min(seconds, frame_) - others_); }
     /// What a sample at scale() may take [s].
     double budget() const { return std::max(frame_ - others_, least_share * frame_); }
@@ -44,8 +45,9 @@ private:
     static constexpr int smallest = 12;
     static constexpr int frames_to_grow = 3;
     static constexpr double least_share = 0.3; // of a frame, that a sample has in any case
-    static constexpr double slack = 0.6;       // [steps] over the budget, which is 1.23 times it: no reason to shrink
-    static constexpr double far = 2.5;         // [steps], which is 2.4 times the budget
+    static constexpr double slack =
+        0.6;                           // [steps] over the budget, which is 1.23 times it: no reason to shrink
+    static constexpr double far = 2.5; // [steps], which is 2.4 times the budget
 
     double frame_;
     double others_ = 0.0;

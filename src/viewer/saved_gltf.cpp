@@ -2,10 +2,12 @@
 
 #include "core/error.hpp"
 #include "image/whole_file.hpp"
+#include "viewer/extents.hpp"
 #include "viewer/gltf_text.hpp"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <fmt/format.h>
 
 namespace sr::viewer {
@@ -32,6 +34,11 @@ void state(ordered_json& steradian, const scene::Light& light, bool is_on, const
                      quantity);
     const double flux = is_on ? scene::luminance(*scene::flux_of(light, scene.profiles)) : 0.0;
     state(steradian, flux, scene::name_of({scene::Quantity::flux, scene.units}), quantity);
+}
+
+bool is_scaled(const mat4& by) {
+    constexpr float rounding = 1e-4f; // of a few turns
+    return std::abs(glm::determinant(mat3(by)) - 1.0f) > rounding;
 }
 
 /// A node that shines along -Z like a flat light whose plane has these axes.
@@ -116,13 +123,47 @@ private:
     }
 
     void save_light(std::size_t i) {
-        const bool is_restated = now_.lights_given[i] || !now_.lights_on[i];
+        const bool is_resized = now_.resized[i] || is_scaled(now_.moved[i]);
+        // A flux makes another radiance of another size.
+        const bool is_restated = now_.lights_given[i] || !now_.lights_on[i] || is_resized;
         const bool has_moved = now_.moved[i] != mat4(1.0f);
         if (!is_restated && !has_moved) return;
         const std::size_t node = node_of(now_.origins[i]);
         if (is_restated)
             state(json()["nodes"][node]["extras"]["steradian"], now_.lights[i], now_.lights_on[i], scene_);
+        if (now_.resized[i]) resize(node, now_.lights[i], now_.moved[i]);
         if (has_moved) move(node, glm::dmat4(now_.moved[i]));
+    }
+
+    /// States a light's sizes at its node, which will have moved by `by`: sizes scale by the largest of its
+    /// axes.
+    void resize(std::size_t index, const scene::Light& light, const mat4& by) {
+        const glm::dmat3 world(glm::dmat4(by) * world_from_node(json(), index));
+        const double scale = std::max({glm::length(world[0]), glm::length(world[1]), glm::length(world[2])});
+        ordered_json& node = json()["nodes"][index];
+        if (node.contains("extensions") && node["extensions"].contains("EXT_lights_area"))
+            return resize_area(node["extensions"]["EXT_lights_area"]["light"], light, scale);
+        constexpr double rounding = 1e-6;
+        for (const Extent& extent : extents_of(light)) {
+            ordered_json& stated = node["extras"]["steradian"][extent.name];
+            const double size = extent.size / scale;
+            if (!stated.is_number() || std::abs(stated.get<double>() - size) > rounding * size) stated = size;
+        }
+    }
+
+    /// A light of EXT_lights_area can be at several nodes: this one's becomes another.
+    void resize_area(ordered_json& reference, const scene::Light& light, double scale) {
+        ordered_json& lights = json()["extensions"]["EXT_lights_area"]["lights"];
+        ordered_json other = lights[reference.get<std::size_t>()];
+        const std::vector<Extent> extents = extents_of(light);
+        if (extents.size() == 1) {
+            other["size"] = 2.0 * extents[0].size / scale; // across a disk
+        } else {
+            other["size"] = extents[1].size / scale;
+            other["rect"]["aspect"] = extents[0].size / extents[1].size;
+        }
+        reference = lights.size();
+        lights.push_back(std::move(other));
     }
 
     /// Takes what makes a light off a node. @return it, as a node

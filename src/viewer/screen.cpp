@@ -9,12 +9,12 @@ namespace sr::viewer {
 namespace {
 
 std::string constants(image::ToneCurve curve, bool is_false_color, Comparison comparison, bool is_scaled,
-                      bool is_other_displayed) {
+                      bool is_other_displayed, bool is_resting) {
     return fmt::format("const int shown_curve = {};\nconst bool is_false_color = {};\n"
                        "const int comparison = {};\nconst bool is_scaled = {};\n"
-                       "const bool is_other_displayed = {};\n",
+                       "const bool is_other_displayed = {};\nconst bool is_resting = {};\n",
                        static_cast<int>(curve), is_false_color, static_cast<int>(comparison), is_scaled,
-                       is_other_displayed);
+                       is_other_displayed, is_resting);
 }
 
 } // namespace
@@ -28,6 +28,7 @@ const gl::Program& Screen::program(const Choice& choice) {
                         glsl::expand(path, "display/screen.frag"));
     program.bind_texture("film_sum", 0);
     program.bind_texture("other_sum", 1);
+    program.bind_texture("rest_weights", 2);
     return programs_.emplace(choice, std::move(program)).first->second;
 }
 
@@ -65,12 +66,14 @@ void Screen::cover(const FilmSum& film, const FilmSum& other, const Look& look, 
     const bool is_scaled = !fits(film) || (is_compared && !fits(other));
     const gl::Program& used =
         program({look.curve, look.is_false_color, is_compared ? look.comparison : Comparison::none, is_scaled,
-                 is_compared && other.is_displayed});
+                 is_compared && other.is_displayed, film.rest_weights != nullptr});
     used.use();
     const auto weight = [](const FilmSum& f) { return 1.0f / static_cast<float>(f.samples); };
     const auto at = [&](const char* name) { return used.uniform(name); };
     (is_compared ? other : film).sum->bind(1);
     film.sum->bind(0);
+    if (film.rest_weights) film.rest_weights->bind(2);
+    glBindSampler(2, 0);
     glBindSampler(0, 0);
     glBindSampler(1, 0);
     glUniform1f(at("film_weight"), weight(film));

@@ -144,6 +144,7 @@ void Session::show(LoadedScene scene) {
     scene_watch_.set(std::move(files));
     if (is_first) shader_watch_.set({options_.shaders.begin(), options_.shaders.end()});
     lights_.selected.reset();
+    grip_.reset();
     probe_.answer.reset();
     remember_file(show_->scene().file);
 }
@@ -178,7 +179,7 @@ void Session::advance() {
     const bool was_done = picture.is_done();
     picture.advance();
     if (picture.is_done() && !was_done && options_.is_verbose)
-        std::fprintf(stderr, "converged: %d samples, --camera '%s'%s\n", picture.samples(),
+        std::fprintf(stderr, "converged: %s, --camera '%s'%s\n", progress_of(picture).c_str(),
                      eye_->argument().c_str(), moment_argument().c_str());
     measure_exposure();
     advance_turntable();
@@ -233,12 +234,12 @@ void Session::draw_panels() {
     if (!has_panels_) return;
     draw_dialog();
     probe_.draw_directions(show_->scene().stage, projection(), ui_.scale());
-    probe_.draw(show_->scene().stage, show_->lighting(), lights_.selected);
+    probe_.draw(show_->scene().stage, show_->lighting(), lights_.selected, ui_.scale());
     lights_.draw_marks(show_->lighting(), projection(), ui_.scale());
     draw_animation();
+    draw_grip();
     const Picture& picture = show_->picture();
-    status_line({picture.sample_count(), picture.samples(), picture.is_moving(), picture.scale(),
-                 picture.seconds_per_sample(), under_pointer(), message_});
+    status_line({progress_of(picture), under_pointer(), message_});
     ImGui::SetNextWindowPos({10.0f, 10.0f}, ImGuiCond_FirstUseEver);
     ImGui::SetNextWindowSizeConstraints({0.0f, 0.0f}, {1e4f, 0.92f * window_size().y});
     if (ImGui::Begin("Steradian", nullptr, ImGuiWindowFlags_AlwaysAutoResize)) {
@@ -282,7 +283,7 @@ void Session::update_title() {
     if (show_) {
         const Picture& picture = show_->picture();
         const std::string file = std::filesystem::path(show_->scene().file).filename().string();
-        title = picture.is_done() ? fmt::format("{} - done, {} samples - Steradian", file, picture.samples())
+        title = picture.is_done() ? fmt::format("{} - {} - Steradian", file, progress_of(picture))
                                   : fmt::format("{} - Steradian", file);
     }
     if (title == title_) return;

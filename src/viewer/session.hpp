@@ -5,6 +5,7 @@
 #include "viewer/exposure.hpp"
 #include "viewer/file_dialog.hpp"
 #include "viewer/hand.hpp"
+#include "viewer/handles.hpp"
 #include "viewer/input.hpp"
 #include "viewer/lights_panel.hpp"
 #include "viewer/playback.hpp"
@@ -75,11 +76,21 @@ private:
     // session_lights.cpp: editing lights
     Projection projection() const;
     void click(vec2 at);
-    bool drag_arrow(const Event& event);
     bool obey_light(Command command);
     scene::Bounds selection() const;
     void draw_lights();
     void relight();
+
+    // session_grip.cpp: the light in the hand
+    bool handle_grip(const Event& event);
+    bool handle_grip(const KeyEvent& event);
+    void take_grip(Verb verb);
+    void take_grip(Verb verb, std::optional<int> axis, bool is_free);
+    void pull_grip(vec2 pointer);
+    void let_go(bool keeps);
+    void draw_grip() const;
+    vec3 grip_center() const;
+    std::optional<Handles> handles() const;
 
     // session_animation.cpp: what moves by itself, and variants
     void begin_playback(bool is_same_file);
@@ -94,6 +105,8 @@ private:
 
     // session_compare.cpp: questions to the picture
     void answer_question();
+    std::optional<Lobe> lobe_of(const render::PixelTerms& terms, const render::RenderOptions& options,
+                                int column, int row) const;
     void obey(const CompareWish& wish);
     void change_estimator(render::Estimator estimator);
     void change_visibility(render::Visibility visibility);
@@ -131,8 +144,8 @@ private:
     Hand hand_;
     LightsPanel lights_;
     LightChange change_ = LightChange::none; // of the lights, since the last frame
-    std::optional<int> arrow_;               // the axis that the pointer drags the selected light along
-    float arrow_at_ = 0.0f;
+    std::optional<Grip> grip_;               // on the selected light
+    vec2 pointer_{0.0f};                     // where it was when the event at hand happened
     Playback playback_;
     bool bar_has_pointer_ = false;
     bool keeps_edits_ = false; // of lights, when the file that is being read is there

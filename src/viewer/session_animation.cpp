@@ -28,8 +28,8 @@ void Session::begin_playback(bool is_same_file) {
 
 /// How far the file's clock went on since the last frame.
 void Session::play(double elapsed) {
-    if (!playback_.is_playing) return;
-    constexpr double longest = 0.5; // [s] a stall, after which it goes on from where it was
+    if (!playback_.is_playing || grip_) return; // time stands while a light is in the hand
+    constexpr double longest = 0.5;             // [s] a stall, after which it goes on from where it was
     playback_.advance(std::min(elapsed, longest));
     show_moment();
 }
@@ -55,8 +55,8 @@ void Session::show_moment() {
     frames_to_draw_ = std::max(frames_to_draw_, 1);
 }
 
-/// Keys that mean something else elsewhere: Space plays unless it switches a light, ← → Home End are the bar's
-/// while the pointer is on it.
+/// Keys that mean something else elsewhere: Space plays unless it switches a light, ← → Home End are the
+/// bar's while the pointer is on it.
 std::optional<Command> Session::key_of_the_bar(const KeyEvent& event) const {
     if (!playback_.has_any() || event.modifiers != no_modifier) return std::nullopt;
     if (event.key == GLFW_KEY_SPACE && !lights_.selected) return Command::play;

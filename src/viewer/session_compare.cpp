@@ -2,6 +2,8 @@
 #include "viewer/session.hpp"
 
 #include "core/error.hpp"
+#include "image/luminance.hpp"
+#include "render/lobe.hpp"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -17,6 +19,7 @@ void Session::answer_question() {
     constexpr int most_samples = 64; // the terms of one pixel take as long as a small picture
     render::RenderOptions options = render_options(options_, width_, height_);
     options.samples = std::min(options.samples, most_samples);
+    options.knows_error = false;
     const int column = std::clamp(static_cast<int>(place.x * static_cast<float>(width_)), 0, width_ - 1);
     const int row = std::clamp(static_cast<int>(place.y * static_cast<float>(height_)), 0, height_ - 1);
     auto terms = render::probe(show_->gpu(), eye_->camera(), options, column, row, [this] {
@@ -24,9 +27,31 @@ void Session::answer_question() {
         return !input_.wants_to_stop();
     });
     if (!terms) return say("the question was taken back");
-    probe_.answer = Answer{*std::move(terms), column, row, height_, options.samples};
+    probe_.answer = Answer{*std::move(terms), {}, column, row, height_, options.samples};
+    probe_.answer->lobe = lobe_of(probe_.answer->terms, options, column, row);
     say(fmt::format("pixel {},{} answers", column, row));
     frames_to_draw_ = 3;
+}
+
+/// f_r all around, and along each light. Absent where nothing is seen.
+std::optional<Lobe> Session::lobe_of(const render::PixelTerms& terms, const render::RenderOptions& options,
+                                     int column, int row) const {
+    if (terms.n == vec3(0.0f) || terms.wo == vec3(0.0f)) return std::nullopt;
+    Lobe lobe;
+    lobe.n = glm::normalize(terms.n);
+    lobe.wo = glm::normalize(terms.wo);
+    lobe.wi = lobe_directions(lobe.n, lobe.wo);
+    std::vector<vec3> asked = lobe.wi;
+    for (const render::LightTerms& light : terms.lights) {
+        lobe.light_wi.push_back(light.wi == vec3(0.0f) ? vec3(0.0f) : glm::normalize(light.wi));
+        asked.push_back(light.wi == vec3(0.0f) ? lobe.n : lobe.light_wi.back());
+    }
+    const auto brdf = render::brdf_at(show_->gpu(), eye_->camera(), options, column, row, asked);
+    if (!brdf) return std::nullopt;
+    lobe.is_mirror = brdf->is_mirror;
+    for (std::size_t i = 0; i < asked.size(); ++i)
+        (i < lobe.wi.size() ? lobe.f_r : lobe.light_f_r).push_back(image::luminance(brdf->f_r[i]));
+    return lobe;
 }
 
 void Session::obey(const CompareWish& wish) {

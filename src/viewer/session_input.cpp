@@ -31,6 +31,7 @@ void Session::handle(const Event& event) {
 
 void Session::handle_key(const KeyEvent& event) {
     if (!event.is_down) return;
+    if (handle_grip(event)) return;
     if (ui_.has_keyboard() && event.key != GLFW_KEY_ESCAPE) return;
     if (hand_.is_flying() && !(event.modifiers & control)) return; // W A S D Q E fly, and nothing else
     if (const auto command = key_of_the_bar(event))
@@ -41,10 +42,14 @@ void Session::handle_key(const KeyEvent& event) {
 
 void Session::handle_pointer(const Event& event) {
     if (!eye_) return;
-    const bool is_held = hand_.is_dragging() || arrow_;
+    const bool is_held = hand_.is_dragging() || grip_;
     if (ui_.has_pointer() && !is_held && !std::holds_alternative<MotionEvent>(event)) return;
-    if (drag_arrow(event)) return;
     Viewpoint view = eye_->view();
+    if (show_ && handle_grip(event)) {
+        if (std::holds_alternative<MotionEvent>(event)) // it keeps track of the pointer
+            hand_.take(event, view, window_size(), [](vec2) { return std::nullopt; });
+        return;
+    }
     const auto point_under = [this](vec2 at) -> std::optional<vec3> {
         const Ray ray = ray_through(eye_->camera(), eye_->aspect_ratio(), place_of(at));
         const auto hit = first_hit(show_->scene().stage.scene, ray);
@@ -142,8 +147,11 @@ bool Session::obey_picture(Command command) {
 
 /// What is copied makes this very picture in a terminal: the same camera, the same pixels.
 void Session::copy_view() {
-    const std::string text =
-        fmt::format("--camera '{}' --size {}x{}{}", eye_->argument(), width_, height_, moment_argument());
+    const render::StopRule& stop = options_.stop;
+    std::string text = fmt::format("--camera '{}' --size {}x{} --samples {}", eye_->argument(), width_,
+                                   height_, stop.samples);
+    if (stop.error) text += fmt::format(" --error {}%", static_cast<float>(100.0 * *stop.error));
+    text += moment_argument();
     glfwSetClipboardString(window_.handle(), text.c_str());
     say("copied: " + text);
 }

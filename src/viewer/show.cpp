@@ -34,7 +34,7 @@ Show::Show(LoadedScene scene, const Options& options, const scene::Camera& camer
 
 void Show::make_picture(const Options& options, const scene::Camera& camera, int width, int height) {
     const auto begin = Clock::now();
-    picture_ = std::make_unique<Picture>(gpu_, camera, render_options(options, width, height));
+    picture_ = std::make_unique<Picture>(gpu_, camera, render_options(options, width, height), options.stop);
     compile_seconds_ = seconds_since(begin);
 }
 
@@ -86,6 +86,8 @@ render::RenderOptions render_options(const Options& options, int width, int heig
     render::RenderOptions rendering = options.rendering;
     rendering.width = width;
     rendering.height = height;
+    rendering.samples = options.stop.samples;
+    rendering.knows_error = options.stop.asks_for_error();
     rendering.shader_path.clear();
     for (const std::string& folder : options.shaders)
         rendering.shader_path.push_back(glsl::Root::folder(folder));

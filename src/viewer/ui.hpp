@@ -15,8 +15,8 @@ public:
     Ui(const Ui&) = delete;
     Ui& operator=(const Ui&) = delete;
 
-    /// Between the two, panels are described. `taps`: the keys that were pressed and released since the last frame,
-    /// which Dear ImGui before 1.87 would not see.
+    /// Between the two, panels are described. `taps`: the keys that were pressed and released since the last
+    /// frame, which Dear ImGui before 1.87 would not see.
     void begin(std::vector<KeyEvent> taps);
     void end();
 

@@ -53,6 +53,32 @@ Measured measured(const std::vector<image::Image>& sets, int enlargement) {
     return result;
 }
 
+image::Image reduced(const image::Image& film, int enlargement) {
+    image::Image result(film.width / enlargement, film.height / enlargement, 3);
+    const float share = 1.0f / static_cast<float>(enlargement * enlargement);
+    for (int y = 0; y < film.height; ++y)
+        for (int x = 0; x < film.width; ++x)
+            for (std::size_t c = 0; c < 3; ++c)
+                result.at(x / enlargement, y / enlargement)[c] += share * film.at(x, y)[c];
+    return result;
+}
+
+Measured with_shared_noise(Measured picture) {
+    const image::Image own = picture.noise;
+    for (int y = 0; y < own.height; ++y) {
+        for (int x = 0; x < own.width; ++x) {
+            for (std::size_t c = 0; c < 3; ++c) {
+                float sum = 0.0f, count = 0.0f;
+                for (int v = std::max(y - 1, 0); v < std::min(y + 2, own.height); ++v)
+                    for (int u = std::max(x - 1, 0); u < std::min(x + 2, own.width); ++u, ++count)
+                        sum += own.at(u, v)[c] * own.at(u, v)[c];
+                picture.noise.at(x, y)[c] = std::sqrt(sum / count);
+            }
+        }
+    }
+    return picture;
+}
+
 Distance distance(const Measured& ours, const Measured& reference) {
     Distance d;
     std::vector<double> relative, noise;

@@ -17,6 +17,13 @@ struct Measured {
 /// result. The variance is taken over the sets, pixel by pixel of theirs, so that few sets tell much.
 Measured measured(const std::vector<image::Image>& sets, int enlargement);
 
+/// The means of the film's squares of `enlargement`² pixels; RGB.
+image::Image reduced(const image::Image& film, int enlargement);
+
+/// The same with the root mean square of the noise of the 3×3 pixels around: of few sets, so that a pixel
+/// that chance left dark has its neighbours' noise.
+Measured with_shared_noise(Measured picture);
+
 /// How far `ours` is from `reference`.
 struct Distance {
     double energy = 0.0;       // |Σ ours / Σ reference - 1|, the worst channel

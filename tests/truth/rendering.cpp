@@ -6,6 +6,7 @@
 #include "scene/emitters.hpp"
 #include "support/gl.hpp"
 #include "support/models.hpp"
+#include "truth/ball_scenes.hpp"
 #include "truth/scenes.hpp"
 
 #include <algorithm>
@@ -14,9 +15,52 @@
 namespace sr::truth {
 namespace {
 
-constexpr int enlargement = 4;
-constexpr int sets = 4;
-constexpr int samples_per_set = 64;
+/// The picture is drawn larger, which gives the same box-filtered pixels in fewer frames.
+struct Samples {
+    int enlargement = 4;
+    int sets = 4; // independent ones, from which noise is known
+    int per_set = 64;
+};
+
+std::vector<image::Image> sets_of(const render::GpuScene& scene, const scene::Camera& camera, int size,
+                                  const Samples& samples) {
+    render::RenderOptions options;
+    options.width = options.height = samples.enlargement * size;
+    options.samples = samples.per_set;
+    std::vector<image::Image> pictures;
+    for (int set = 0; set < samples.sets; ++set) {
+        options.seed = static_cast<std::uint32_t>(set);
+        render::Renderer renderer(scene, camera, options);
+        for (int i = 0; i < samples.per_set; ++i) renderer.add_sample();
+        pictures.push_back(renderer.film());
+    }
+    return pictures;
+}
+
+/// The square of that number in a file of tests/truth/references/.
+Measured stored(const std::string& name, std::ptrdiff_t column, int size) {
+    const auto file = sr::testing::source_folder() / "tests/truth/references" / (name + ".exr");
+    const image::Image atlas = image::read(file);
+    require(atlas.channels == 6 && atlas.height == size, "an atlas has R G B and their noise");
+    Measured result{image::Image(size, size, 3), image::Image(size, size, 3)};
+    const auto channel = [&](const std::string& title) {
+        const auto place = std::ranges::find(atlas.channel_names, title);
+        require(place != atlas.channel_names.end(), "the atlas has the channel");
+        return static_cast<std::size_t>(place - atlas.channel_names.begin());
+    };
+    const std::array<std::string, 3> names{"R", "G", "B"};
+    for (std::size_t c = 0; c < 3; ++c) {
+        const std::size_t mean = channel(names[c]), noise = channel("noise." + names[c]);
+        for (int y = 0; y < size; ++y) {
+            for (int x = 0; x < size; ++x) {
+                const auto texel = atlas.at(static_cast<int>(column) * size + x, y);
+                result.mean.at(x, y)[c] = texel[mean];
+                result.noise.at(x, y)[c] = texel[noise];
+            }
+        }
+    }
+    return result;
+}
 
 } // namespace
 
@@ -26,43 +70,34 @@ Measured rendered(std::string_view shape, std::string_view material, std::string
     const std::vector<scene::Light> lights = scene::emitters_of(scene);
     scene.instances.resize(1); // the camera looks past the emitter: only the receiver is drawn
     const render::GpuScene gpu_scene(scene, lights, render::Visibility::none); // nothing could hide anything
-    render::RenderOptions options;
-    options.width = options.height = enlargement * cell_size;
-    options.samples = samples_per_set;
-    std::vector<image::Image> pictures;
-    for (int set = 0; set < sets; ++set) {
-        options.seed = static_cast<std::uint32_t>(set);
-        render::Renderer renderer(gpu_scene, camera_of(view), options);
-        for (int i = 0; i < samples_per_set; ++i) renderer.add_sample();
-        pictures.push_back(renderer.film());
-    }
-    return measured(pictures, enlargement);
+    const Samples samples;
+    return measured(sets_of(gpu_scene, camera_of(view), cell_size, samples), samples.enlargement);
 }
 
 Measured stored(std::string_view shape, std::string_view material, std::string_view view) {
-    const auto file =
-        sr::testing::source_folder() / "tests/truth/references" / fmt::format("{}.{}.exr", shape, view);
-    const image::Image atlas = image::read(file);
-    require(atlas.channels == 6 && atlas.height == cell_size, "an atlas has R G B and their noise");
-    const auto column = std::ranges::find(materials, material) - materials.begin();
-    Measured result{image::Image(cell_size, cell_size, 3), image::Image(cell_size, cell_size, 3)};
-    const auto channel = [&](const std::string& name) {
-        const auto place = std::ranges::find(atlas.channel_names, name);
-        require(place != atlas.channel_names.end(), "the atlas has the channel");
-        return static_cast<std::size_t>(place - atlas.channel_names.begin());
-    };
-    const std::array<std::string, 3> names{"R", "G", "B"};
-    for (std::size_t c = 0; c < 3; ++c) {
-        const std::size_t mean = channel(names[c]), noise = channel("noise." + names[c]);
-        for (int y = 0; y < cell_size; ++y) {
-            for (int x = 0; x < cell_size; ++x) {
-                const auto texel = atlas.at(static_cast<int>(column) * cell_size + x, y);
-                result.mean.at(x, y)[c] = texel[mean];
-                result.noise.at(x, y)[c] = texel[noise];
-            }
-        }
+    return stored(fmt::format("{}.{}", shape, view),
+                  std::ranges::find(materials, material) - materials.begin(), cell_size);
+}
+
+Measured rendered_ball(std::string_view brdf, std::string_view light) {
+    sr::testing::context();
+    const scene::Scene scene = ball_scene(brdf, light);
+    const render::GpuScene gpu_scene(scene, scene.lights, render::Visibility::ray);
+    // All pixels of a frame share the place within the pixel, which is most of the noise under a point: few
+    // large pixels are as good there, and sets have to be told apart by whole pixels.
+    constexpr Samples samples{2, 8, 8};
+    std::vector<image::Image> sets = sets_of(gpu_scene, ball_camera(), ball_size, samples);
+    for (image::Image& set : sets) set = reduced(set, samples.enlargement);
+    return with_shared_noise(measured(sets, 1));
+}
+
+Measured stored_ball(std::string_view brdf, std::string_view light) {
+    std::ptrdiff_t column = 0;
+    for (const auto other : ball_brdfs) {
+        if (other == brdf) break;
+        column += is_lit(other, light);
     }
-    return result;
+    return stored(fmt::format("balls.{}", light), column, ball_size);
 }
 
 } // namespace sr::truth

@@ -78,4 +78,38 @@ void add_textures(scene::Scene& scene) {
         add_pattern(scene, scene::ColorSpace::linear, sampler(repeat, scene::Filter::nearest));
 }
 
+void add_layer_textures(scene::Scene& scene) {
+    const scene::Sampler sampler{scene::Wrap::repeat, scene::Wrap::repeat, scene::Filter::linear,
+                                 scene::Filter::linear, scene::Mipmap::none};
+    const auto add = [&](scene::TextureSlot& slot, auto value) {
+        slot.texture = add_texture(scene, scene::ColorSpace::linear, sampler, value);
+    };
+    const auto waves = [&](int phase) { // all channels between 120 and 255, otherwise in each
+        return [phase](int x, int y) -> std::array<int, 4> {
+            const auto wave = [&](int a, int b) {
+                return static_cast<int>(std::lround(
+                    187.5 + 67.0 * std::sin(0.785 * (a * x + b * y) + static_cast<double>(phase))));
+            };
+            return {wave(1, 0), wave(0, 1), wave(1, 1), wave(1, -1)};
+        };
+    };
+    scene::Material& m = scene.materials[0];
+    m.metallic = 0.6f;
+    m.roughness = 0.5f;
+    add(m.base_color_texture, waves(0));
+    add(m.normal_texture, normal_texel);
+    add(m.anisotropy_texture, [](int x, int y) -> std::array<int, 4> {
+        const double angle = 0.3 * x + 0.2 * y; // its strength is in blue
+        return {static_cast<int>(std::lround(127.5 * (1.0 + std::cos(angle)))),
+                static_cast<int>(std::lround(127.5 * (1.0 + std::sin(angle)))), 160 + 10 * y, 255};
+    });
+    add(m.clearcoat_texture, waves(1));
+    add(m.clearcoat_roughness_texture, waves(2));
+    add(m.clearcoat_normal_texture, [](int x, int y) { return normal_texel(y, x); });
+    add(m.sheen_color_texture, waves(3));
+    add(m.sheen_roughness_texture, waves(4));
+    add(m.iridescence_texture, waves(5));
+    add(m.film_thickness_texture, waves(6));
+}
+
 } // namespace sr::truth

@@ -12,4 +12,7 @@ int add_pattern(scene::Scene& scene, scene::ColorSpace color_space, const scene:
 /// mip levels, which Mitsuba does not have, are never read.
 void add_textures(scene::Scene& scene);
 
+/// Gives the first material a texture in every slot of glTF's layers and in those that they lie over.
+void add_layer_textures(scene::Scene& scene);
+
 } // namespace sr::truth

@@ -8,6 +8,7 @@ The test truth.brdf.metallic_roughness evaluates shaders/brdf/f_r.glsl for the s
 import os
 import sys
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 
@@ -46,13 +47,15 @@ def main():
 
     mi.set_variant("llvm_ad_rgb")
     sys.path.insert(0, str(ROOT / "src/mitsuba/plugin"))
-    import steradian_mitsuba
+    import steradian_mitsuba  # noqa: F401: importing registers the plugins
+    from steradian_mitsuba.microfacets import Microfacets
 
     table = rows().astype(np.float32)
     c = [mi.Float(np.ascontiguousarray(column)) for column in table.T]
-    n, wi, wo = mi.Vector3f(0, 0, 1), mi.Vector3f(c[0], c[1], c[2]), mi.Vector3f(c[4], c[5], c[6])
-    surface = (n, mi.Color3f(c[8], c[9], mi.Float(0.5)), c[3], c[7], mi.Color3f(c[10]), c[11])
-    f_r = np.array(steradian_mitsuba.MetallicRoughness.f_r(surface, wo, wi)).T
+    wi, wo, frame = mi.Vector3f(c[0], c[1], c[2]), mi.Vector3f(c[4], c[5], c[6]), mi.Frame3f(mi.Vector3f(0, 0, 1))
+    x = SimpleNamespace(view=wo, n=frame.n, frame=frame, base_color=mi.Color3f(c[8], c[9], mi.Float(0.5)), metallic=c[3],
+                        lobe=Microfacets(frame, c[7], c[7]), F0=mi.Color3f(c[10]), specular=c[11])
+    f_r = np.array(mi.load_dict({"type": "steradian_metallic_roughness"}).f_r(x, wi)).T
     print("wi_x,wi_y,wi_z,metallic,wo_x,wo_y,wo_z,alpha,base_r,base_g,F0,specular,f_r,f_g,f_b")
     for inputs, outputs in zip(table, f_r):
         print(",".join(f"{value:.9g}" for value in [*inputs, *outputs]))

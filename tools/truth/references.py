@@ -6,8 +6,9 @@
     tools/truth/.venv/bin/python tools/truth/references.py               # all, some ten minutes on two cores
     tools/truth/.venv/bin/python tools/truth/references.py --only tube   # those whose name begins so
 
-The scenes come from build/truth_export. A picture SHAPE.VIEW.exr holds one square a material, side by side: R G B, the mean
-of independent batches, and noise.R noise.G noise.B, the standard error of that mean. index.json says how each was made.
+The scenes come from build/truth_export. A picture holds its parts side by side (SHAPE.VIEW.exr a square a material,
+balls.LIGHT.exr a ball a BRDF): R G B, the mean of independent batches, and noise.R noise.G noise.B, the standard error of
+that mean. index.json says how each was made.
 """
 import argparse
 import json
@@ -22,7 +23,6 @@ from pathlib import Path
 import numpy as np
 
 ROOT = Path(__file__).resolve().parents[2]
-MATERIALS = ["lambert", "ggx_01", "ggx_03", "ggx_05", "ggx_07", "ggx_10", "dielectric", "textured"]  # as in tests/truth/scenes.hpp
 LLVM = "/usr/lib/x86_64-linux-gnu/libLLVM.so.19.1"  # Debian's libllvm19
 
 
@@ -49,9 +49,11 @@ def rounded(values, bits):
     return (whole >> dropped << dropped).view(np.float32)
 
 
-def store(mi, file, means, noises, entry):
-    """The mean rounded by 3·10⁻⁵ at most, which no pixel's noise is below; noise by a quarter percent."""
-    picture = np.concatenate([rounded(np.concatenate(means, 1), 14), rounded(np.concatenate(noises, 1), 8)], 2)
+def store(mi, file, means, noises, entry, bits):
+    """Mean and noise, rounded to so many bits each. What rounding does to the mean is a part of the noise."""
+    mean, noise = np.concatenate(means, 1), np.concatenate(noises, 1)
+    noise = np.hypot(noise, mean * 2.0**-(bits[0] + 1) / np.sqrt(3))
+    picture = np.concatenate([rounded(mean, bits[0]), rounded(noise, bits[1])], 2)
     bitmap = mi.Bitmap(np.ascontiguousarray(picture), pixel_format=mi.Bitmap.PixelFormat.MultiChannel,
                        channel_names=["R", "G", "B", "noise.R", "noise.G", "noise.B"])
     for key in ("made_by", "integrator", "variant", "spp", "seed"):
@@ -60,16 +62,19 @@ def store(mi, file, means, noises, entry):
 
 
 def parts_of(folder):
-    """Squares that stand side by side: a material each, or one picture."""
-    return [part for part in [*MATERIALS, "picture"] if (folder / part).exists()]
+    """What stands side by side in the picture."""
+    return (folder / "parts").read_text().split()
 
 
 def make(mi, folder, file, arguments):
     begin = time.time()
     means, noises, cells = [], [], {}
+    is_plane = not folder.name.startswith(("balls.", "shadow."))  # radiance varies slowly over it, and so does its noise
+    # Of means, 3·10⁻⁵ are lost at most, which no pixel's noise is below; of balls, whose noise is four times that, 10⁻⁴.
+    bits = (12, 5) if folder.name.startswith("balls.") else (14, 8)
     for i, part in enumerate(parts_of(folder)):
         scene = mi.load_file(str(folder / part / "scene.xml"))
-        mean, noise = measured(mi, scene, arguments.spp, arguments.batches, arguments.seed + 1000 * i, part != "picture")
+        mean, noise = measured(mi, scene, arguments.spp, arguments.batches, arguments.seed + 1000 * i, is_plane)
         means.append(mean)
         noises.append(noise)
         lit = mean > 0
@@ -77,7 +82,7 @@ def make(mi, folder, file, arguments):
                            "relative_noise_of_the_sum": round(float((np.sqrt((noise**2).sum((0, 1))) / mean.sum((0, 1))).max()), 7)}
     entry = {"made_by": f"Mitsuba {version('mitsuba')}", "integrator": "direct", "variant": mi.variant(),
              "spp": arguments.spp * arguments.batches, "batches": arguments.batches, "seed": arguments.seed, "cells": cells}
-    store(mi, file, means, noises, entry)
+    store(mi, file, means, noises, entry, bits)
     print(f"{file.name}: {time.time() - begin:.0f} s, a pixel's noise {100 * max(c['relative_noise_of_a_pixel_median'] for c in cells.values()):.2f} % "
           f"at most (median of a cell), of the sum {100 * max(c['relative_noise_of_the_sum'] for c in cells.values()):.3f} %", file=sys.stderr)
     return entry
@@ -101,10 +106,10 @@ def main():
     arguments.to.mkdir(parents=True, exist_ok=True)
     index = arguments.to / "index.json"
     with tempfile.TemporaryDirectory() as scratch:
-        subprocess.run([arguments.export, scratch], check=True)
-        folders = [f for f in sorted(Path(scratch).iterdir()) if f.name.startswith(arguments.only)]
+        subprocess.run([arguments.export, scratch, arguments.only], check=True)
+        folders = [f for f in sorted(Path(scratch).iterdir()) if f.is_dir()]
         if not folders:
-            sys.exit(f"references.py: no picture begins with '{arguments.only}': the names are SHAPE.VIEW of tests/truth/scenes.hpp")
+            sys.exit(f"references.py: no picture begins with '{arguments.only}': the names are SHAPE.VIEW, balls.LIGHT and shadow.SCENE")
         sys.path.insert(0, str(folders[0] / parts_of(folders[0])[0]))
         import steradian_mitsuba  # noqa: F401: importing registers the plugins
 

@@ -1,7 +1,8 @@
 # cmake -DROOT=plugin -DOUT=plugin_files.cpp -P embed.cmake: the files that go into every exported folder, as a C++ file
 # that defines sr::mitsuba::plugin_files().
+include("${ROOT}/files.cmake")
 set(entries "")
-foreach(name README.md render.py steradian_mitsuba.py)
+foreach(name ${plugin_names})
   file(READ "${ROOT}/${name}" text)
   string(FIND "${text}" ")__file__\"" end_mark)
   if(NOT end_mark EQUAL -1)

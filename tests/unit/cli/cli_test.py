@@ -10,7 +10,6 @@ import tempfile
 import time
 import unittest
 from pathlib import Path
-from xml.etree import ElementTree
 
 STERADIAN = SCENE = None
 
@@ -267,22 +266,6 @@ class CommandLine(unittest.TestCase):
         self.assertTrue(result.stdout.startswith("#version 410 core\n"))
         self.assertNotIn("#include", result.stdout)
         self.assert_refused(run("expand", "no.frag"), "no.frag")
-
-    def test_export_writes_a_scene_for_mitsuba(self):
-        result = run("export", SCENE, "--to", "mitsuba", self.folder / "out", "--size", "32x16")
-        self.assertEqual((result.returncode, result.stdout), (0, ""), result.stderr)
-        for name in ("render.py", "steradian_mitsuba.py"):
-            compile((self.folder / "out" / name).read_text(), name, "exec")
-        root = ElementTree.parse(self.folder / "out" / "scene.xml").getroot()
-        self.assertEqual([tag.get("value") for tag in root.iter("integer")][:2], ["32", "16"])
-        for mesh in root.iterfind("shape/string[@name='filename']"):
-            self.assertTrue((self.folder / "out" / mesh.get("value")).is_file())
-        self.assertGreater(len(list(root.iterfind("shape/emitter"))), 0)
-
-    def test_export_refuses_a_folder_that_it_did_not_write(self):
-        (self.folder / "notes.txt").write_text("mine")
-        self.assert_refused(run("export", SCENE, "--to", "mitsuba", self.folder), "notes.txt")
-        self.assertEqual((self.folder / "notes.txt").read_text(), "mine")
 
 
 def main(tests=CommandLine):

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <cstring>
 #include <fstream>
+#include <functional>
+#include <span>
 #include <sstream>
 
 using namespace sr;
@@ -57,7 +59,7 @@ Written written(const scene::Scene& scene, const std::string& name, const scene:
 const Test whole("unit.mitsuba.write.makes_all_that_rendering_takes", [] {
     const Written w = written(triangle(), "whole");
     EXPECT_TRUE(w.warnings.empty());
-    for (const char* name : {"README.md", "render.py", "steradian_mitsuba.py", "meshes/0.ply"})
+    for (const char* name : {"README.md", "render.py", "steradian_mitsuba/__init__.py", "meshes/0.ply"})
         EXPECT_TRUE(fs::file_size(w.folder / name) > 0) << name;
     expect_holds(w.xml, {"<integrator type=\"direct\">", "value=\"meshes/0.ply\"", "<ref id=\"material-0\"/>",
                          "<integer name=\"width\" value=\"40\"/>", "<rfilter type=\"box\">"});
@@ -135,6 +137,56 @@ const Test lights("unit.mitsuba.write.says_every_light", [] {
                   "name=\"inverse_range\" value=\"0.11111111\"",
                   "<rgb name=\"irradiance\" value=\"8, 9, 10\"/>", "<shape type=\"rectangle\">",
                   "<shape type=\"disk\">", "<rgb name=\"radiance\" value=\"20, 21, 22\"/>", "meshes/1.ply"});
+});
+
+/// The XML of a material of that model.
+std::string xml_of(scene::Model model, const std::function<void(scene::Material&)>& change = {}) {
+    scene::Scene scene = triangle();
+    scene.materials[0].model = model;
+    if (change) change(scene.materials[0]);
+    scene.meshes[0].tangents.assign(3, vec4(1, 0, 0, 1));
+    const Written w = written(scene, "brdf");
+    EXPECT_TRUE(w.warnings.empty());
+    return w.xml;
+}
+
+const Test brdfs("unit.mitsuba.write.says_every_brdf", [] {
+    using enum scene::Model;
+    expect_holds(xml_of(lambert), {"\"steradian_framed\"", "<bsdf type=\"diffuse\" name=\"inner\">"});
+    expect_holds(xml_of(mirror), {"\"steradian_framed\"", "<bsdf type=\"conductor\" name=\"inner\">"});
+    expect_holds(xml_of(oren_nayar), {"\"steradian_oren_nayar\"", "name=\"roughness\""});
+    expect_holds(xml_of(phong), {"\"steradian_phong\"", "name=\"exponent\"", "name=\"specular_color\""});
+    expect_holds(xml_of(blinn_phong), {"\"steradian_blinn_phong\"", "name=\"exponent\""});
+    expect_holds(xml_of(ggx, [](scene::Material& m) { m.roughness_across = 0.25f; }),
+                 {"\"steradian_ggx\"", "name=\"roughness_across\" value=\"0.25\"", "vertex_tangent"});
+    expect_holds(xml_of(conductor), {"\"steradian_conductor\"", "<vector name=\"n\"", "<vector name=\"k\""});
+    const auto layers = [](scene::Material& m) {
+        m.anisotropy = m.clearcoat = m.iridescence = 0.5f;
+        m.sheen_color = vec3(0.5f);
+    };
+    expect_holds(xml_of(metallic_roughness, layers),
+                 {"\"steradian_metallic_roughness\"", "\"anisotropy\"", "\"anisotropy_rotation\"",
+                  "vertex_tangent", "\"clearcoat\"", "\"sheen_color\"", "\"iridescence\"", "\"film_ior\""});
+    EXPECT_EQ(xml_of(metallic_roughness).find("sheen"), std::string::npos) << "a layer that is not there";
+});
+
+const Test measured("unit.mitsuba.write.writes_measured_brdfs_once", [] {
+    scene::Scene scene = triangle();
+    scene.measured.push_back({"made", std::vector<vec3>(scene::merl_cells, vec3(0.25f)), 0.5f});
+    scene.materials.push_back(scene.materials[0]);
+    for (scene::Material& material : scene.materials) {
+        material.model = scene::Model::merl;
+        material.measured = 0;
+    }
+    scene.meshes.push_back(scene.meshes[0]);
+    scene.meshes[1].material = 1;
+    scene.instances.push_back({1, mat4(1.0f), "other"});
+    const Written w = written(scene, "measured");
+    expect_holds(w.xml,
+                 {"\"steradian_merl\"", "value=\"measured/0.binary\"", "name=\"alpha\" value=\"0.5\""});
+    const std::string file = text_of(w.folder / "measured" / "0.binary");
+    EXPECT_EQ(scene::read_merl(std::as_bytes(std::span(file)), "made").values[12345], vec3(0.25f));
+    EXPECT_EQ(std::distance(fs::directory_iterator(w.folder / "measured"), {}), 1);
 });
 
 const Test sides("unit.mitsuba.write.gives_two_sided_emitters_two_shapes", [] {

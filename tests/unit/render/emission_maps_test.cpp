@@ -34,7 +34,10 @@ const Test remembered("unit.render.emission_maps.what_is_remembered_is_what_is_m
     render::EmissionMaps maps;
     // The same questions again, other ones, fewer, more: always as if nobody had asked before.
     for (const std::vector<std::pair<int, std::size_t>>& questions :
-         {std::vector<std::pair<int, std::size_t>>{{0, 0}, {1, 1}}, {{0, 0}, {1, 1}}, {{1, 0}, {0, 1}}, {{0, 2}},
+         {std::vector<std::pair<int, std::size_t>>{{0, 0}, {1, 1}},
+          {{0, 0}, {1, 1}},
+          {{1, 0}, {0, 1}},
+          {{0, 2}},
           {{0, 2}, {0, 1}, {1, 2}}}) {
         maps.ask_anew();
         for (const auto& [texture, place] : questions)
@@ -42,8 +45,10 @@ const Test remembered("unit.render.emission_maps.what_is_remembered_is_what_is_m
                       render::EmissionMaps().mean(scene, texture, places[place]));
     }
     EXPECT_EQ(maps.texels().size(), 2u * 64u) << "each texture is there once";
-    EXPECT_NE(render::EmissionMaps().mean(scene, 0, places[0]), render::EmissionMaps().mean(scene, 0, places[1]));
-    EXPECT_NE(render::EmissionMaps().mean(scene, 0, places[0]), render::EmissionMaps().mean(scene, 1, places[0]));
+    EXPECT_NE(render::EmissionMaps().mean(scene, 0, places[0]),
+              render::EmissionMaps().mean(scene, 0, places[1]));
+    EXPECT_NE(render::EmissionMaps().mean(scene, 0, places[0]),
+              render::EmissionMaps().mean(scene, 1, places[0]));
 });
 
 } // namespace

@@ -175,7 +175,8 @@ const Test keys("unit.viewer.bindings.every_command_has_one_key_and_no_key_two",
 
 constexpr double frame = 0.05; // [s] that is aimed at
 
-/// Scales of a machine that takes `whole` seconds for the whole picture, `fixed` for any, and `others` besides.
+/// Scales of a machine that takes `whole` seconds for the whole picture, `fixed` for any, and `others`
+/// besides.
 std::vector<float> scales(double whole, double fixed, double others, int frames) {
     Resolution resolution(frame);
     std::vector<float> result;
@@ -192,10 +193,13 @@ const Test resolution("unit.viewer.resolution.shrinks_soon_returns_and_is_steady
     for (const double whole : {0.05, 0.2, 0.5, 1.0, 1.6})
         for (const double others : {0.0, 0.01, 0.025}) {
             const auto scale = scales(whole, 0.004, others, 80);
-            const auto whole_frame = [&](std::size_t i) { return 0.004 + whole * scale[i] * scale[i] + others; };
+            const auto whole_frame = [&](std::size_t i) {
+                return 0.004 + whole * scale[i] * scale[i] + others;
+            };
             EXPECT_LE(whole_frame(3), 0.066) << whole << ": four frames are enough";
             EXPECT_LE(whole_frame(79), 0.060) << whole << ": above 15 frames a second";
-            EXPECT_TRUE(whole_frame(79) >= 0.030 || scale[79] == 1.0f) << whole << ": not smaller than it must be";
+            EXPECT_TRUE(whole_frame(79) >= 0.030 || scale[79] == 1.0f)
+                << whole << ": not smaller than it must be";
             EXPECT_EQ(scale[50], scale[79]) << whole << ": no back and forth";
         }
     Resolution back(frame);

@@ -116,6 +116,12 @@ class Viewer:
         self.display.do("type", "--delay", "20", text)
         self.key("Return")
 
+    def count(self, color: tuple[int, int, int]) -> int:
+        """How many pixels of the screen have just this colour."""
+        time.sleep(0.3)
+        pixel = self.display.pixels()
+        return sum(pixel(x, y) == color for x in range(400) for y in range(300))
+
     @staticmethod
     def write(file: Path, text: str):
         """Saves a file as editors do: whole."""

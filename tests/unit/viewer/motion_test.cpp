@@ -82,7 +82,8 @@ scene::PointLight lamp_at(double seconds) {
     return std::get<scene::PointLight>(load_scene(motion, options, 1.0f).stage.lights[0]);
 }
 
-// motion.gltf: "lamp" walks and changes its intensity, "sign", an emissive surface, is hidden from 1.25 s to 1.75 s.
+// motion.gltf: "lamp" walks and changes its intensity, "sign", an emissive surface, is hidden from 1.25 s
+// to 1.75 s.
 const Test edits_stay("unit.viewer.lights.edits_survive_another_moment", [] {
     LoadedScene loaded = load_scene(motion, {}, 1.0f);
     Lighting lighting(loaded, false);

@@ -25,7 +25,7 @@ OPTIONS = "--energy-compensation"
 
 def arguments_of(viewer: Viewer) -> list[str]:
     """The last picture that converged, as `render` takes it: a camera, a moment, a variant."""
-    return shlex.split(re.findall(r"converged: \d+ samples, --camera (.*)", viewer.errors())[-1])
+    return shlex.split(re.findall(r"converged: .*?, --camera (.*)", viewer.errors())[-1])
 
 
 def playing(viewer: Viewer, scene: Path):

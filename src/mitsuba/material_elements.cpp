@@ -1,0 +1,169 @@
+#include "mitsuba/material_elements.hpp"
+
+#include "core/error.hpp"
+
+namespace sr::mitsuba {
+namespace {
+
+using scene::Model;
+
+/// ((ior - 1) / (ior + 1))²; 0 stands for an infinite ior (KHR_materials_ior).
+float F0_from_ior(float ior) {
+    if (ior == 0.0f) return 1.0f;
+    const float r = (ior - 1.0f) / (ior + 1.0f);
+    return r * r;
+}
+
+void write_attribute(Xml& xml, std::string_view name) {
+    xml.open("texture", "mesh_attribute", name);
+    xml.text("name", name);
+    xml.close();
+}
+
+class Elements {
+public:
+    Elements(Xml& xml, Textures& textures, const scene::Material& material, bool has_tangents)
+        : xml_(xml), textures_(textures), m_(material), has_tangents_(has_tangents) {}
+
+    void write_common(const scene::Mesh& mesh) {
+        xml_.vector("base_color", vec3(m_.base_color));
+        xml_.number("roughness", m_.roughness);
+        xml_.flag("double_sided", m_.is_double_sided);
+        write_slot("base_color_texture", m_.base_color_texture);
+        write_slot("metallic_roughness_texture", m_.metallic_roughness_texture);
+        if (!mesh.colors.empty()) write_attribute(xml_, "vertex_color");
+        if (!has_tangents_) return;
+        xml_.number("normal_scale", m_.normal_scale);
+        write_slot("normal_texture", m_.normal_texture);
+        for (const char* name : {"vertex_normal", "vertex_tangent", "vertex_handedness"})
+            write_attribute(xml_, name);
+    }
+
+    void write_model() {
+        switch (m_.model) {
+        case Model::metallic_roughness: return write_metallic_roughness();
+        case Model::lambert: return write_inner("diffuse");
+        case Model::mirror: return write_inner("conductor");
+        case Model::phong:
+        case Model::blinn_phong: return write_phong();
+        case Model::conductor:
+            xml_.vector("n", m_.conductor.n);
+            xml_.vector("k", m_.conductor.k);
+            return write_widths();
+        case Model::ggx: return write_widths();
+        case Model::oren_nayar:
+        case Model::merl: return;
+        }
+    }
+
+private:
+    void write_slot(std::string_view name, const scene::TextureSlot& slot, Part part = Part::color) {
+        if (slot.is_present()) textures_.write(xml_, name, slot.texture, slot.uv_transform, part);
+    }
+
+    /// Mitsuba's own, of reflectance 1.
+    void write_inner(std::string_view plugin) {
+        xml_.open("bsdf", plugin, "inner");
+        if (plugin == "diffuse")
+            xml_.color("reflectance", vec3(1.0f));
+        else
+            xml_.text("material", "none");
+        xml_.close();
+    }
+
+    void write_phong() {
+        xml_.number("exponent", m_.exponent);
+        write_specular_color();
+    }
+
+    void write_specular_color() {
+        xml_.vector("specular_color", m_.specular_color);
+        write_slot("specular_color_texture", m_.specular_color_texture);
+    }
+
+    bool has_direction() const { return has_tangents_ && m_.is_anisotropic(); }
+
+    void write_direction() {
+        xml_.number("anisotropy_rotation", m_.anisotropy_rotation);
+        write_slot("anisotropy_texture", m_.anisotropy_texture);
+    }
+
+    void write_widths() {
+        if (!has_direction()) return;
+        xml_.number("roughness_across", m_.roughness_across);
+        write_direction();
+    }
+
+    void write_metallic_roughness() {
+        xml_.number("metallic", m_.metallic);
+        xml_.number("F0", F0_from_ior(m_.ior));
+        xml_.number("specular", m_.specular);
+        write_slot("specular_texture", m_.specular_texture, Part::alpha);
+        write_specular_color();
+        if (has_direction()) {
+            xml_.number("anisotropy", m_.anisotropy);
+            write_direction();
+        }
+        if (m_.iridescence > 0.0f) write_film();
+        if (m_.has_sheen()) write_sheen();
+        if (m_.clearcoat > 0.0f) write_clearcoat();
+    }
+
+    void write_film() {
+        xml_.number("iridescence", m_.iridescence);
+        xml_.number("film_ior", m_.film_ior);
+        xml_.number("least_film_thickness", m_.least_film_thickness);
+        xml_.number("largest_film_thickness", m_.largest_film_thickness);
+        write_slot("iridescence_texture", m_.iridescence_texture);
+        write_slot("film_thickness_texture", m_.film_thickness_texture);
+    }
+
+    void write_sheen() {
+        xml_.vector("sheen_color", m_.sheen_color);
+        xml_.number("sheen_roughness", m_.sheen_roughness);
+        write_slot("sheen_color_texture", m_.sheen_color_texture);
+        write_slot("sheen_roughness_texture", m_.sheen_roughness_texture, Part::alpha);
+    }
+
+    void write_clearcoat() {
+        xml_.number("clearcoat", m_.clearcoat);
+        xml_.number("clearcoat_roughness", m_.clearcoat_roughness);
+        write_slot("clearcoat_texture", m_.clearcoat_texture);
+        write_slot("clearcoat_roughness_texture", m_.clearcoat_roughness_texture);
+        if (!has_tangents_ || !m_.clearcoat_normal_texture.is_present()) return;
+        xml_.number("clearcoat_normal_scale", m_.clearcoat_normal_scale);
+        write_slot("clearcoat_normal_texture", m_.clearcoat_normal_texture);
+    }
+
+    Xml& xml_;
+    Textures& textures_;
+    const scene::Material& m_;
+    bool has_tangents_;
+};
+
+} // namespace
+
+std::string_view plugin_for(Model model) {
+    switch (model) {
+    case Model::metallic_roughness: return "steradian_metallic_roughness";
+    case Model::lambert:
+    case Model::mirror: return "steradian_framed";
+    case Model::oren_nayar: return "steradian_oren_nayar";
+    case Model::phong: return "steradian_phong";
+    case Model::blinn_phong: return "steradian_blinn_phong";
+    case Model::ggx: return "steradian_ggx";
+    case Model::conductor: return "steradian_conductor";
+    case Model::merl: return "steradian_merl";
+    }
+    require(false, "the model is one of the list");
+    return {};
+}
+
+void write_parameters(Xml& xml, Textures& textures, const scene::Material& material, const scene::Mesh& mesh,
+                      bool has_tangents) {
+    Elements elements(xml, textures, material, has_tangents);
+    elements.write_common(mesh);
+    elements.write_model();
+}
+
+} // namespace sr::mitsuba
