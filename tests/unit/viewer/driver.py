@@ -112,7 +112,7 @@ class Viewer:
 
     def type(self, text: str):
         """Into the field that has the keyboard, and Enter."""
-        time.sleep(0.2)
+        time.sleep(0.4)  # until the field has it, on a busy machine too
         self.display.do("type", "--delay", "20", text)
         self.key("Return")
 
