@@ -6,6 +6,7 @@
 
 uniform sampler2D film_sum;  // the sum of all samples
 uniform float film_weight;   // 1 / their number
+uniform sampler2D rest_weights; // of the film's pixels that rest 1 / their number; 0 of the others
 uniform sampler2D other_sum; // what it is compared with
 uniform float other_weight;
 uniform vec2 window_size;
@@ -15,9 +16,14 @@ uniform float wipe;             // where the other picture begins, 0 to 1
 
 out vec4 screen;
 
+vec3 mean(sampler2D sum, float weight, bool has_rest, ivec2 at) {
+    if (has_rest) weight = max(weight, texelFetch(rest_weights, at, 0).r);
+    return texelFetch(sum, at, 0).rgb * weight;
+}
+
 // Pixel by pixel where the film has the window's size, else bilinear in linear light.
-vec3 radiance(sampler2D sum, float weight) {
-    if (!is_scaled) return texelFetch(sum, ivec2(gl_FragCoord.xy), 0).rgb * weight;
+vec3 radiance(sampler2D sum, float weight, bool has_rest) {
+    if (!is_scaled) return mean(sum, weight, has_rest, ivec2(gl_FragCoord.xy));
     vec2 size = vec2(textureSize(sum, 0));
     vec2 at = gl_FragCoord.xy * size / window_size - 0.5;
     ivec2 low = ivec2(floor(at + 1e-3)); // a pixel's centre must not fall below itself by rounding
@@ -25,18 +31,25 @@ vec3 radiance(sampler2D sum, float weight) {
     ivec2 last = ivec2(size) - 1;
     vec3 rows[2];
     for (int y = 0; y < 2; ++y) {
-        vec3 left = texelFetch(sum, clamp(low + ivec2(0, y), ivec2(0), last), 0).rgb;
-        vec3 right = texelFetch(sum, clamp(low + ivec2(1, y), ivec2(0), last), 0).rgb;
+        vec3 left = mean(sum, weight, has_rest, clamp(low + ivec2(0, y), ivec2(0), last));
+        vec3 right = mean(sum, weight, has_rest, clamp(low + ivec2(1, y), ivec2(0), last));
         rows[y] = mix(left, right, between.x);
     }
-    return mix(rows[0], rows[1], between.y) * weight;
+    return mix(rows[0], rows[1], between.y);
 }
+
+vec3 other_radiance() { return radiance(other_sum, other_weight, false); }
 
 vec3 shown(vec3 L) {
     if (!is_false_color) return displayed(L, exposure, shown_curve);
     if (!is_finite(L)) return vec3(1.0, 0.0, 1.0);
     float ev = log2(max(luminance(L), 1e-30));
     return false_color((ev - false_color_range.x) / (false_color_range.y - false_color_range.x));
+}
+
+vec3 shown_other() {
+    vec3 light = other_radiance();
+    return is_other_displayed ? srgb_encoded(light) : shown(light);
 }
 
 // Blue where the film is darker than the other, orange where it is brighter, grey where they agree; full at one half.
@@ -49,12 +62,16 @@ vec3 difference(vec3 L, vec3 other) {
 }
 
 void main() {
-    vec3 L = radiance(film_sum, film_weight);
-    vec3 color = comparison == 2 ? difference(L, radiance(other_sum, other_weight)) : shown(L);
-    if (comparison == 3) color = false_color(radiance(other_sum, other_weight).r);
+    vec3 L = radiance(film_sum, film_weight, is_resting);
+    vec3 color = shown(L);
+    if (comparison == 2) {
+        vec3 here = is_other_displayed ? clamp(toned(L * exposure, shown_curve), 0.0, 1.0) : L;
+        color = difference(here, other_radiance());
+    }
+    if (comparison == 3) color = false_color(other_radiance().r);
     if (comparison == 1) {
         float edge = gl_FragCoord.x - wipe * window_size.x;
-        if (edge > 0.0) color = shown(radiance(other_sum, other_weight));
+        if (edge > 0.0) color = shown_other();
         if (abs(edge) < 1.0) color = vec3(1.0);
     }
     screen = vec4(color, 1.0);

@@ -126,20 +126,11 @@ void declare_sequence(CLI::App& command, RenderCommand& o) {
         ->capture_default_str();
 }
 
-void declare_stopping(CLI::App& command, RenderCommand& o) {
-    parsed(command, "--error",
-           "stop when the picture is this near to what it converges to: √rel_mse of `steradian compare`, "
-           "estimated "
-           "from two independent halves of the samples; pixels that are near enough stop earlier. Then "
-           "--samples is "
-           "65536 by default",
-           "PERCENT%", parsed_percentage, [&o](double error) { o.stop.error = error; });
+void declare_denoising(CLI::App& command, RenderCommand& o) {
     command.add_flag(
         "--denoise", o.denoises,
         "with --estimator analytic: filter the shadows, the only noise it has, over pixels of the same "
         "surface. Looks smooth and is biased: no measurement");
-    parsed(command, "--time", "stop after this long; loading and --layers are not counted", "SECONDS|2s|5min",
-           parsed_duration, [&o](double seconds) { o.stop.seconds = seconds; });
 }
 
 void declare_estimator(CLI::App& command, RenderCommand& o) {
@@ -214,6 +205,17 @@ void declare_display(CLI::App& command, RenderCommand& o) {
            [&o](image::ToneCurve curve) { o.tone_curve = curve; });
 }
 
+void declare_stopping(CLI::App& command, RenderCommand& o) {
+    parsed(command, "--error",
+           "stop when the picture is this near to what it converges to: √rel_mse of `steradian compare`, "
+           "estimated "
+           "from two independent halves of the samples; pixels that are near enough stop earlier. Then "
+           "--samples is 65536 by default",
+           "PERCENT%", parsed_percentage, [&o](double error) { o.stop.error = error; });
+    parsed(command, "--time", "stop after this long; loading and --layers are not counted", "SECONDS|2s|5min",
+           parsed_duration, [&o](double seconds) { o.stop.seconds = seconds; });
+}
+
 void declare(CLI::App& command, RenderCommand& options) {
     declare_rendering(command, options);
     command
@@ -224,6 +226,7 @@ void declare(CLI::App& command, RenderCommand& options) {
         ->required();
     declare_sequence(command, options);
     declare_stopping(command, options);
+    declare_denoising(command, options);
     declare_output(command, options);
     command.footer(
         "Examples:\n"

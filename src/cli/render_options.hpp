@@ -61,6 +61,9 @@ void declare(CLI::App& command, RenderCommand& options);
 /// Declares those that say what is rendered and by what, without those that say where it goes.
 void declare_rendering(CLI::App& command, RenderCommand& options);
 
+/// Declares --error and --time; --samples is declared with what is rendered.
+void declare_stopping(CLI::App& command, RenderCommand& options);
+
 /// Declares exposure and tone curve.
 void declare_display(CLI::App& command, RenderCommand& options);
 

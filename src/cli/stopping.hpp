@@ -1,24 +1,16 @@
 #pragma once
-// When a picture has enough samples.
+// Samples until a picture has enough of them.
 #include "cli/interruption.hpp"
 #include "render/convergence.hpp"
+#include "render/stop_rule.hpp"
 
 #include <optional>
 #include <string>
 
 namespace sr::cli {
 
-/// Samples a pixel where only --time or --error ends a rendering.
-inline constexpr int most_samples = 65536;
-
-/// What ends a rendering; whatever comes first.
-struct StopRule {
-    int samples = 16;              // a pixel, at most
-    std::optional<double> seconds; // of drawing
-    std::optional<double> error;   // √relMSE, 0.005 for half a percent
-
-    bool asks_for_error() const { return seconds || error; }
-};
+using render::most_samples;
+using render::StopRule;
 
 enum class StoppedBy { samples, time, error, interruption };
 const char* name_of(StoppedBy reason);

@@ -16,6 +16,7 @@ using nlohmann::ordered_json;
 
 struct ViewCommand {
     RenderCommand rendering;
+    bool plays = false;
     bool is_fullscreen = false;
     bool is_verbose = false;
 };
@@ -28,8 +29,13 @@ viewer::Options viewer_options(const ViewCommand& command) {
     options.camera = r.camera;
     options.rig = r.rig;
     options.hide_emitters = r.hide_emitters;
+    options.at = r.at;
+    options.animation = r.animation;
+    options.plays = command.plays;
+    options.variant = r.variant;
+    options.has_energy_compensation = r.has_energy_compensation;
     options.visibility = r.visibility;
-    options.rendering.samples = r.stop.samples;
+    options.stop = r.stop;
     options.rendering.seed = r.seed;
     options.rendering.background = r.background;
     options.rendering.estimator = r.estimator;
@@ -62,9 +68,16 @@ ordered_json summary(const viewer::Statistics& statistics) {
     if (statistics.moving_frames.empty()) return json;
     json["moving_scale_median"] = quantile(statistics.moving_scales, 0.5);
     json["moving_frame_median [s]"] = quantile(statistics.moving_frames, 0.5);
+    json["moving_sample_median [s]"] = quantile(statistics.moving_samples, 0.5);
     json["moving_frame_p95 [s]"] = quantile(statistics.moving_frames, 0.95);
     json["moving_frame_processor_median [s]"] = quantile(statistics.moving_cpu, 0.5);
     return json;
+}
+
+/// What a standing picture converges to if nobody says how many samples it takes.
+void converge_by_default(StopRule& stop) {
+    stop.samples = stop.asks_for_error() ? most_samples : 256;
+    if (!stop.asks_for_error()) stop.error = 0.005;
 }
 
 void view(const ViewCommand& command) {
@@ -79,23 +92,36 @@ void view(const ViewCommand& command) {
 
 void add_view_command(CLI::App& app) {
     const auto options = std::make_shared<ViewCommand>();
-    options->rendering.stop.samples = 256;
     CLI::App* command = app.add_subcommand("view", "look around in a scene, in a window");
     declare_rendering(*command, options->rendering);
+    declare_stopping(*command, options->rendering);
     declare_display(*command, options->rendering);
     command->remove_option(command->get_option("--backend")); // there is but one with a window
     command->get_option("--size")->description("size of the window (default: as it was last, or 1280x720)");
-    command->get_option("--samples")->description("samples a pixel that a standing picture converges to");
+    command->get_option("--samples")
+        ->description("samples a pixel that a standing picture converges to; without --error and --time its "
+                      "error is not estimated (default: 256 or an --error of 0.5%, whatever comes first)")
+        ->default_str("");
+    command->get_option("--at")->description("open the animation at this time (default: the rest pose)");
+    command->get_option("--animation")
+        ->description("which one to play: by name or index, or all at once (default: the first)");
+    command->add_flag("--play", options->plays, "play the animation, from --at or its beginning on");
     command->add_flag("--fullscreen", options->is_fullscreen, "fill the screen (F11)");
     command->add_flag("-v,--verbose", options->is_verbose, "say on stderr what happens");
     command->add_flag("--json", options->rendering.json,
                       "print what start and frames took as JSON, at the end");
-    command->footer("F1 or ? in the window shows all keys.\n\n"
-                    "Examples:\n"
-                    "  steradian view scene.glb\n"
-                    "  steradian view scene.glb --shaders my_shaders      (saved changes show at once)\n"
-                    "  steradian view scene.glb --camera 1 --exposure 9 --tone-curve agx --samples 1024");
-    command->callback([options] { view(*options); });
+    command->footer(
+        "F1 or ? in the window shows all keys.\n\n"
+        "Examples:\n"
+        "  steradian view scene.glb\n"
+        "  steradian view scene.glb --shaders my_shaders      (saved changes show at once)\n"
+        "  steradian view dancer.glb --animation Walk --play\n"
+        "  steradian view scene.glb --camera 1 --exposure 9 --tone-curve agx --samples 1024\n"
+        "  steradian view scene.glb --error 0.1%              (until it is that near to converged)");
+    command->callback([options, command] {
+        if (command->count("--samples") == 0) converge_by_default(options->rendering.stop);
+        view(*options);
+    });
 }
 
 } // namespace sr::cli

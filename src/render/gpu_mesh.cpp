@@ -56,4 +56,10 @@ void GpuMesh::draw() const {
     glDrawElements(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr);
 }
 
+void GpuMesh::draw_triangle(int triangle) const {
+    glBindVertexArray(vertex_array_.id());
+    const std::size_t offset = 3 * static_cast<std::size_t>(triangle) * sizeof(std::uint32_t);
+    glDrawElements(GL_TRIANGLES, 3, GL_UNSIGNED_INT, reinterpret_cast<const void*>(offset));
+}
+
 } // namespace sr::render

@@ -12,6 +12,7 @@ public:
     explicit GpuMesh(const scene::Mesh& mesh);
 
     void draw() const;
+    void draw_triangle(int triangle) const;
 
 private:
     gl::VertexArray vertex_array_;

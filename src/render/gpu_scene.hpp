@@ -2,6 +2,7 @@
 // A Scene in the memory of the GPU.
 #include "render/blocks.hpp"
 #include "render/buffer_texture.hpp"
+#include "render/emission_maps.hpp"
 #include "render/features.hpp"
 #include "render/gpu_mesh.hpp"
 #include "render/ltc_table.hpp"
@@ -57,6 +58,10 @@ public:
     /// Binds the instance's and the material's data and draws with whatever program is in use.
     void draw(const Draw& draw) const;
 
+    /// The two by themselves; of the mesh one triangle.
+    void bind(const Draw& draw) const;
+    void draw_triangle(const Draw& draw, int triangle) const;
+
 private:
     void upload_textures(const scene::Scene& scene);
     void upload_objects(const scene::Scene& scene);
@@ -81,6 +86,7 @@ private:
     GLsizeiptr object_stride_ = 0;
     GLsizeiptr material_stride_ = 0;
     BufferTexture light_table_{"the emitters", GL_RGBA32F};
+    EmissionMaps emission_maps_;
     BufferTexture emission_texels_{"the emitters' textures", GL_RGBA16F};
     gl::Texture ltc_texture_ = upload_ltc_table();
     int light_count_ = 0;

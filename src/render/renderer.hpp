@@ -91,6 +91,7 @@ public:
     void rest(const PixelMask& pixels) { resting_.add(pixels, sample_count_); }
     /// Whether no pixel is left that takes samples.
     bool all_rest() const { return resting_.working(sample_count_).is_empty(); }
+    const Resting& resting() const { return resting_; }
     /// How many samples each pixel has, rows from top to bottom.
     std::vector<int> pixel_samples() const;
 

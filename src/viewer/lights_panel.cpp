@@ -1,6 +1,7 @@
 #include "viewer/lights_panel.hpp"
 
 #include "core/error.hpp"
+#include "viewer/extents.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -12,10 +13,6 @@ namespace {
 
 LightGroup group_of(const std::vector<scene::Light>& lights, const scene::Scene& scene) {
     return {lights, scene.profiles, scene.units};
-}
-
-mat4 around(vec3 center, const mat4& change) {
-    return glm::translate(mat4(1.0f), center) * change * glm::translate(mat4(1.0f), -center);
 }
 
 /// A mark stands for what the picture does not show.
@@ -143,7 +140,8 @@ LightChange LightsPanel::draw_place(Lighting& lighting) {
         for (int axis = 0; axis < 3; ++axis) {
             vec3 unit(0.0f);
             unit[axis] = 1.0f;
-            rotation = glm::rotate(mat4(1.0f), glm::radians(turn[axis] - turn_[axis]), unit) * rotation;
+            rotation = glm::rotate(mat4(1.0f), glm::radians(turn[axis] - turn_[axis]), axis_direction(axis))
+                       * rotation;
         }
         turn_ = turn;
         transform(around(pivot, rotation));
@@ -154,6 +152,17 @@ LightChange LightsPanel::draw_place(Lighting& lighting) {
         const float by = scale / scale_;
         scale_ = scale;
         transform(around(pivot, glm::scale(mat4(1.0f), vec3(by))));
+    }
+    const std::vector<Extent> extents = extents_of(lighting.lights_of(lamp).front());
+    for (std::size_t i = 0; i < extents.size(); ++i) {
+        float size = extents[i].size;
+        const std::string label = fmt::format("{} [m]", extents[i].name);
+        const bool is_changed = ImGui::DragFloat(label.c_str(), &size, 0.01f * size, 1e-4f, 1e4f, "%.4g",
+                                                 ImGuiSliderFlags_AlwaysClamp);
+        if (ImGui::IsItemActivated()) lighting.begin_step();
+        if (!is_changed) continue;
+        lighting.set_size(lamp, i, size);
+        change = LightChange::place;
     }
     return change;
 }
@@ -182,18 +191,6 @@ void LightsPanel::draw_marks(const Lighting& lighting, const Projection& project
         if (!at || (!is_selected && !needs_mark(lighting, i))) continue;
         list.AddCircle({at->x, at->y}, 6.0f * scale, is_selected ? orange : grey, 0,
                        is_selected ? 2.5f : 1.5f);
-        if (!is_selected || !lighting.can_move(i)) continue;
-        const auto arrows = arrows_at(*center, projection, 70.0f * scale);
-        if (!arrows) continue;
-        // Told apart by their letters, not by colour alone.
-        constexpr std::array colors{IM_COL32(213, 94, 0, 255), IM_COL32(0, 158, 115, 255),
-                                    IM_COL32(86, 180, 233, 255)};
-        for (const Arrow& arrow : *arrows) {
-            const auto axis = static_cast<std::size_t>(arrow.axis);
-            list.AddLine({arrow.from.x, arrow.from.y}, {arrow.to.x, arrow.to.y}, colors[axis], 2.5f * scale);
-            constexpr std::array letters{"X", "Y", "Z"};
-            list.AddText({arrow.to.x + 2.0f, arrow.to.y - 6.0f}, colors[axis], letters[axis]);
-        }
     }
 }
 

@@ -27,7 +27,7 @@ public:
     /// Draws the panel. @return what changed; `message` is what to tell the person
     LightChange draw(Lighting& lighting, const LoadedScene& loaded, vec3 new_light_at, std::string& message);
 
-    /// Draws marks at lights that have no surface, and the selected one's arrows.
+    /// Draws marks at lights that have no surface, and at the selected one.
     void draw_marks(const Lighting& lighting, const Projection& projection, float scale) const;
 
     /// The light whose mark is under the pointer.

@@ -2,6 +2,7 @@
 // What the viewer is asked for.
 #include "image/display.hpp"
 #include "render/renderer.hpp"
+#include "render/stop_rule.hpp"
 #include "scene/stage.hpp"
 
 namespace sr::viewer {
@@ -12,9 +13,16 @@ struct Options {
     std::string camera; // as StageOptions has it
     scene::Rig rig = scene::Rig::studio;
     bool hide_emitters = false;
+    std::optional<double> at;  // [s]; absent: the file's rest pose
+    std::string animation;     // as gltf::Asset::animations_named() takes it
+    bool plays = false;        // the animation, from `at` or its beginning on
+    std::string variant;       // of KHR_materials_variants; empty: none
+    bool is_reloading = false; // what the file no longer has is remarked on, and is no error
     render::Visibility visibility = render::Visibility::ray;
-    /// Of the standing picture; size and shader path are the viewer's own.
+    bool has_energy_compensation = false; // as GpuScene has it
+    /// Of the standing picture; size, shader path and samples are the viewer's own.
     render::RenderOptions rendering;
+    render::StopRule stop;            // what the standing picture converges to
     std::vector<std::string> shaders; // folders, looked into before the built-in shaders
     std::optional<float> ev100;       // absent: automatic
     image::ToneCurve tone_curve = image::ToneCurve::neutral;

@@ -14,13 +14,6 @@ const ImVec4 orange{0.902f, 0.624f, 0.0f, 1.0f}; // Okabe & Ito 2008
 
 void text(const std::string& line) { ImGui::TextUnformatted(line.data(), line.data() + line.size()); }
 
-std::string progress_of(const Status& s) {
-    if (s.is_moving)
-        return fmt::format("moving at {:.0f} %, {:.1f} ms a sample", 100.0f * s.scale,
-                           1e3 * s.seconds_per_sample);
-    return fmt::format("{}/{} samples, {:.1f} ms each", s.samples, s.all_samples, 1e3 * s.seconds_per_sample);
-}
-
 /// A line of the help; without `keys` a heading.
 struct HelpLine {
     const char* keys = "";
@@ -62,7 +55,7 @@ void status_line(const Status& status) {
     ImGui::Begin("status", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings
                      | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoBringToFrontOnFocus);
-    text(progress_of(status));
+    text(status.progress);
     for (const std::string* part : {&status.under_pointer, &status.message}) {
         if (part->empty()) continue;
         ImGui::SameLine(0.0f, 3.0f * ImGui::GetFontSize());

@@ -11,13 +11,9 @@ namespace sr::viewer {
 
 /// What the line at the bottom says.
 struct Status {
-    int samples = 0;
-    int all_samples = 0;
-    bool is_moving = false;
-    float scale = 1.0f;              // of the sides, while moving
-    double seconds_per_sample = 0.0; // [s]
-    std::string under_pointer;       // radiance and luminance
-    std::string message;             // the last thing that happened
+    std::string progress;      // of the picture
+    std::string under_pointer; // radiance and luminance
+    std::string message;       // the last thing that happened
 };
 void status_line(const Status& status);
 

@@ -1,15 +1,21 @@
 #include "viewer/picture.hpp"
 
+#include "gl/context.hpp"
+
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 
 namespace sr::viewer {
 namespace {
 
 using namespace std::chrono_literals;
 
-// With what the window and its panels take, this leaves some 20 frames a second in software GL.
-constexpr double moving_budget = 0.035;   // [s] a sample
+constexpr double software_frame = 0.050; // [s] from one moving frame to the next, where GL is software
+constexpr double gpu_frame = 1.0 / 60.0; // [s] likewise on a GPU
+constexpr double gpu_others =
+    0.006; // [s] of it left for all else: waiting for the screen cannot be told from work
+constexpr auto longest_others = 150ms;    // between two samples: after more the hand had rested
 constexpr int moving_samples = 4;         // that a moving picture gathers while the hand rests
 constexpr auto settled = 180ms;           // of rest, until the picture stands
 constexpr double standing_budget = 0.040; // [s] of sampling between two looks at keys and pointer
@@ -17,6 +23,10 @@ constexpr int most_parts = 10; // of a sample: each reads all the scene's vertic
 
 int scaled(int side, float scale) {
     return std::max(1, static_cast<int>(std::lround(static_cast<float>(side) * scale)));
+}
+
+bool is_software() {
+    return gl::is_software_renderer(reinterpret_cast<const char*>(glGetString(GL_RENDERER)));
 }
 
 /// A picture begins as if it had moved: coarse, and there at once.
@@ -35,13 +45,14 @@ double seconds_since(Picture::Clock::time_point begin) {
 } // namespace
 
 Picture::Picture(const render::GpuScene& scene, const scene::Camera& camera,
-                 const render::RenderOptions& options)
-    : resolution_(moving_budget),
+                 const render::RenderOptions& options, const render::StopRule& rule)
+    : is_software_(is_software()),
+      resolution_(is_software_ ? software_frame : gpu_frame - gpu_others),
       renderer_(scene, camera, first_options(options, resolution_.scale())),
       camera_(camera),
       width_(options.width),
       height_(options.height),
-      samples_(options.samples) {
+      stopping_(rule) {
     renderer_.compile();
     moved_ = Clock::now();
 }
@@ -72,6 +83,7 @@ void Picture::start_moving() {
     renderer_.look_from(camera_);
     is_moving_ = true;
     is_kept_shown_ = false;
+    rest_weights_.clear();
 }
 
 void Picture::stand() {
@@ -81,7 +93,8 @@ void Picture::stand() {
         static_cast<double>(width_) * height_ / (static_cast<double>(renderer_.width()) * renderer_.height());
     seconds_ *= pixels; // what the first sample can be expected to take
     spent_ = 0.0;
-    renderer_.resize(width_, height_, samples_);
+    stopping_.begin();
+    renderer_.resize(width_, height_, stopping_.rule().samples);
     renderer_.look_from(camera_);
 }
 
@@ -101,16 +114,22 @@ void Picture::keep() {
 }
 
 FilmSum Picture::shown() const {
-    if (is_kept_shown_) return {&kept_->color(), kept_samples_, kept_width_, kept_height_};
-    return {&renderer_.film_sum(), sample_count(), renderer_.width(), renderer_.height()};
+    const gl::Texture* rests = rest_weights_.texture();
+    if (is_kept_shown_) return {&kept_->color(), kept_samples_, kept_width_, kept_height_, rests};
+    return {&renderer_.film_sum(), sample_count(), renderer_.width(), renderer_.height(), rests};
 }
 
 image::Image Picture::film() const {
     if (!is_kept_shown_) return renderer_.film();
     image::Image image = kept_->read();
-    const float weight = 1.0f / static_cast<float>(kept_samples_);
-    for (float& value : image.pixels) value *= weight;
+    for (std::size_t i = 0; i < image.pixels.size(); ++i)
+        image.pixels[i] *= 1.0f / static_cast<float>(kept_samples_of(i / 4));
     return image;
+}
+
+/// No pixel of a moving picture rests, which can be what is kept.
+int Picture::kept_samples_of(std::size_t pixel) const {
+    return rest_weights_.texture() ? renderer_.resting().samples_of(pixel, kept_samples_) : kept_samples_;
 }
 
 vec3 Picture::pixel(vec2 place) const {
@@ -118,12 +137,16 @@ vec3 Picture::pixel(vec2 place) const {
     const auto at = [](float part, int size) {
         return std::clamp(static_cast<int>(part * static_cast<float>(size)), 0, size - 1);
     };
+    const int column = at(place.x, film.width), row = at(place.y, film.height);
     vec4 sum(0.0f);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, reading_.id());
     glFramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, film.sum->id(), 0);
-    glReadPixels(at(place.x, film.width), film.height - 1 - at(place.y, film.height), 1, 1, GL_RGBA, GL_FLOAT,
-                 &sum.x);
-    return vec3(sum) / static_cast<float>(film.samples);
+    glReadPixels(column, film.height - 1 - row, 1, 1, GL_RGBA, GL_FLOAT, &sum.x);
+    const auto index = static_cast<std::size_t>(row) * static_cast<std::size_t>(film.width)
+                       + static_cast<std::size_t>(column);
+    const int samples =
+        film.rest_weights ? renderer_.resting().samples_of(index, film.samples) : film.samples;
+    return vec3(sum) / static_cast<float>(samples);
 }
 
 void Picture::advance() {
@@ -138,9 +161,12 @@ void Picture::advance_moving() {
     if (renderer_.sample_count() >= moving_samples) return;
     const bool is_first = renderer_.sample_count() == 0;
     const auto begin = Clock::now();
+    const std::chrono::duration<double> others = begin - moving_sample_end_;
+    if (is_software_ && others < longest_others) resolution_.others_took(others.count());
     renderer_.add_sample();
     seconds_ = seconds_since(begin);
     if (is_first) resolution_.took(seconds_);
+    moving_sample_end_ = Clock::now();
     is_kept_shown_ = false;
 }
 
@@ -163,7 +189,24 @@ void Picture::advance_standing() {
         seconds_ = spent_;
         spent_ = 0.0;
         is_kept_shown_ = false;
+        if (stopping_.took_sample(renderer_, seconds_))
+            rest_weights_.take(renderer_.resting(), width_, height_);
     }
+}
+
+std::string progress_of(const Picture& picture) {
+    const double ms = 1e3 * picture.seconds_per_sample();
+    if (picture.is_moving())
+        return fmt::format("moving at {:.0f} %, {:.1f} ms a sample", 100.0f * picture.scale(), ms);
+    const render::StopRule& rule = picture.rule();
+    std::string text = picture.is_done()
+                           ? fmt::format("done, {} samples", picture.sample_count())
+                           : fmt::format("{} of {} samples", picture.sample_count(), rule.samples);
+    if (const auto error = picture.error()) text += fmt::format(", error {:.2g} %", 100.0 * *error);
+    if (rule.error)
+        text += fmt::format("{} of {:.2g} %", picture.error() ? "" : ", error", 100.0 * *rule.error);
+    if (rule.seconds) text += fmt::format(", {:.3g} s at most", *rule.seconds);
+    return text + fmt::format(", {:.1f} ms each", ms);
 }
 
 } // namespace sr::viewer

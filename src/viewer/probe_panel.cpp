@@ -1,6 +1,7 @@
 #include "viewer/probe_panel.hpp"
 
 #include "image/luminance.hpp"
+#include "viewer/palette.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -9,10 +10,7 @@
 namespace sr::viewer {
 namespace {
 
-constexpr ImU32 blue = IM_COL32(86, 180, 233, 255), orange = IM_COL32(230, 159, 0, 255),
-                grey = IM_COL32(235, 235, 235, 200);
-
-void text(const std::string& line) { ImGui::TextUnformatted(line.data(), line.data() + line.size()); }
+void put(const std::string& line) { ImGui::TextUnformatted(line.data(), line.data() + line.size()); }
 
 std::string three(vec3 v) { return fmt::format("{:.4g} {:.4g} {:.4g}", v.x, v.y, v.z); }
 
@@ -25,6 +23,10 @@ float reach(const scene::Light& light, vec3 x, float far) {
 void line(ImDrawList& list, const Projection& projection, vec3 from, vec3 to, ImU32 color, float width) {
     const auto a = projection(from), b = projection(to);
     if (a && b) list.AddLine({a->x, a->y}, {b->x, b->y}, color, width);
+}
+
+void label(ImDrawList& list, const Projection& projection, vec3 point, const char* words) {
+    if (const auto at = projection(point)) list.AddText({at->x + 4.0f, at->y - 6.0f}, palette::white, words);
 }
 
 void header_cells(const scene::Scene& scene) {
@@ -42,7 +44,7 @@ void header_cells(const scene::Scene& scene) {
 } // namespace
 
 void ProbePanel::draw(const scene::Stage& stage, const Lighting& lighting,
-                      std::optional<std::size_t>& selected) {
+                      std::optional<std::size_t>& selected, float scale) {
     if (!answer) return;
     const render::PixelTerms& terms = answer->terms;
     bool is_open = true;
@@ -55,9 +57,9 @@ void ProbePanel::draw(const scene::Stage& stage, const Lighting& lighting,
     ImGui::SetNextWindowSizeConstraints(
         {0.0f, 0.0f}, {ImGui::GetMainViewport()->Size.x, 0.6f * ImGui::GetMainViewport()->Size.y});
     if (ImGui::Begin("L_o = L_e + sum of E f_r", &is_open, ImGuiWindowFlags_AlwaysAutoResize)) {
-        text(fmt::format("pixel {},{}, {} samples, coverage {:.3g}", answer->column, answer->row,
-                         answer->samples, terms.coverage));
-        text(fmt::format("x {} m   n {}   wo {}", three(terms.x), three(terms.n), three(terms.wo)));
+        put(fmt::format("pixel {},{}, {} samples, coverage {:.3g}", answer->column, answer->row,
+                        answer->samples, terms.coverage));
+        put(fmt::format("x {} m   n {}   wo {}", three(terms.x), three(terms.n), three(terms.wo)));
         const auto flags =
             ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerV;
         if (ImGui::BeginTable("lights", 8, flags)) {
@@ -68,7 +70,8 @@ void ProbePanel::draw(const scene::Stage& stage, const Lighting& lighting,
         }
         vec3 sum = terms.L_e;
         for (const render::LightTerms& light : terms.lights) sum += light.L_r;
-        text(fmt::format("L_e {}   sum {}   L_o {}", three(terms.L_e), three(sum), three(terms.L_o)));
+        put(fmt::format("L_e {}   sum {}   L_o {}", three(terms.L_e), three(sum), three(terms.L_o)));
+        if (answer->lobe) lobe_.draw(*answer->lobe, hovered_, scale);
     }
     ImGui::End();
     if (!is_open) answer.reset();
@@ -97,7 +100,7 @@ void ProbePanel::draw_row(int k, const scene::Stage& stage, const Lighting& ligh
           fmt::format("{:.4f}", t.V), fmt::format("{:.4g}", image::luminance(t.f_r)),
           fmt::format("{:.4g}", image::luminance(t.E)), three(t.L_r)}) {
         ImGui::TableNextColumn();
-        text(cell);
+        put(cell);
     }
 }
 
@@ -113,10 +116,15 @@ void ProbePanel::draw_directions(const scene::Stage& stage, const Projection& pr
         if (wi == vec3(0.0f)) continue;
         const bool is_hovered = static_cast<int>(k) == hovered_;
         line(list, projection, terms.x, terms.x + reach(stage.lights[k], terms.x, far) * glm::normalize(wi),
-             is_hovered ? orange : blue, (is_hovered ? 3.5f : 1.5f) * scale);
+             is_hovered ? palette::orange : palette::blue, (is_hovered ? 3.5f : 1.5f) * scale);
     }
-    line(list, projection, terms.x, terms.x + 0.15f * far * terms.n, grey, 2.0f * scale);
-    if (const auto at = projection(terms.x)) list.AddCircleFilled({at->x, at->y}, 4.0f * scale, orange);
+    if (answer->lobe) lobe_.draw_in_scene(*answer->lobe, terms.x, projection, scale);
+    line(list, projection, terms.x, terms.x + 0.15f * far * terms.n, palette::white, 2.0f * scale);
+    label(list, projection, terms.x + 0.15f * far * terms.n, "n");
+    line(list, projection, terms.x, terms.x + 0.2f * far * terms.wo, palette::white, 1.0f * scale);
+    label(list, projection, terms.x + 0.2f * far * terms.wo, "wo");
+    if (const auto at = projection(terms.x))
+        list.AddCircleFilled({at->x, at->y}, 4.0f * scale, palette::orange);
 }
 
 } // namespace sr::viewer

@@ -3,12 +3,14 @@
 #include "render/probe.hpp"
 #include "viewer/gizmo.hpp"
 #include "viewer/lighting.hpp"
+#include "viewer/lobe_panel.hpp"
 
 namespace sr::viewer {
 
 /// What a pixel answered.
 struct Answer {
     render::PixelTerms terms;
+    std::optional<Lobe> lobe; // absent where nothing reflects
     int column = 0;
     int row = 0;
     int height = 0; // of the picture
@@ -20,15 +22,17 @@ public:
     std::optional<Answer> answer;
 
     /// Draws the table, if there is an answer. A row that is clicked selects its lamp in `selected`.
-    void draw(const scene::Stage& stage, const Lighting& lighting, std::optional<std::size_t>& selected);
+    void draw(const scene::Stage& stage, const Lighting& lighting, std::optional<std::size_t>& selected,
+              float scale);
 
-    /// Draws n, wo and every light's mean wi from x, the row's under the pointer thick.
+    /// Draws n, wo, every light's mean wi and the lobe from x, the row's under the pointer thick.
     void draw_directions(const scene::Stage& stage, const Projection& projection, float scale) const;
 
 private:
     void draw_row(int light, const scene::Stage& stage, const Lighting& lighting,
                   std::optional<std::size_t>& selected);
 
+    LobePanel lobe_;
     int hovered_ = -1;
 };
 

@@ -5,8 +5,10 @@
 #include "viewer/exposure.hpp"
 #include "viewer/file_dialog.hpp"
 #include "viewer/hand.hpp"
+#include "viewer/handles.hpp"
 #include "viewer/input.hpp"
 #include "viewer/lights_panel.hpp"
+#include "viewer/playback.hpp"
 #include "viewer/probe_panel.hpp"
 #include "viewer/screen.hpp"
 #include "viewer/show.hpp"
@@ -44,6 +46,7 @@ private:
     using Clock = std::chrono::steady_clock;
 
     // session.cpp: the loop
+    bool is_busy() const;
     void wait();
     void take_loaded();
     void show(LoadedScene scene);
@@ -73,14 +76,38 @@ private:
     // session_lights.cpp: editing lights
     Projection projection() const;
     void click(vec2 at);
-    bool drag_arrow(const Event& event);
     bool obey_light(Command command);
     scene::Bounds selection() const;
     void draw_lights();
     void relight();
 
+    // session_grip.cpp: the light in the hand
+    bool handle_grip(const Event& event);
+    bool handle_grip(const KeyEvent& event);
+    void take_grip(Verb verb);
+    void take_grip(Verb verb, std::optional<int> axis, bool is_free);
+    void pull_grip(vec2 pointer);
+    void let_go(bool keeps);
+    LightChange change_of_grip() const;
+    void draw_grip() const;
+    vec3 grip_center() const;
+    std::optional<Handles> handles() const;
+
+    // session_animation.cpp: what moves by itself, and variants
+    void begin_playback(bool is_same_file);
+    void play(double elapsed);
+    void show_moment();
+    std::optional<Command> key_of_the_bar(const KeyEvent& event) const;
+    bool obey_animation(Command command);
+    void draw_animation();
+    void choose_variant(const std::string& name);
+    void next_variant();
+    std::string moment_argument() const;
+
     // session_compare.cpp: questions to the picture
     void answer_question();
+    std::optional<Lobe> lobe_of(const render::PixelTerms& terms, const render::RenderOptions& options,
+                                int column, int row) const;
     void obey(const CompareWish& wish);
     void change_estimator(render::Estimator estimator);
     void change_visibility(render::Visibility visibility);
@@ -93,7 +120,9 @@ private:
 
     // session_files.cpp: what is read and written
     void open(const std::string& file);
+    void take_dropped(const std::vector<std::string>& files);
     void reload();
+    void read_again();
     void watch_files();
     void reload_shaders();
     void write_png();
@@ -116,8 +145,11 @@ private:
     Hand hand_;
     LightsPanel lights_;
     LightChange change_ = LightChange::none; // of the lights, since the last frame
-    std::optional<int> arrow_;               // the axis that the pointer drags the selected light along
-    float arrow_at_ = 0.0f;
+    std::optional<Grip> grip_;               // on the selected light
+    vec2 pointer_{0.0f};                     // where it was when the event at hand happened
+    Playback playback_;
+    bool bar_has_pointer_ = false;
+    bool keeps_edits_ = false; // of lights, when the file that is being read is there
     ProbePanel probe_;
     std::optional<vec2> question_; // the place in the window that is to be asked
     std::optional<Reference> reference_;

@@ -2,22 +2,24 @@
 #include "viewer/session.hpp"
 
 #include "core/error.hpp"
-#include "image/file.hpp"
+#include "image/luminance.hpp"
+#include "render/lobe.hpp"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
-#include <filesystem>
 #include <fmt/format.h>
 
 namespace sr::viewer {
 
 /// The equation at the pixel. It takes a while: keys and pointer wait, Esc stops it.
 void Session::answer_question() {
+    playback_.is_playing = false; // the answer is that of a moment
     const vec2 place = place_of(*question_);
     question_.reset();
     constexpr int most_samples = 64; // the terms of one pixel take as long as a small picture
     render::RenderOptions options = render_options(options_, width_, height_);
     options.samples = std::min(options.samples, most_samples);
+    options.knows_error = false;
     const int column = std::clamp(static_cast<int>(place.x * static_cast<float>(width_)), 0, width_ - 1);
     const int row = std::clamp(static_cast<int>(place.y * static_cast<float>(height_)), 0, height_ - 1);
     auto terms = render::probe(show_->gpu(), eye_->camera(), options, column, row, [this] {
@@ -25,9 +27,31 @@ void Session::answer_question() {
         return !input_.wants_to_stop();
     });
     if (!terms) return say("the question was taken back");
-    probe_.answer = Answer{*std::move(terms), column, row, height_, options.samples};
+    probe_.answer = Answer{*std::move(terms), {}, column, row, height_, options.samples};
+    probe_.answer->lobe = lobe_of(probe_.answer->terms, options, column, row);
     say(fmt::format("pixel {},{} answers", column, row));
     frames_to_draw_ = 3;
+}
+
+/// f_r all around, and along each light. Absent where nothing is seen.
+std::optional<Lobe> Session::lobe_of(const render::PixelTerms& terms, const render::RenderOptions& options,
+                                     int column, int row) const {
+    if (terms.n == vec3(0.0f) || terms.wo == vec3(0.0f)) return std::nullopt;
+    Lobe lobe;
+    lobe.n = glm::normalize(terms.n);
+    lobe.wo = glm::normalize(terms.wo);
+    lobe.wi = lobe_directions(lobe.n, lobe.wo);
+    std::vector<vec3> asked = lobe.wi;
+    for (const render::LightTerms& light : terms.lights) {
+        lobe.light_wi.push_back(light.wi == vec3(0.0f) ? vec3(0.0f) : glm::normalize(light.wi));
+        asked.push_back(light.wi == vec3(0.0f) ? lobe.n : lobe.light_wi.back());
+    }
+    const auto brdf = render::brdf_at(show_->gpu(), eye_->camera(), options, column, row, asked);
+    if (!brdf) return std::nullopt;
+    lobe.is_mirror = brdf->is_mirror;
+    for (std::size_t i = 0; i < asked.size(); ++i)
+        (i < lobe.wi.size() ? lobe.f_r : lobe.light_f_r).push_back(image::luminance(brdf->f_r[i]));
+    return lobe;
 }
 
 void Session::obey(const CompareWish& wish) {
@@ -73,8 +97,10 @@ void Session::keep_picture() {
 
 void Session::load_reference(const std::string& file) {
     try {
-        reference_.emplace(std::filesystem::path(file).filename().string(), image::read(file));
+        reference_ = read_reference(file);
         if (look_.comparison == Comparison::none) look_.comparison = Comparison::wipe;
+        error_text_.clear();
+        say("beside " + reference_->name() + ": B goes through the ways to compare with it");
     } catch (const Error& error) {
         fail("There is nothing to compare with.", error.what());
     }
@@ -92,8 +118,9 @@ void Session::next_comparison() {
 void Session::begin_flip() {
     if (flipping_ || !reference_ || show_->picture().sample_count() == 0) return;
     flip_result_ = "working ...";
-    flipping_ = std::async(std::launch::async, [film = show_->picture().film(), other = reference_->film()] {
-        return flip_of(film, other);
+    flipping_ = std::async(std::launch::async, [film = show_->picture().film(), other = reference_->film(),
+                                                look = look_, is_displayed = reference_->is_displayed()] {
+        return is_displayed ? flip_of_displayed(film, look, other) : flip_of(film, other);
     });
 }
 
@@ -103,7 +130,7 @@ void Session::take_flip() {
     frames_to_draw_ = 3;
     try {
         FlipMap map = flipping->get();
-        flip_result_ = fmt::format("mean HDR-FLIP {:.4f}", map.mean);
+        flip_result_ = fmt::format("mean FLIP {:.4f}", map.mean);
         flip_.emplace("FLIP", std::move(map.film));
         say(flip_result_);
     } catch (const Error& error) {

@@ -22,7 +22,7 @@ void Session::handle(const Event& event) {
     if (std::holds_alternative<CloseEvent>(event))
         is_closing_ = true;
     else if (const auto* drop = std::get_if<DropEvent>(&event))
-        open(drop->files.front());
+        take_dropped(drop->files);
     else if (const auto* key = std::get_if<KeyEvent>(&event))
         handle_key(*key);
     else
@@ -31,17 +31,25 @@ void Session::handle(const Event& event) {
 
 void Session::handle_key(const KeyEvent& event) {
     if (!event.is_down) return;
+    if (handle_grip(event)) return;
     if (ui_.has_keyboard() && event.key != GLFW_KEY_ESCAPE) return;
     if (hand_.is_flying() && !(event.modifiers & control)) return; // W A S D Q E fly, and nothing else
-    if (const auto command = command_of(event.key, event.modifiers)) obey(*command);
+    if (const auto command = key_of_the_bar(event))
+        obey(*command);
+    else if (const auto meant = command_of(event.key, event.modifiers))
+        obey(*meant);
 }
 
 void Session::handle_pointer(const Event& event) {
     if (!eye_) return;
-    const bool is_held = hand_.is_dragging() || arrow_;
+    const bool is_held = hand_.is_dragging() || grip_;
     if (ui_.has_pointer() && !is_held && !std::holds_alternative<MotionEvent>(event)) return;
-    if (drag_arrow(event)) return;
     Viewpoint view = eye_->view();
+    if (show_ && handle_grip(event)) {
+        if (std::holds_alternative<MotionEvent>(event)) // it keeps track of the pointer
+            hand_.take(event, view, window_size(), [](vec2) { return std::nullopt; });
+        return;
+    }
     const auto point_under = [this](vec2 at) -> std::optional<vec3> {
         const Ray ray = ray_through(eye_->camera(), eye_->aspect_ratio(), place_of(at));
         const auto hit = first_hit(show_->scene().stage.scene, ray);
@@ -80,7 +88,7 @@ void Session::move_camera() {
 
 void Session::obey(Command command) {
     if (obey_program(command) || !show_) return;
-    if (obey_picture(command) || obey_light(command)) return;
+    if (obey_picture(command) || obey_light(command) || obey_animation(command)) return;
     if (eye_->obey(command, selection())) move_camera();
 }
 
@@ -139,7 +147,11 @@ bool Session::obey_picture(Command command) {
 
 /// What is copied makes this very picture in a terminal: the same camera, the same pixels.
 void Session::copy_view() {
-    const std::string text = fmt::format("--camera '{}' --size {}x{}", eye_->argument(), width_, height_);
+    const render::StopRule& stop = options_.stop;
+    std::string text = fmt::format("--camera '{}' --size {}x{} --samples {}", eye_->argument(), width_,
+                                   height_, stop.samples);
+    if (stop.error) text += fmt::format(" --error {}%", static_cast<float>(100.0 * *stop.error));
+    text += moment_argument();
     glfwSetClipboardString(window_.handle(), text.c_str());
     say("copied: " + text);
 }

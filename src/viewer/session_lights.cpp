@@ -4,7 +4,6 @@
 #include "viewer/pick.hpp"
 
 #include <algorithm>
-#include <glm/gtc/matrix_transform.hpp>
 
 namespace sr::viewer {
 
@@ -27,34 +26,6 @@ void Session::click(vec2 at) {
     say("selected " + lighting.lamps()[*lights_.selected].name);
 }
 
-/// Moves the selected light along the arrow that the pointer took. @return whether the event was about that
-bool Session::drag_arrow(const Event& event) {
-    if (const auto* button = std::get_if<ButtonEvent>(&event); button && button->button == Button::left) {
-        const bool was_dragging = arrow_.has_value();
-        arrow_.reset();
-        if (!button->is_down || button->modifiers != no_modifier) return was_dragging;
-        if (!lights_.selected || !show_->lighting().can_move(*lights_.selected)) return false;
-        const auto center = center_of(show_->lighting(), *lights_.selected);
-        const auto arrows = center ? arrows_at(*center, projection(), 70.0f * ui_.scale()) : std::nullopt;
-        if (!arrows) return false;
-        const vec2 pointer = input_.pointer();
-        arrow_ = axis_under(pointer, *arrows);
-        if (!arrow_) return false;
-        arrow_at_ = along_axis(*center, *arrow_, projection().ray(pointer));
-        show_->lighting().begin_step();
-        return true;
-    }
-    const auto* motion = std::get_if<MotionEvent>(&event);
-    if (!motion || !arrow_) return false;
-    const auto center = center_of(show_->lighting(), *lights_.selected);
-    if (!center) return true;
-    vec3 by(0.0f);
-    by[*arrow_] = along_axis(*center, *arrow_, projection().ray(motion->to)) - arrow_at_;
-    show_->lighting().transform(*lights_.selected, glm::translate(mat4(1.0f), by));
-    show_->relight(true);
-    return true;
-}
-
 bool Session::obey_light(Command command) {
     Lighting& lighting = show_->lighting();
     const std::size_t count = lighting.lamps().size();
@@ -63,13 +34,21 @@ bool Session::obey_light(Command command) {
         if (count > 0) lights_.selected = lights_.selected ? (*lights_.selected + 1) % count : 0;
         return true;
     }
-    if (command == Command::undo_light) {
-        if (lighting.undo())
+    if (command == Command::undo_light || command == Command::redo_light) {
+        const bool is_undo = command == Command::undo_light;
+        if (is_undo ? lighting.undo() : lighting.redo())
             changed(LightChange::place);
         else
-            say("nothing to undo");
+            say(is_undo ? "nothing to undo" : "nothing to do again");
         return true;
     }
+    for (const auto& [grips, verb] : {std::pair(Command::move_light, Verb::move),
+                                      {Command::turn_light, Verb::turn},
+                                      {Command::scale_light, Verb::scale}})
+        if (command == grips) {
+            take_grip(verb);
+            return true;
+        }
     if (command != Command::edit_light && command != Command::switch_light && command != Command::solo_light
         && command != Command::delete_light)
         return false;

@@ -1,8 +1,9 @@
 #pragma once
 // Dear ImGui on a window, for as long as this lives.
-#include <string>
+#include "viewer/input.hpp"
 
-struct GLFWwindow;
+#include <string>
+#include <vector>
 
 namespace sr::viewer {
 
@@ -14,8 +15,9 @@ public:
     Ui(const Ui&) = delete;
     Ui& operator=(const Ui&) = delete;
 
-    /// Between the two, panels are described.
-    void begin();
+    /// Between the two, panels are described. `taps`: the keys that were pressed and released since the last
+    /// frame, which Dear ImGui before 1.87 would not see.
+    void begin(std::vector<KeyEvent> taps);
     void end();
 
     /// Whether the pointer is on a panel, and whether a text field has the keyboard.
@@ -27,6 +29,7 @@ private:
     void watch_scale();
 
     GLFWwindow* window_;
+    std::vector<KeyEvent> taps_;
     float scale_ = 0.0f;
     std::string layout_file_;
 };

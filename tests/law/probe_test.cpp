@@ -1,3 +1,4 @@
+#include "render/lobe.hpp"
 #include "render/probe.hpp"
 
 #include "support/address.hpp"
@@ -77,6 +78,61 @@ const Test forms("law.probe.terms_of_a_lambert_plane", [] {
     EXPECT_NEAR(terms->lights[3].solid_angle, pi * 1e-4f, 1e-7f);
     EXPECT_NEAR(terms->lights[3].E.x, 0.5f, 1e-4f);
     EXPECT_LT(glm::distance(terms->lights[3].wi, vec3(0, 1, 0)), 1e-3f);
+});
+
+/// The plane with a normal map, a texture of roughness and a stretched lobe.
+scene::Scene textured_plane() {
+    scene::Scene scene = glossy_plane();
+    scene::Material& m = scene.materials[0];
+    m.anisotropy = 0.7f;
+    scene::TextureImage image;
+    image.name = "normals";
+    image.width = image.height = 64;
+    std::vector<std::uint8_t> texels;
+    for (int i = 0; i < 64 * 64; ++i)
+        for (const int c : {100 + i % 56, 110 + i / 64, 220, 255})
+            texels.push_back(static_cast<std::uint8_t>(c));
+    image.texels = std::move(texels);
+    scene.images.push_back(std::move(image));
+    scene.textures.emplace_back();
+    m.normal_texture.texture = 0;
+    m.metallic_roughness_texture.texture = 0;
+    scene::Mesh& mesh = scene.meshes[0];
+    mesh.texcoords[0].clear();
+    for (const vec3 p : mesh.positions) mesh.texcoords[0].emplace_back(0.7f * p.x, 0.7f * p.z);
+    mesh.tangents.assign(mesh.positions.size(), vec4(1.0f, 0.0f, 0.0f, 1.0f));
+    return scene;
+}
+
+// f_r along a light is the probe's f_r of that light, from the very fragment: textures, normal map, layers.
+const Test lobe("law.probe.lobe_is_the_f_r_of_the_table", [] {
+    context();
+    const std::vector<scene::Light> points{scene::PointLight{"a", {0.2f, 1, 0}, vec3(1.0f, 2.0f, 3.0f)},
+                                           scene::SpotLight{"b",
+                                                            {-0.5f, 0.7f, 0.3f},
+                                                            glm::normalize(vec3(0.5f, -0.7f, -0.3f)),
+                                                            vec3(2.0f),
+                                                            99.0f,
+                                                            0.0f,
+                                                            1.5f},
+                                           scene::DirectionalLight{"c", {0, -1, 0}, vec3(0.5f)}};
+    const render::GpuScene scene(textured_plane(), points);
+    render::RenderOptions one = options();
+    one.samples = 1;
+    for (const auto& [column, row] : {std::pair{8, 9}, {1, 4}}) {
+        const auto terms = render::probe(scene, camera_from_above(1.0f), one, column, row);
+        ASSERT_TRUE(terms);
+        std::vector<vec3> wi(100, vec3(0, 1, 0));
+        for (const render::LightTerms& light : terms->lights) wi.push_back(light.wi);
+        const auto brdf = render::brdf_at(scene, camera_from_above(1.0f), one, column, row, wi);
+        ASSERT_TRUE(brdf);
+        EXPECT_FALSE(brdf->is_mirror);
+        for (std::size_t k = 0; k < points.size(); ++k)
+            for (int c = 0; c < 3; ++c)
+                EXPECT_NEAR(brdf->f_r[100 + k][c] / terms->lights[k].f_r[c], 1.0f, 1e-4f)
+                    << column << ' ' << k;
+    }
+    EXPECT_FALSE(render::brdf_at(scene, camera_from_above(9.0f), one, 0, 0, std::array{vec3(0, 1, 0)}));
 });
 
 } // namespace

@@ -52,7 +52,8 @@ const Test units("unit.render.features.too_many_textures_name_the_material", [] 
         render::require_texture_units(features, "paint", 16);
         FAIL() << "nine textures and eight of the renderer's own are more than sixteen";
     } catch (const Error& error) {
-        EXPECT_NE(std::string(error.what()).find("material \"paint\" reads 9 textures"), std::string::npos) << error.what();
+        EXPECT_NE(std::string(error.what()).find("material \"paint\" reads 9 textures"), std::string::npos)
+            << error.what();
     }
 });
 

@@ -16,7 +16,7 @@ class Display:
         read, write = os.pipe()
         self.process = subprocess.Popen(
             ["Xvfb", "-displayfd", str(write), "-screen", "0", f"{width}x{height}x24", "-fbdir", str(folder),
-             "-nolisten", "tcp"], pass_fds=[write], stderr=subprocess.DEVNULL)
+             "-nolisten", "tcp", "-noreset"], pass_fds=[write], stderr=subprocess.DEVNULL)
         os.close(write)
         with os.fdopen(read) as pipe:
             number = pipe.readline().strip()
@@ -112,9 +112,15 @@ class Viewer:
 
     def type(self, text: str):
         """Into the field that has the keyboard, and Enter."""
-        time.sleep(0.2)
+        time.sleep(0.4)  # until the field has it, on a busy machine too
         self.display.do("type", "--delay", "20", text)
         self.key("Return")
+
+    def count(self, color: tuple[int, int, int]) -> int:
+        """How many pixels of the screen have just this colour."""
+        time.sleep(0.3)
+        pixel = self.display.pixels()
+        return sum(pixel(x, y) == color for x in range(400) for y in range(300))
 
     @staticmethod
     def write(file: Path, text: str):

@@ -1,6 +1,7 @@
 // Editing lights: what a person types, and that a saved file has the lights that were seen.
 #include "core/error.hpp"
 #include "support/address.hpp"
+#include "viewer/extents.hpp"
 #include "viewer/saved_gltf.hpp"
 
 #include <filesystem>
@@ -65,6 +66,9 @@ void expect_same(const scene::Light& a, const scene::Light& b) {
             if constexpr (requires { l.half_u; }) {
                 EXPECT_LT(glm::distance(l.normal(), other.normal()), 1e-5f);
             }
+            if constexpr (requires { l.radius; }) {
+                EXPECT_NEAR(l.radius, other.radius, 1e-5f);
+            }
         },
         a);
 }
@@ -117,6 +121,37 @@ const Test saved("unit.viewer.lights.a_saved_file_has_the_lights_that_were_seen"
     fs::remove_all(folder);
 });
 
+const Test resized("unit.viewer.lights.a_saved_file_has_the_sizes_that_were_seen", [] {
+    const fs::path folder = fs::temp_directory_path() / "steradian_saved_sizes";
+    std::size_t pulled = 0;
+    for (const char* name : {"zoo.gltf", "emitters.gltf"}) {
+        LoadedScene loaded = load_scene(copied(name, folder), {}, 1.0f);
+        Lighting lighting(loaded, false);
+        const std::size_t lights = lighting.state().lights.size();
+        const mat4 by = glm::scale(glm::rotate(mat4(1.0f), 0.3f, vec3(0, 0, 1)), vec3(0.8f));
+        for (std::size_t i = 0; i < lights; ++i) {
+            if (i % 2 == 0) lighting.transform(i, by);
+            const std::vector<Extent> extents = extents_of(lighting.state().lights[i]);
+            for (std::size_t k = 0; k < extents.size(); ++k, ++pulled)
+                lighting.set_size(i, k, extents[k].size * (1.5f + 0.2f * static_cast<float>(k)));
+        }
+        lighting.apply(loaded);
+        save(loaded, lighting, nullptr, folder / "resized.gltf");
+        const LoadedScene again = load_scene(folder / "resized.gltf", {}, 1.0f);
+        ASSERT_EQ(again.stage.scene.lights.size(), lights);
+        for (const scene::Light& light : loaded.stage.scene.lights) {
+            const auto same = std::ranges::find_if(again.stage.scene.lights, [&](const scene::Light& other) {
+                const auto a = center_of(light), b = center_of(other);
+                return light.index() == other.index() && (!a || glm::distance(*a, *b) < 1e-4f);
+            });
+            ASSERT_NE(same, again.stage.scene.lights.end()) << name;
+            expect_same(light, *same);
+        }
+    }
+    EXPECT_GE(pulled, 8u);
+    fs::remove_all(folder);
+});
+
 const Test untouched("unit.viewer.lights.saving_keeps_what_was_not_edited", [] {
     const fs::path folder = fs::temp_directory_path() / "steradian_saved_same";
     const fs::path file = copied("emitters.gltf", folder);
@@ -152,6 +187,17 @@ const Test undone("unit.viewer.lights.undoing_goes_back_step_by_step", [] {
     lighting.apply(loaded);
     EXPECT_EQ(luminance_of(loaded.stage.lights[0]), first);
     EXPECT_FALSE(lighting.undo());
+    EXPECT_TRUE(lighting.redo());
+    lighting.apply(loaded);
+    EXPECT_NEAR(luminance_of(loaded.stage.lights[0]), 6.0f, 1e-5f);
+    lighting.begin_step();
+    lighting.set_quantity(0, vec3(7.0f));
+    EXPECT_FALSE(lighting.redo()) << "what was undone is another story now";
+    lighting.begin_step();
+    lighting.set_quantity(0, vec3(8.0f));
+    lighting.cancel_step();
+    lighting.apply(loaded);
+    EXPECT_NEAR(luminance_of(loaded.stage.lights[0]), 7.0f, 1e-5f);
 });
 
 } // namespace

@@ -3,6 +3,8 @@
 
 usage: viewer_test.py STERADIAN SCENES_FOLDER SCRATCH_FOLDER
 """
+import json
+import math
 import os
 import re
 import shutil
@@ -98,10 +100,16 @@ def editing_lights(viewer: Viewer, scene: Path, first: Path):
 
 
 def asking_and_comparing(viewer: Viewer):
-    """A pixel answers with its lights; a wipe shows a kept picture beside the new one."""
+    """A pixel answers with its lights and its lobe; a wipe shows a kept picture beside the new one."""
     viewer.click(WIDTH // 2, HEIGHT - 40)
     viewer.wait(lambda: f"pixel {WIDTH // 2},{HEIGHT - 40} answers" in viewer.errors(), "an answer")
-    viewer.key("Escape", "b")
+    lobe = (0, 158, 115)
+    assert viewer.count(lobe) == 0, "it is drawn among the panels, which are hidden"
+    viewer.key("h")
+    viewer.click(21, 20)  # folds the panel that is in the way
+    assert viewer.count(lobe) > 100, "no lobe"
+    viewer.click(21, 20)
+    viewer.key("h", "Escape", "b")
     viewer.wait(lambda: "kept: " in viewer.errors(), "a kept picture")
     places = (WIDTH // 4, HEIGHT // 2), (3 * WIDTH // 4, HEIGHT // 2)
     before = [viewer.screen(*place) for place in places]
@@ -134,6 +142,76 @@ def opening(viewer: Viewer):
     assert "veach.gltf" in viewer.title(), viewer.title()
 
 
+LAMPS = {
+    "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 1, 2]}],
+    "extensionsUsed": ["KHR_lights_punctual"],
+    "extensions": {"KHR_lights_punctual": {"lights": [{"type": "spot", "spot": {}, "intensity": 10}]}},
+    "cameras": [{"type": "perspective", "perspective": {"yfov": 2 * math.atan(0.25), "znear": 0.1}}],
+    "nodes": [
+        {"name": "eye", "camera": 0, "translation": [0, 1, 4]},  # a metre at the lamps is 150 pixels
+        {"name": "plate", "translation": [0, 1, 0], "extras": {"steradian": {
+            "shape": "rectangle", "width": 1, "height": 0.5, "quantity": {"value": 100, "unit": "lm"}}}},
+        {"name": "spot", "translation": [-0.5, 1, 0], "extensions": {"KHR_lights_punctual": {"light": 0}}}]}
+
+
+def gripping(viewer: Viewer, folder: Path):
+    """A drag of its edge widens a rectangle, a key and the pointer turn it; a drag of a ring turns a spot; Esc gives up. The
+    saved file has both."""
+    file, saved = folder / "lamps.gltf", folder / "turned.gltf"
+    file.write_text(json.dumps(LAMPS))
+    viewer.key("ctrl+o")
+    viewer.changed_by(lambda: viewer.type(str(file)))
+    viewer.key("h", "Tab")
+    viewer.changed_by(lambda: viewer.drag((275, 150), (305, 150)))
+    assert "width 1.4 m" in viewer.errors(), viewer.errors()
+    viewer.move(300, 150)
+    viewer.key("r")
+    viewer.changed_by(lambda: (viewer.move(200, 50), viewer.click(200, 50)))
+    assert "turned by 90.0 deg about the view" in viewer.errors(), viewer.errors()
+    viewer.key("Tab")
+    viewer.changed_by(lambda: viewer.drag((116, 221), (116, 266)))
+    assert "turned by 28.6 deg about X" in viewer.errors(), viewer.errors()
+    viewer.key("g")
+    viewer.move(230, 120)
+    viewer.key("Escape")
+    viewer.wait(lambda: "it is as it was" in viewer.errors(), "a move that was given up")
+    viewer.key("h", "ctrl+s", "ctrl+a")
+    viewer.type(str(saved))
+    viewer.wait(saved.exists, "a saved file", 10)
+    nodes = json.loads(saved.read_text())["nodes"]
+    plate, spot = (nodes[nodes[i]["children"][0]] for i in (1, 2))
+    assert abs(plate["extras"]["steradian"]["width"] - 1.4) < 1e-3, plate
+    assert plate["extras"]["steradian"]["height"] == 0.5, plate
+    for node, axes in (plate, [0, 1, 0, -1, 0, 0, 0, 0, 1]), (spot, [1, 0, 0, 0, .878, .479, 0, -.479, .878]):
+        turned = [node["matrix"][i] for i in (0, 1, 2, 4, 5, 6, 8, 9, 10)]
+        assert all(abs(a - b) < 2e-3 for a, b in zip(turned, axes)), node
+        assert all(abs(x) < 1e-5 for x in node["matrix"][12:15]), node
+
+
+def converging_by_error(display: Display):
+    """It stops when render --error does, with the same pixels at rest; the window divides each by its own samples."""
+    size, error = (160, 120), ("--error", "4%")
+    viewer = Viewer(display, STERADIAN, SCRATCH / "error", SCENES / "cornell.gltf", "--size", "160x120", *error,
+                    "--visibility", "none", "--gl-debug", "--exposure", "10")
+    viewer.done()
+    viewer.key("h")
+    exr, png = viewer.shot(), viewer.shot(exr=False)
+    file = SCRATCH / "error.exr"
+    result = steradian("render", SCENES / "cornell.gltf", "--size", "160x120", *error, "--visibility", "none", "-o", file,
+                       "--json")
+    summary = json.loads(result.stdout)
+    assert summary["samples_min"] < summary["samples"], f"no pixel rests: choose another error, {result.stdout}"
+    assert f"done, {summary['samples']} samples, error" in viewer.title(), (viewer.title(), summary)
+    assert same(exr, file), "not the picture that render makes"
+    shown = SCRATCH / "error.ppm"
+    subprocess.run(["oiiotool", png, "--ch", "R,G,B", "-d", "uint8", "-o", shown], check=True)
+    pixels, screen = shown.read_bytes()[-3 * size[0] * size[1]:], viewer.display.pixels()
+    for x, y in ((x, y) for x in range(0, size[0], 5) for y in range(0, size[1], 5)):
+        there = pixels[3 * (y * size[0] + x):][:3]
+        assert all(abs(a - b) <= 1 for a, b in zip(screen(x, y), there)), (x, y, screen(x, y), tuple(there))
+    viewer.close()
+
+
 def main() -> int:
     if not shutil.which("Xvfb") or not shutil.which("xdotool"):
         print("Xvfb and xdotool are needed: sudo apt-get install xvfb xdotool")
@@ -156,7 +234,9 @@ def main() -> int:
         asking_and_comparing(viewer)
         reloading(viewer, shader, scene, first)
         opening(viewer)
+        gripping(viewer, SCRATCH)
         viewer.close()
+        converging_by_error(display)
     finally:
         display.close()
     return 0

@@ -1,0 +1,13 @@
+#version 410 core
+// Which triangle the pixel sees: the object's index, and the triangle's among the object's. For one sample a pixel and written over what is
+// behind, so that of surfaces that let light through it is the nearest.
+#include "interface/object.glsl"
+#include "surface/textures.glsl"
+
+out vec4 film;
+
+void main() {
+    if (is_masked && base_color().a < alpha_cutoff) discard;
+    if (is_blended && base_color().a == 0.0) discard;
+    film = vec4(object, gl_PrimitiveID, 0.0, 1.0);
+}
