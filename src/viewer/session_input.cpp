@@ -102,6 +102,7 @@ bool Session::obey_program(Command command) {
     case Command::open_file: dialog_.show(FileDialog::Purpose::open, options_.scene); return true;
     case Command::cancel:
         has_help_ = false;
+        error_text_.clear();
         lights_.selected.reset();
         probe_.answer.reset();
         dialog_.close();

@@ -111,6 +111,17 @@ const Test edits_stay("unit.viewer.lights.edits_survive_another_moment", [] {
     ASSERT_EQ(lighting.lamp_like(sign), std::optional<std::size_t>(1));
     EXPECT_EQ(quantity_of(loaded.stage.lights[1]), vec3(11.0f));
 
+    lighting.begin_step();
+    lighting.set_size(0, 0, 0.3f);
+    show(loaded, lighting, 1.7);
+    EXPECT_FLOAT_EQ(lamp().radius, 0.3f) << "its size is a person's";
+    EXPECT_TRUE(lighting.undo());
+    show(loaded, lighting, 1.8);
+    EXPECT_EQ(lamp().radius, lamp_at(1.8).radius);
+    EXPECT_TRUE(lighting.redo());
+    EXPECT_FLOAT_EQ(std::get<scene::PointLight>(lighting.state().lights[0]).radius, 0.3f);
+    EXPECT_TRUE(lighting.undo());
+
     EXPECT_TRUE(lighting.undo() && lighting.undo());
     lighting.apply(loaded);
     EXPECT_EQ(lamp().position, lamp_at(1.8).position) << "undone it is where the file has it now";
