@@ -47,6 +47,11 @@ vec3 shown(vec3 L) {
     return false_color((ev - false_color_range.x) / (false_color_range.y - false_color_range.x));
 }
 
+vec3 shown_other() {
+    vec3 light = other_radiance();
+    return is_other_displayed ? srgb_encoded(light) : shown(light);
+}
+
 // Blue where the film is darker than the other, orange where it is brighter, grey where they agree; full at one half.
 vec3 difference(vec3 L, vec3 other) {
     float a = luminance(L), b = luminance(other);
@@ -58,11 +63,15 @@ vec3 difference(vec3 L, vec3 other) {
 
 void main() {
     vec3 L = radiance(film_sum, film_weight, is_resting);
-    vec3 color = comparison == 2 ? difference(L, other_radiance()) : shown(L);
+    vec3 color = shown(L);
+    if (comparison == 2) {
+        vec3 here = is_other_displayed ? clamp(toned(L * exposure, shown_curve), 0.0, 1.0) : L;
+        color = difference(here, other_radiance());
+    }
     if (comparison == 3) color = false_color(other_radiance().r);
     if (comparison == 1) {
         float edge = gl_FragCoord.x - wipe * window_size.x;
-        if (edge > 0.0) color = shown(other_radiance());
+        if (edge > 0.0) color = shown_other();
         if (abs(edge) < 1.0) color = vec3(1.0);
     }
     screen = vec4(color, 1.0);

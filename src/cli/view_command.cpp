@@ -16,6 +16,7 @@ using nlohmann::ordered_json;
 
 struct ViewCommand {
     RenderCommand rendering;
+    bool plays = false;
     bool is_fullscreen = false;
     bool is_verbose = false;
 };
@@ -28,6 +29,11 @@ viewer::Options viewer_options(const ViewCommand& command) {
     options.camera = r.camera;
     options.rig = r.rig;
     options.hide_emitters = r.hide_emitters;
+    options.at = r.at;
+    options.animation = r.animation;
+    options.plays = command.plays;
+    options.variant = r.variant;
+    options.has_energy_compensation = r.has_energy_compensation;
     options.visibility = r.visibility;
     options.stop = r.stop;
     options.rendering.seed = r.seed;
@@ -62,6 +68,7 @@ ordered_json summary(const viewer::Statistics& statistics) {
     if (statistics.moving_frames.empty()) return json;
     json["moving_scale_median"] = quantile(statistics.moving_scales, 0.5);
     json["moving_frame_median [s]"] = quantile(statistics.moving_frames, 0.5);
+    json["moving_sample_median [s]"] = quantile(statistics.moving_samples, 0.5);
     json["moving_frame_p95 [s]"] = quantile(statistics.moving_frames, 0.95);
     json["moving_frame_processor_median [s]"] = quantile(statistics.moving_cpu, 0.5);
     return json;
@@ -95,6 +102,10 @@ void add_view_command(CLI::App& app) {
         ->description("samples a pixel that a standing picture converges to; without --error and --time its "
                       "error is not estimated (default: 256 or an --error of 0.5%, whatever comes first)")
         ->default_str("");
+    command->get_option("--at")->description("open the animation at this time (default: the rest pose)");
+    command->get_option("--animation")
+        ->description("which one to play: by name or index, or all at once (default: the first)");
+    command->add_flag("--play", options->plays, "play the animation, from --at or its beginning on");
     command->add_flag("--fullscreen", options->is_fullscreen, "fill the screen (F11)");
     command->add_flag("-v,--verbose", options->is_verbose, "say on stderr what happens");
     command->add_flag("--json", options->rendering.json,
@@ -104,6 +115,7 @@ void add_view_command(CLI::App& app) {
         "Examples:\n"
         "  steradian view scene.glb\n"
         "  steradian view scene.glb --shaders my_shaders      (saved changes show at once)\n"
+        "  steradian view dancer.glb --animation Walk --play\n"
         "  steradian view scene.glb --camera 1 --exposure 9 --tone-curve agx --samples 1024\n"
         "  steradian view scene.glb --error 0.1%              (until it is that near to converged)");
     command->callback([options, command] {

@@ -53,7 +53,7 @@ public:
         return std::move(scene_);
     }
 
-    scene::Scene posed(scene::Scene scene, const Moment& moment) {
+    void pose(scene::Scene& scene, const Moment& moment) {
         require(scene.meshes.size() >= mesh_count_, "the scene comes from this asset");
         for (Animation& animation : animations_) animation.reset();
         for (const int animation : moment.animations)
@@ -64,11 +64,11 @@ public:
         scene.materials = materials.materials();
         scene.meshes.resize(mesh_count_);
         arrange(scene, materials);
-        return scene;
     }
 
     const Document& document() const { return document_; }
     const Contents& contents() const { return contents_; }
+    const std::vector<int>& light_nodes() const { return light_nodes_; }
     std::vector<std::string> warnings() const { return warnings_.lines(); }
 
 private:
@@ -141,8 +141,11 @@ const Contents& Asset::contents() const { return impl_->contents(); }
 std::vector<std::string> Asset::warnings() const { return impl_->warnings(); }
 scene::Scene Asset::at_rest() { return impl_->at_rest(); }
 scene::Scene Asset::posed(scene::Scene scene, const Moment& moment) {
-    return impl_->posed(std::move(scene), moment);
+    impl_->pose(scene, moment);
+    return scene;
 }
+void Asset::pose(scene::Scene& scene, const Moment& moment) { impl_->pose(scene, moment); }
+const std::vector<int>& Asset::light_nodes() const { return impl_->light_nodes(); }
 
 std::vector<int> Asset::animations_named(std::string_view text) const {
     const auto& all = contents().animations;

@@ -69,6 +69,14 @@ public:
     /// @throws Error if a value that an animation takes makes no sense where it goes
     scene::Scene posed(scene::Scene scene, const Moment& moment);
 
+    /// The same in place, for those who could not do without the scene: after an Error it has to be posed
+    /// again, at a moment that makes sense.
+    void pose(scene::Scene& scene, const Moment& moment);
+
+    /// The node of each light of the scene that was given or posed last: at some moments lights are not
+    /// visible, and then not there.
+    const std::vector<int>& light_nodes() const;
+
     /// The animations that a person names: by name, by index, "all", or the first for an empty text.
     /// @throws Error naming those there are
     std::vector<int> animations_named(std::string_view text) const;

@@ -43,10 +43,10 @@ std::array<vec2, 64> points_of_triangle() {
 
 } // namespace
 
-EmissionMapPlace EmissionMaps::place_of(int index) {
+EmissionMapPlace EmissionMaps::place_of(const scene::Scene& scene, int index) {
     if (const auto known = places_.find(index); known != places_.end()) return known->second;
-    const scene::Texture& texture = scene_.textures[static_cast<std::size_t>(index)];
-    const scene::TextureImage& image = scene_.images[static_cast<std::size_t>(texture.image)];
+    const scene::Texture& texture = scene.textures[static_cast<std::size_t>(index)];
+    const scene::TextureImage& image = scene.images[static_cast<std::size_t>(texture.image)];
     const EmissionMapPlace place{static_cast<int>(texels_.size()), image.width, image.height,
                                  static_cast<int>(texture.sampler.wrap_u)
                                      + 4 * static_cast<int>(texture.sampler.wrap_v)};
@@ -56,9 +56,16 @@ EmissionMapPlace EmissionMaps::place_of(int index) {
     return places_.emplace(index, place).first->second;
 }
 
-vec3 EmissionMaps::mean(int index, const std::array<vec2, 3>& uv) {
-    const EmissionMapPlace place = place_of(index);
-    const scene::Sampler& sampler = scene_.textures[static_cast<std::size_t>(index)].sampler;
+vec3 EmissionMaps::mean(const scene::Scene& scene, int index, const std::array<vec2, 3>& uv) {
+    if (asked_ == means_.size()) means_.emplace_back();
+    Mean& known = means_[asked_++];
+    if (known.texture != index || known.uv != uv) known = {index, uv, measured_mean(scene, index, uv)};
+    return known.color;
+}
+
+vec3 EmissionMaps::measured_mean(const scene::Scene& scene, int index, const std::array<vec2, 3>& uv) {
+    const EmissionMapPlace place = place_of(scene, index);
+    const scene::Sampler& sampler = scene.textures[static_cast<std::size_t>(index)].sampler;
     static const std::array points = points_of_triangle();
     vec3 sum(0.0f);
     for (const vec2 b : points) {

@@ -16,24 +16,35 @@ struct EmissionMapPlace {
     int wrap = 0;
 };
 
-/// Appends every texture once. Texels are linear RGBA in half precision, whose steps (2^-11) are finer than
-/// those of 8-bit sRGB.
+/// Appends every texture once, for as long as it lives: a scene at another moment, or in other light, has the
+/// same textures. Texels are linear RGBA in half precision, whose steps (2^-11) are finer than those of 8-bit
+/// sRGB.
 class EmissionMaps {
 public:
-    explicit EmissionMaps(const scene::Scene& scene) : scene_(scene) {}
-
-    EmissionMapPlace place_of(int texture);
+    EmissionMapPlace place_of(const scene::Scene& scene, int texture);
 
     /// The mean linear colour of the part of a texture that a triangle covers, by 64 points of it.
-    vec3 mean(int texture, const std::array<vec2, 3>& uv);
+    /// Remembered, for those who ask about the same triangles in the same order after each ask_anew().
+    vec3 mean(const scene::Scene& scene, int texture, const std::array<vec2, 3>& uv);
+
+    void ask_anew() { asked_ = 0; }
 
     /// Four half floats a texel.
     const std::vector<std::uint64_t>& texels() const { return texels_; }
 
 private:
-    const scene::Scene& scene_;
+    struct Mean {
+        int texture = -1;
+        std::array<vec2, 3> uv{};
+        vec3 color{0.0f};
+    };
+
+    vec3 measured_mean(const scene::Scene& scene, int texture, const std::array<vec2, 3>& uv);
+
     std::map<int, EmissionMapPlace> places_;
     std::vector<std::uint64_t> texels_;
+    std::vector<Mean> means_;
+    std::size_t asked_ = 0; // of means_
 };
 
 } // namespace sr::render

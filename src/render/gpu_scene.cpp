@@ -193,9 +193,10 @@ void GpuScene::upload_materials(const scene::Scene& scene) {
 }
 
 void GpuScene::upload_lights(const scene::Scene& scene, std::span<const scene::Light> lights) {
-    EmissionMaps maps(scene);
-    light_table_.upload(pack_lights(scene, lights, maps), "use fewer emissive triangles");
-    emission_texels_.upload(maps.texels(), "use smaller emissive textures");
+    const std::size_t before = emission_maps_.texels().size();
+    light_table_.upload(pack_lights(scene, lights, emission_maps_), "use fewer emissive triangles");
+    if (before == 0 || emission_maps_.texels().size() != before)
+        emission_texels_.upload(emission_maps_.texels(), "use smaller emissive textures");
     light_count_ = static_cast<int>(lights.size());
     rays_per_light_ = light_features(lights).rays_per_light;
 }

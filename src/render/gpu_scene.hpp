@@ -2,6 +2,7 @@
 // A Scene in the memory of the GPU.
 #include "render/blocks.hpp"
 #include "render/buffer_texture.hpp"
+#include "render/emission_maps.hpp"
 #include "render/features.hpp"
 #include "render/gpu_mesh.hpp"
 #include "render/ltc_table.hpp"
@@ -85,6 +86,7 @@ private:
     GLsizeiptr object_stride_ = 0;
     GLsizeiptr material_stride_ = 0;
     BufferTexture light_table_{"the emitters", GL_RGBA32F};
+    EmissionMaps emission_maps_;
     BufferTexture emission_texels_{"the emitters' textures", GL_RGBA16F};
     gl::Texture ltc_texture_ = upload_ltc_table();
     int light_count_ = 0;

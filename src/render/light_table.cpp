@@ -142,7 +142,8 @@ private:
         std::vector<double> power;
         float brightest = 0.0f;
         for (const auto& triangle : light.triangles) {
-            const vec3 color = light.texture >= 0 ? maps_.mean(light.texture, triangle.uv) : vec3(1.0f);
+            const vec3 color =
+                light.texture >= 0 ? maps_.mean(scene_, light.texture, triangle.uv) : vec3(1.0f);
             power.push_back(image::luminance(color));
             brightest = std::max(brightest, image::luminance(color));
         }
@@ -166,7 +167,7 @@ private:
     std::size_t place_of_map(int texture) {
         const auto [entry, is_new] = maps_placed_.try_emplace(texture, end());
         if (is_new) {
-            const EmissionMapPlace place = maps_.place_of(texture);
+            const EmissionMapPlace place = maps_.place_of(scene_, texture);
             behind_.emplace_back(place.first, place.width, place.height, place.wrap);
         }
         return entry->second;
@@ -196,6 +197,7 @@ private:
 
 std::vector<vec4> pack_lights(const scene::Scene& scene, std::span<const scene::Light> lights,
                               EmissionMaps& maps) {
+    maps.ask_anew();
     Packer packer(scene, maps, lights.size());
     std::vector<vec4> table;
     table.reserve(lights.size() * texels_per_light);

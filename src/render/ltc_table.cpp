@@ -13,7 +13,8 @@ constexpr std::array<float, ltc_grid * ltc_grid * ltc_numbers> table{
 #include "lut/ggx_ltc.inc"
 };
 
-constexpr std::array<float, ltc_grid * ltc_grid> sheen_albedo{
+constexpr int sheen_grid = 64;
+constexpr std::array<float, sheen_grid * sheen_grid> sheen_albedo{
 #include "lut/charlie_albedo.inc"
 };
 
@@ -38,17 +39,21 @@ float mean_loss(const float* row) {
 std::span<const float> ltc_table() { return table; }
 
 gl::Texture upload_ltc_table() {
-    constexpr std::size_t entries = ltc_grid * ltc_grid;
-    std::vector<vec4> texels(2 * entries);
-    for (std::size_t i = 0; i < entries; ++i) {
-        const float* entry = &table[i * ltc_numbers];
-        texels[i] = vec4(entry[0], entry[1], entry[2], entry[3]);
-        const float* row = &table[i / ltc_grid * ltc_grid * ltc_numbers];
-        texels[entries + i] = vec4(entry[4], sheen_albedo[i], mean_loss(row), 0.0f);
+    constexpr std::size_t width = sheen_grid, height = 2 * ltc_grid + sheen_grid;
+    std::vector<vec4> texels(width * height);
+    for (std::size_t y = 0; y < ltc_grid; ++y) {
+        const float* row = &table[y * ltc_grid * ltc_numbers];
+        for (std::size_t x = 0; x < ltc_grid; ++x) {
+            const float* entry = row + x * ltc_numbers;
+            texels[y * width + x] = vec4(entry[0], entry[1], entry[2], entry[3]);
+            texels[(y + ltc_grid) * width + x] = vec4(entry[4], 0.0f, mean_loss(row), 0.0f);
+        }
     }
+    for (std::size_t i = 0; i < sheen_albedo.size(); ++i)
+        texels[2 * ltc_grid * width + i] = vec4(sheen_albedo[i], 0.0f, 0.0f, 0.0f);
     gl::Texture texture(GL_TEXTURE_2D, "GGX as linearly transformed cosines");
     texture.bind(0);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, ltc_grid, 2 * ltc_grid, 0, GL_RGBA, GL_FLOAT, texels.data());
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, width, height, 0, GL_RGBA, GL_FLOAT, texels.data());
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);

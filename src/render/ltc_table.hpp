@@ -14,8 +14,9 @@ inline constexpr int ltc_numbers = 5;
 /// assets/lut/ggx_ltc.inc: ltc_grid² entries of ltc_numbers.
 std::span<const float> ltc_table();
 
-/// A texture of ltc_grid columns and twice as many rows, read linearly: a, b, c and the albedo; above them
-/// Schlick's part, the albedo of sheen (assets/lut/charlie_albedo.inc) and the mean of 1 - albedo.
+/// A texture that is read linearly, from its lower left corner: ltc_grid² texels of a, b, c and the albedo;
+/// above them ltc_grid² of Schlick's part, nothing, and the mean of 1 - albedo; above them 64² of the albedo
+/// of sheen (assets/lut/charlie_albedo.inc).
 gl::Texture upload_ltc_table();
 
 } // namespace sr::render

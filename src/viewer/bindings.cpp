@@ -80,7 +80,14 @@ constexpr auto table = std::to_array<Binding>({
     {GLFW_KEY_Z, control | shift, redo_light},
     {GLFW_KEY_Y, control, redo_light},
     {GLFW_KEY_P, 0, ask, "P", "ask the pixel under the pointer", "Lights"},
-    {GLFW_KEY_O, control, open_file, "Ctrl O", "open a file, or drop one here", "Program"},
+    {GLFW_KEY_K, 0, play, "K, Space", "play, pause (Space: no light selected)", "Animation"},
+    {GLFW_KEY_LEFT, alt, frame_back, "Alt left, right", "a frame back, on (on the bar without Alt)",
+     "Animation"},
+    {GLFW_KEY_RIGHT, alt, frame_forward},
+    {GLFW_KEY_HOME, alt, first_frame, "Alt Home, End", "to the beginning, the end (likewise)", "Animation"},
+    {GLFW_KEY_END, alt, last_frame},
+    {GLFW_KEY_N, 0, next_variant, "N", "the next material variant", "Animation"},
+    {GLFW_KEY_O, control, open_file, "Ctrl O", "open a file, or drop it here", "Program"},
     {GLFW_KEY_S, control, save_as, "Ctrl S", "save lights and view as a new glTF", "Program"},
     {GLFW_KEY_F5, 0, reload, "F5", "read scene and shaders anew", "Program"},
     {GLFW_KEY_F11, 0, fullscreen, "F11", "full screen", "Program"},
@@ -99,6 +106,7 @@ constexpr auto mouse = std::to_array<Gesture>({
     {"right drag", "look around; with W A S D, Q E: fly (Shift: faster)"},
     {"two fingers", "closer, farther; sideways: pan"},
     {"click", "select a light, or ask the pixel"},
+    {"drop a file", "glTF: open; EXR, HDR, PNG, JPEG: compare with"},
     {"arrow, ring, square", "move, turn, size the light; Ctrl: in steps"},
 });
 

@@ -3,8 +3,13 @@
 #include "core/error.hpp"
 #include "golden/compare.hpp"
 #include "golden/flip.hpp"
+#include "golden/screen.hpp"
+#include "image/file.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cctype>
+#include <filesystem>
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -16,7 +21,7 @@ gl::Texture uploaded(const image::Image& film) {
     for (int y = 0; y < film.height; ++y)
         for (int x = 0; x < film.width; ++x) {
             const auto pixel = film.at(x, y);
-            const vec3 rgb = film.channels >= 3 ? vec3(pixel[0], pixel[1], pixel[2]) : vec3(pixel[0]);
+            const vec3 rgb(pixel[0], pixel[1], pixel[2]);
             // GL's first row is the lowest.
             texels[static_cast<std::size_t>(film.height - 1 - y) * static_cast<std::size_t>(film.width)
                    + static_cast<std::size_t>(x)] = vec4(rgb, 1.0f);
@@ -27,6 +32,15 @@ gl::Texture uploaded(const image::Image& film) {
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
     return texture;
+}
+
+/// Grey as RGB.
+image::Image with_colors(image::Image film) {
+    if (film.channels >= 3) return film;
+    image::Image rgb(film.width, film.height, 3);
+    for (std::size_t i = 0; i < rgb.pixels.size(); ++i)
+        rgb.pixels[i] = film.pixels[i / 3 * static_cast<std::size_t>(film.channels)];
+    return rgb;
 }
 
 template<class Value, std::size_t count>
@@ -45,19 +59,56 @@ std::optional<Value> choice(const char* label, Value now,
 
 } // namespace
 
-Reference::Reference(std::string name, image::Image film)
-    : name_(std::move(name)), film_(std::move(film)), texture_(uploaded(film_)) {}
+Reference::Reference(std::string name, image::Image film, bool is_displayed)
+    : name_(std::move(name)),
+      film_(std::move(film)),
+      is_displayed_(is_displayed),
+      texture_(uploaded(film_)) {}
 
-FlipMap flip_of(const image::Image& film, const image::Image& reference) {
+bool is_picture(const std::string& file) {
+    constexpr std::array endings{".exr", ".hdr", ".png", ".jpg", ".jpeg"};
+    std::string ending = std::filesystem::path(file).extension().string();
+    std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
+    return std::ranges::find(endings, ending) != endings.end();
+}
+
+Reference read_reference(const std::string& file) {
+    const bool is_displayed = !image::is_scene_referred(file);
+    image::Image film = with_colors(image::read(file));
+    if (is_displayed)
+        for (float& value : film.pixels) value = golden::srgb_decoded(value);
+    return {std::filesystem::path(file).filename().string(), std::move(film), is_displayed};
+}
+
+namespace {
+
+void require_same_size(const image::Image& film, const image::Image& reference) {
     if (film.width != reference.width || film.height != reference.height)
         throw Error(fmt::format("the pictures have {}x{} and {}x{} pixels", film.width, film.height,
                                 reference.width, reference.height),
                     "give the window the size of the other picture: --size");
-    const golden::Plane plane = golden::hdr_flip(film, reference, golden::exposures_for(reference),
-                                                 golden::CompareOptions{}.pixels_per_degree);
+}
+
+FlipMap map_of(const golden::Plane& plane, const image::Image& film) {
     FlipMap map{image::Image(film.width, film.height, 1), golden::mean(plane)};
     for (std::size_t i = 0; i < map.film.pixels.size(); ++i) map.film.pixels[i] = plane.values[i];
     return map;
+}
+
+} // namespace
+
+FlipMap flip_of(const image::Image& film, const image::Image& reference) {
+    require_same_size(film, reference);
+    return map_of(golden::hdr_flip(film, reference, golden::exposures_for(reference),
+                                   golden::CompareOptions{}.pixels_per_degree),
+                  film);
+}
+
+FlipMap flip_of_displayed(const image::Image& film, const Look& look, const image::Image& reference) {
+    require_same_size(film, reference);
+    image::Image shown = image::displayed(film, look.ev100, look.curve);
+    for (float& value : shown.pixels) value = golden::srgb_decoded(value);
+    return map_of(golden::flip(shown, reference, golden::CompareOptions{}.pixels_per_degree), film);
 }
 
 CompareWish compare_panel(Look& look, const Reference* reference, const std::string& flip_result,
@@ -77,7 +128,7 @@ CompareWish compare_panel(Look& look, const Reference* reference, const std::str
                                                                   {"none", Visibility::none}}});
     wish.keeps = ImGui::Button("keep this picture");
     ImGui::SameLine();
-    wish.loads = ImGui::Button("load an EXR");
+    wish.loads = ImGui::Button("load a picture");
     if (!reference) return wish;
     ImGui::TextDisabled("beside: %s", reference->name().c_str());
     constexpr std::array modes{"this alone", "wipe", "difference", "FLIP map"}; // the order of Comparison

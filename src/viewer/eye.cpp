@@ -72,6 +72,21 @@ void Eye::take(NamedCamera camera) {
 
 void Eye::set_aspect_ratio(float aspect_ratio) { aspect_ratio_ = aspect_ratio; }
 
+void Eye::set_bounds(const scene::Bounds& bounds) {
+    bounds_ = bounds;
+    if (scene::is_look_at(camera_.argument))
+        camera_.camera = scene::camera_at(scene::parsed_look_at(camera_.argument), bounds_, aspect_ratio_);
+}
+
+void Eye::follow(const std::vector<scene::Camera>& cameras) {
+    if (camera_.argument == "auto") return move_to(view_);
+    for (std::size_t i = 0; i < cameras.size(); ++i) {
+        const NamedCamera named = named_camera(cameras, i);
+        if (named.argument == camera_.argument || std::to_string(i) == camera_.argument)
+            return take({cameras[i], camera_.argument});
+    }
+}
+
 void Eye::move_to(const Viewpoint& view) {
     view_ = view;
     const scene::LookAt words = look_at(view);

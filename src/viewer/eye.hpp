@@ -24,7 +24,11 @@ public:
     void set_aspect_ratio(float aspect_ratio);
     float aspect_ratio() const { return aspect_ratio_; }
     const scene::Bounds& bounds() const { return bounds_; }
-    void set_bounds(const scene::Bounds& bounds) { bounds_ = bounds; }
+    /// A free camera's near and far planes follow.
+    void set_bounds(const scene::Bounds& bounds);
+    /// The file has its cameras elsewhere now: one of them that is in use is followed, and one that framed
+    /// the scene stays where it is, as a free one.
+    void follow(const std::vector<scene::Camera>& cameras);
 
     const scene::Camera& camera() const { return camera_.camera; }
     /// What follows --camera to get this picture.

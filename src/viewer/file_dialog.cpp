@@ -28,7 +28,7 @@ const char* title_of(FileDialog::Purpose purpose) {
     switch (purpose) {
     case FileDialog::Purpose::open: return "Open a glTF file";
     case FileDialog::Purpose::save: return "Save lights and view as a new glTF";
-    case FileDialog::Purpose::compare: return "Compare with an EXR";
+    case FileDialog::Purpose::compare: return "Compare with an EXR, HDR, PNG or JPEG";
     }
     return "";
 }
@@ -47,7 +47,7 @@ void FileDialog::show(Purpose purpose, const std::string& near_file) {
         std::strncpy(typed_.data(), name.c_str(), typed_.size() - 1);
     }
     here_ = purpose == Purpose::open      ? files_beside(near_file, {".gltf", ".glb"})
-            : purpose == Purpose::compare ? files_beside("./", {".exr"})
+            : purpose == Purpose::compare ? files_beside("./", {".exr", ".hdr", ".png", ".jpg", ".jpeg"})
                                           : std::vector<std::string>{};
     recent_ = purpose == Purpose::open ? recent_files() : std::vector<std::string>{};
 }

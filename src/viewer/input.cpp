@@ -44,6 +44,21 @@ void on_drop(GLFWwindow* window, int count, const char** paths) {
 
 } // namespace
 
+std::vector<KeyEvent> taps_among(const std::vector<Event>& events) {
+    std::vector<KeyEvent> down, taps;
+    for (const Event& event : events) {
+        const auto* key = std::get_if<KeyEvent>(&event);
+        if (!key) continue;
+        const auto same = [&](const KeyEvent& other) { return other.key == key->key; };
+        const auto pressed = std::ranges::find_if(down, same);
+        if (key->is_down)
+            down.push_back(*key);
+        else if (pressed != down.end())
+            taps.push_back(*pressed); // with the modifiers that it was pressed with
+    }
+    return taps;
+}
+
 Input::Input(GLFWwindow* window) : window_(window) {
     static_assert(static_cast<int>(Button::middle) == GLFW_MOUSE_BUTTON_MIDDLE);
     glfwSetWindowUserPointer(window, this);

@@ -37,6 +37,9 @@ struct CloseEvent {};
 
 using Event = std::variant<KeyEvent, ButtonEvent, MotionEvent, ScrollEvent, DropEvent, CloseEvent>;
 
+/// The keys that were pressed and released since the last frame.
+std::vector<KeyEvent> taps_among(const std::vector<Event>& events);
+
 /// Collects the events of a window. It takes the window's user pointer and callbacks, so it comes before
 /// whoever else wants to be called (Dear ImGui chains).
 class Input {

@@ -16,45 +16,42 @@ std::string name_of(const scene::Light& light) {
     return std::visit([](const auto& l) { return l.name; }, light);
 }
 
-/// The lights that are off shine with nothing: they stay where they are, so that all others keep their
-/// numbers.
-void darken(std::vector<scene::Light>& lights, const std::vector<bool>& on) {
-    for (std::size_t i = 0; i < lights.size(); ++i)
-        if (!on[i]) set_quantity(lights[i], vec3(0.0f));
-}
-
 } // namespace
 
 Lighting::Lighting(const LoadedScene& loaded, bool hides_emitters) : hides_emitters_(hides_emitters) {
     const scene::Scene& scene = loaded.stage.scene;
-    state_.lights = scene.lights;
     std::size_t emitters = scene.lights.size();
     for (std::size_t i = 0; i < loaded.base.instances; ++i)
         emitters = std::max(emitters, static_cast<std::size_t>(scene.instances[i].emits_as.end));
     state_.softboxes.assign(loaded.stage.lights.begin() + static_cast<std::ptrdiff_t>(emitters),
                             loaded.stage.lights.end());
-    for (std::size_t m = 0; m < loaded.base.materials; ++m) {
-        state_.emission.push_back(loaded.emission[m]);
-        material_names_.push_back(scene.materials[m].name);
-    }
-    state_.lights_on.assign(state_.lights.size(), true);
+    state_.emission = loaded.emission;
+    name_materials(scene, loaded.base.materials);
     state_.softboxes_on.assign(state_.softboxes.size(), true);
     state_.emission_on.assign(state_.emission.size(), true);
-    for (std::size_t i = 0; i < state_.lights.size(); ++i) state_.origins.push_back(static_cast<int>(i));
-    state_.moved.assign(state_.lights.size(), mat4(1.0f));
-    state_.resized.assign(state_.lights.size(), false);
-    original_ = state_;
+    state_.emission_given.assign(state_.emission.size(), false);
+    file_.take(loaded);
+    viewer::follow(state_, file_);
     staged_ = loaded.stage.lights;
     list(loaded.stage, emitters);
 }
 
+void Lighting::name_materials(const scene::Scene& scene, std::size_t count) {
+    material_names_.clear();
+    for (std::size_t m = 0; m < count; ++m) material_names_.push_back(scene.materials[m].name);
+}
+
 void Lighting::list(const scene::Stage& stage, std::size_t first_softbox) {
     lamps_.clear();
-    for (std::size_t i = 0; i < state_.lights.size(); ++i)
+    int staged = 0, added = 0;
+    for (std::size_t i = 0; i < state_.lights.size(); ++i) {
+        const int id = state_.origins[i] < 0 ? --added : state_.origins[i];
+        if (!state_.lights_there[i]) continue;
         lamps_.push_back(
-            {Lamp::Kind::light, i, name_of(state_.lights[i]), {static_cast<int>(i)}, state_.lights_on[i]});
+            {Lamp::Kind::light, i, name_of(state_.lights[i]), {staged++}, state_.lights_on[i], id});
+    }
     for (std::size_t m = 0; m < state_.emission.size(); ++m) {
-        Lamp lamp{Lamp::Kind::surface, m, material_names_[m], {}, state_.emission_on[m]};
+        Lamp lamp{Lamp::Kind::surface, m, material_names_[m], {}, state_.emission_on[m], file_.materials[m]};
         for (const scene::Instance& instance : stage.scene.instances) {
             const auto material = stage.scene.meshes[static_cast<std::size_t>(instance.mesh)].material;
             if (static_cast<std::size_t>(material) != m) continue;
@@ -68,9 +65,17 @@ void Lighting::list(const scene::Stage& stage, std::size_t first_softbox) {
                           i,
                           name_of(state_.softboxes[i]),
                           {static_cast<int>(first_softbox + i)},
-                          state_.softboxes_on[i]});
+                          state_.softboxes_on[i],
+                          static_cast<int>(i)});
     for (std::size_t i = 0; i < lamps_.size(); ++i)
         if (lamps_[i].name.empty()) lamps_[i].name = fmt::format("light {}", i);
+}
+
+std::optional<std::size_t> Lighting::lamp_like(const Lamp& lamp) const {
+    const auto found = std::ranges::find_if(
+        lamps_, [&](const Lamp& other) { return other.kind == lamp.kind && other.id == lamp.id; });
+    if (found == lamps_.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - lamps_.begin());
 }
 
 std::optional<std::size_t> Lighting::lamp_of_instance(const scene::Stage& stage, int instance) const {
@@ -106,12 +111,18 @@ void Lighting::set_quantity(std::size_t index, vec3 quantity) {
         return switch_to(index, false); // a surface without emission would be no light
     remember();
     switches(lamp.kind)[lamp.index] = true;
-    if (lamp.kind == Lamp::Kind::light) viewer::set_quantity(state_.lights[lamp.index], quantity);
+    if (lamp.kind == Lamp::Kind::light) {
+        viewer::set_quantity(state_.lights[lamp.index], quantity);
+        state_.lights_given[lamp.index] = true;
+    }
     if (lamp.kind == Lamp::Kind::softbox) {
         viewer::set_quantity(state_.softboxes[lamp.index], quantity);
         state_.softboxes_changed = true;
     }
-    if (lamp.kind == Lamp::Kind::surface) state_.emission[lamp.index] = quantity;
+    if (lamp.kind == Lamp::Kind::surface) {
+        state_.emission[lamp.index] = quantity;
+        state_.emission_given[lamp.index] = true;
+    }
 }
 
 void Lighting::switch_to(std::size_t index, bool is_on) {
@@ -158,10 +169,13 @@ std::size_t Lighting::add(scene::Light light) {
     remember();
     state_.lights.push_back(std::move(light));
     state_.lights_on.push_back(true);
+    state_.lights_given.push_back(true);
+    state_.lights_there.push_back(true);
     state_.origins.push_back(-1);
     state_.moved.push_back(mat4(1.0f));
     state_.resized.push_back(false);
-    return state_.lights.size() - 1; // lights come first in the list
+    return static_cast<std::size_t>(std::ranges::count(state_.lights_there, true))
+           - 1; // they come first in the list
 }
 
 bool Lighting::remove(std::size_t index) {
@@ -171,16 +185,15 @@ bool Lighting::remove(std::size_t index) {
         return false;
     }
     remember();
-    const auto at = static_cast<std::ptrdiff_t>(lamp.index);
-    auto& lights = lamp.kind == Lamp::Kind::light ? state_.lights : state_.softboxes;
-    lights.erase(lights.begin() + at);
-    auto& on = switches(lamp.kind);
-    on.erase(on.begin() + at);
+    const auto drop = [&](auto&... values) {
+        (values.erase(values.begin() + static_cast<std::ptrdiff_t>(lamp.index)), ...);
+    };
     if (lamp.kind == Lamp::Kind::light) {
-        state_.origins.erase(state_.origins.begin() + at);
-        state_.moved.erase(state_.moved.begin() + at);
-        state_.resized.erase(state_.resized.begin() + at);
+        if (lamp.id >= 0) state_.removed.push_back(lamp.id);
+        drop(state_.lights, state_.lights_on, state_.lights_given, state_.lights_there, state_.origins,
+             state_.moved, state_.resized);
     } else {
+        drop(state_.softboxes, state_.softboxes_on);
         state_.softboxes_changed = true;
     }
     return true;
@@ -191,6 +204,7 @@ bool Lighting::undo() {
     if (history_.empty()) return false;
     undone_.push_back(std::exchange(state_, std::move(history_.back())));
     history_.pop_back();
+    viewer::follow(state_, file_); // it may be of another moment
     return true;
 }
 
@@ -199,18 +213,40 @@ bool Lighting::redo() {
     if (undone_.empty()) return false;
     history_.push_back(std::exchange(state_, std::move(undone_.back())));
     undone_.pop_back();
+    viewer::follow(state_, file_);
     return true;
 }
 
 void Lighting::take_back_step() {
-    if (is_step_open_) state_ = history_.back();
+    if (!is_step_open_) return;
+    state_ = history_.back();
+    viewer::follow(state_, file_);
 }
 
 void Lighting::cancel_step() {
     if (!is_step_open_) return;
     state_ = std::move(history_.back());
     history_.pop_back();
+    viewer::follow(state_, file_);
     is_step_open_ = false;
+}
+
+bool Lighting::adds_or_removes() const {
+    return !state_.removed.empty() || state_.softboxes_changed
+           || std::ranges::any_of(state_.origins, [](int origin) { return origin < 0; })
+           || std::ranges::count(state_.softboxes_on, false) > 0;
+}
+
+void Lighting::follow(const LoadedScene& loaded) {
+    const FileLights before = file_;
+    file_.take(loaded);
+    if (file_.materials != before.materials) {
+        for (std::vector<LightingState>* states : {&history_, &undone_})
+            for (LightingState& state : *states) renumber(state, before, file_);
+        renumber(state_, before, file_);
+        name_materials(loaded.stage.scene, loaded.base.materials);
+    }
+    viewer::follow(state_, file_);
 }
 
 void Lighting::apply(LoadedScene& loaded) {
@@ -218,7 +254,9 @@ void Lighting::apply(LoadedScene& loaded) {
     scene.instances.resize(loaded.base.instances);
     scene.materials.resize(loaded.base.materials);
     scene.meshes.resize(loaded.base.meshes);
-    scene.lights = state_.lights;
+    scene.lights.clear();
+    for (std::size_t i = 0; i < state_.lights.size(); ++i)
+        if (state_.lights_there[i]) scene.lights.push_back(state_.lights[i]);
     for (std::size_t m = 0; m < state_.emission.size(); ++m) scene.materials[m].emission = state_.emission[m];
     std::vector<scene::Light>& lights = loaded.stage.lights;
     lights = scene::assign_emitters(scene);
@@ -226,12 +264,14 @@ void Lighting::apply(LoadedScene& loaded) {
     lights.insert(lights.end(), state_.softboxes.begin(), state_.softboxes.end());
     staged_ = lights;
     list(loaded.stage, first_softbox);
+    // What is off shines with nothing: it stays where it is, so that all others keep their numbers.
     for (const Lamp& lamp : lamps_) {
         if (lamp.is_on) continue;
         for (const int k : lamp.lights) viewer::set_quantity(lights[static_cast<std::size_t>(k)], vec3(0.0f));
         if (lamp.kind == Lamp::Kind::surface) scene.materials[lamp.index].emission = vec3(0.0f);
+        if (lamp.kind == Lamp::Kind::light) // its surface goes dark, too
+            viewer::set_quantity(scene.lights[static_cast<std::size_t>(lamp.lights.front())], vec3(0.0f));
     }
-    darken(scene.lights, state_.lights_on); // their surfaces go dark, too
     if (hides_emitters_)
         for (scene::Material& material : scene.materials) material.emission = vec3(0.0f);
     else

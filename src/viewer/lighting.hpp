@@ -1,7 +1,6 @@
 #pragma once
 // The lights as a person edits them, and the Stage that follows from them. Plain data: no GL.
-#include "viewer/light_value.hpp"
-#include "viewer/loaded_scene.hpp"
+#include "viewer/moment_lights.hpp"
 
 namespace sr::viewer {
 
@@ -17,18 +16,7 @@ struct Lamp {
     std::string name;
     std::vector<int> lights; // which of the Stage's; empty for a surface that was switched to nothing
     bool is_on = true;
-};
-
-/// Everything that can be edited; a copy of it is a step of undoing.
-struct LightingState {
-    std::vector<scene::Light> lights;
-    std::vector<scene::Light> softboxes;
-    std::vector<vec3> emission; // of the file's materials
-    std::vector<bool> lights_on, softboxes_on, emission_on;
-    std::vector<int> origins;  // of each light: which of the file's it was, negative if it was added
-    std::vector<mat4> moved;   // of each light: its world now from its world as it came
-    std::vector<bool> resized; // of each light: whether one of its extents was set
-    bool softboxes_changed = false;
+    int id = 0; // among its kind, the same at every moment
 };
 
 class Lighting {
@@ -36,8 +24,11 @@ public:
     /// As `loaded` has it now.
     explicit Lighting(const LoadedScene& loaded, bool hides_emitters);
 
-    /// Lights, surfaces and softboxes, in this order. Indices stay until a light is added or removed.
+    /// Lights, surfaces and softboxes, in this order. Indices stay until a light is added or removed, or
+    /// another moment shows more or fewer.
     const std::vector<Lamp>& lamps() const { return lamps_; }
+    /// The lamp that is the same light; absent: it is not there now.
+    std::optional<std::size_t> lamp_like(const Lamp& lamp) const;
     std::optional<std::size_t> lamp_of_instance(const scene::Stage& stage, int instance) const;
     /// The lights that a lamp is, with their quantities whether it is on or not.
     std::vector<scene::Light> lights_of(std::size_t lamp) const;
@@ -64,19 +55,25 @@ public:
 
     bool is_changed() const { return !history_.empty(); }
     const LightingState& state() const { return state_; }
-    const LightingState& original() const { return original_; } // as the file has it
+    const FileLights& file() const { return file_; } // as it has them at the moment
+    bool adds_or_removes() const;                    // lights of the file, or softboxes
 
     /// Rebuilds what depends on lights. Images, textures and the file's meshes stay.
     void apply(LoadedScene& loaded);
+
+    /// The file shows another moment or another variant, before anything of it was edited: edits go along.
+    /// apply() brings them to the Stage.
+    void follow(const LoadedScene& loaded);
 
 private:
     void remember();
     scene::Light& light_of(const Lamp& lamp);
     std::vector<bool>& switches(Lamp::Kind kind);
+    void name_materials(const scene::Scene& scene, std::size_t count);
     void list(const scene::Stage& stage, std::size_t first_softbox);
 
     LightingState state_;
-    LightingState original_;
+    FileLights file_;
     std::vector<LightingState> history_;
     std::vector<LightingState> undone_; // the last one first to come back
     std::vector<Lamp> lamps_;

@@ -24,12 +24,21 @@ struct LoadedScene {
     std::optional<int> scene_index; // that was asked for
     BaseCounts base;
     gltf::Contents contents;
+    std::optional<gltf::Asset> asset; // what poses the scene; absent: nothing in it moves
+    gltf::Moment moment;              // that is shown; without animations the rest pose
+    std::vector<int> animations;      // those to play, as Options::animation names them
+    std::string variant;              // that is shown
+    std::vector<int> light_nodes;     // of the file's lights at the moment
     std::vector<vec3> emission;       // of each of the file's materials, even where emitters are hidden
     std::vector<std::string> remarks; // one line each: warnings, and what was decided without being asked
     double seconds = 0.0;             // that loading took
 };
 
-/// @throws Error
+/// @throws Error; while reloading not for an animation, a time or a variant that the file no longer has
 LoadedScene load_scene(const std::string& file, const Options& options, float aspect_ratio);
+
+/// Brings what the file has to another moment, without lights' surfaces and softboxes. Only with an asset.
+/// @throws Error if a value makes no sense then; the scene has to be posed again
+void pose(LoadedScene& loaded, const gltf::Moment& moment);
 
 } // namespace sr::viewer

@@ -13,7 +13,13 @@ struct Options {
     std::string camera; // as StageOptions has it
     scene::Rig rig = scene::Rig::studio;
     bool hide_emitters = false;
+    std::optional<double> at;  // [s]; absent: the file's rest pose
+    std::string animation;     // as gltf::Asset::animations_named() takes it
+    bool plays = false;        // the animation, from `at` or its beginning on
+    std::string variant;       // of KHR_materials_variants; empty: none
+    bool is_reloading = false; // what the file no longer has is remarked on, and is no error
     render::Visibility visibility = render::Visibility::ray;
+    bool has_energy_compensation = false; // as GpuScene has it
     /// Of the standing picture; size, shader path and samples are the viewer's own.
     render::RenderOptions rendering;
     render::StopRule stop;            // what the standing picture converges to

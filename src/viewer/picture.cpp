@@ -1,5 +1,7 @@
 #include "viewer/picture.hpp"
 
+#include "gl/context.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -9,8 +11,11 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// With what the window and its panels take, this leaves some 20 frames a second in software GL.
-constexpr double moving_budget = 0.035;   // [s] a sample
+constexpr double software_frame = 0.050; // [s] from one moving frame to the next, where GL is software
+constexpr double gpu_frame = 1.0 / 60.0; // [s] likewise on a GPU
+constexpr double gpu_others =
+    0.006; // [s] of it left for all else: waiting for the screen cannot be told from work
+constexpr auto longest_others = 150ms;    // between two samples: after more the hand had rested
 constexpr int moving_samples = 4;         // that a moving picture gathers while the hand rests
 constexpr auto settled = 180ms;           // of rest, until the picture stands
 constexpr double standing_budget = 0.040; // [s] of sampling between two looks at keys and pointer
@@ -18,6 +23,10 @@ constexpr int most_parts = 10; // of a sample: each reads all the scene's vertic
 
 int scaled(int side, float scale) {
     return std::max(1, static_cast<int>(std::lround(static_cast<float>(side) * scale)));
+}
+
+bool is_software() {
+    return gl::is_software_renderer(reinterpret_cast<const char*>(glGetString(GL_RENDERER)));
 }
 
 /// A picture begins as if it had moved: coarse, and there at once.
@@ -37,7 +46,8 @@ double seconds_since(Picture::Clock::time_point begin) {
 
 Picture::Picture(const render::GpuScene& scene, const scene::Camera& camera,
                  const render::RenderOptions& options, const render::StopRule& rule)
-    : resolution_(moving_budget),
+    : is_software_(is_software()),
+      resolution_(is_software_ ? software_frame : gpu_frame - gpu_others),
       renderer_(scene, camera, first_options(options, resolution_.scale())),
       camera_(camera),
       width_(options.width),
@@ -151,9 +161,12 @@ void Picture::advance_moving() {
     if (renderer_.sample_count() >= moving_samples) return;
     const bool is_first = renderer_.sample_count() == 0;
     const auto begin = Clock::now();
+    const std::chrono::duration<double> others = begin - moving_sample_end_;
+    if (is_software_ && others < longest_others) resolution_.others_took(others.count());
     renderer_.add_sample();
     seconds_ = seconds_since(begin);
     if (is_first) resolution_.took(seconds_);
+    moving_sample_end_ = Clock::now();
     is_kept_shown_ = false;
 }
 

@@ -55,7 +55,9 @@ private:
     void advance_moving();
     void advance_standing();
 
+    bool is_software_; // GL runs on the CPU
     Resolution resolution_;
+    Clock::time_point moving_sample_end_{};
     gl::Framebuffer reading_{"reading a film"};
     render::Renderer renderer_;
     scene::Camera camera_;

@@ -59,25 +59,26 @@ public:
     Saving(const LoadedScene& loaded, const Lighting& lighting)
         : loaded_(loaded),
           scene_(loaded.stage.scene),
-          before_(lighting.original()),
+          file_(lighting.file()),
+          adds_or_removes_(lighting.adds_or_removes()),
           now_(lighting.state()),
           gltf_(read_gltf(loaded.file)) {}
 
     void save_lights() {
-        for (std::size_t i = 0; i < before_.lights.size(); ++i) save_light(i);
+        for (const int number : now_.removed) take_light(node_of(number));
+        for (std::size_t i = 0; i < now_.lights.size(); ++i)
+            if (now_.origins[i] >= 0) save_light(i);
         for (std::size_t i = 0; i < now_.lights.size(); ++i)
             if (now_.origins[i] < 0) add_light(now_.lights[i], now_.lights_on[i]);
-        const bool needs_softboxes = now_.lights.size() != before_.lights.size()
-                                     || now_.softboxes_on != before_.softboxes_on || now_.softboxes_changed;
-        for (std::size_t i = 0; needs_softboxes && i < now_.softboxes.size(); ++i)
+        for (std::size_t i = 0; adds_or_removes_ && i < now_.softboxes.size(); ++i)
             add_light(now_.softboxes[i], now_.softboxes_on[i]);
     }
 
     void save_materials() {
-        for (std::size_t m = 0; m < before_.emission.size(); ++m) {
-            const int number = loaded_.contents.material_numbers[m];
+        for (std::size_t m = 0; m < now_.emission.size(); ++m) {
+            const int number = file_.materials[m];
             const vec3 emission = now_.emission_on[m] ? now_.emission[m] : vec3(0.0f);
-            if (number < 0 || emission == before_.emission[m]) continue;
+            if (number < 0 || (now_.emission_on[m] && !now_.emission_given[m])) continue;
             ordered_json& material = json()["materials"][static_cast<std::size_t>(number)];
             state(material["extras"]["steradian"], scene::luminance(emission),
                   scene::radiance_unit(scene_.units), emission);
@@ -111,31 +112,27 @@ public:
 private:
     ordered_json& json() { return gltf_.json; }
 
-    void save_light(std::size_t original) {
-        const auto node = static_cast<std::size_t>(loaded_.contents.light_nodes[original]);
-        const auto at = std::ranges::find(now_.origins, static_cast<int>(original));
-        const auto place = static_cast<std::size_t>(at - now_.origins.begin());
-        const bool is_there = at != now_.origins.end();
-        const bool has_moved = is_there && now_.moved[place] != mat4(1.0f);
-        const bool is_resized = is_there && (now_.resized[place] || is_scaled(now_.moved[place]));
-        const bool is_restated =
-            is_there
-            && (!now_.lights_on[place] || is_resized // a flux makes another radiance of another size
-                || quantity_of(now_.lights[place]) != quantity_of(before_.lights[original]));
-        if (is_there && !is_restated && !has_moved) return;
-        if (std::ranges::count(loaded_.contents.light_nodes, static_cast<int>(node)) > 1)
-            throw Error({loaded_.file},
-                        fmt::format("/nodes/{} carries two lights, one of which was edited", node),
-                        "give each a node of its own");
-        if (!is_there) {
-            take_light(node);
-            return;
-        }
+    /// @throws Error if the node carries another light, which would have to say something else
+    std::size_t node_of(int number) const {
+        if (file_.shares_its_node(number))
+            throw Error(
+                {loaded_.file},
+                fmt::format("/nodes/{} carries two lights, one of which was edited", file_.node_of(number)),
+                "give each a node of its own");
+        return static_cast<std::size_t>(file_.node_of(number));
+    }
+
+    void save_light(std::size_t i) {
+        const bool is_resized = now_.resized[i] || is_scaled(now_.moved[i]);
+        // A flux makes another radiance of another size.
+        const bool is_restated = now_.lights_given[i] || !now_.lights_on[i] || is_resized;
+        const bool has_moved = now_.moved[i] != mat4(1.0f);
+        if (!is_restated && !has_moved) return;
+        const std::size_t node = node_of(now_.origins[i]);
         if (is_restated)
-            state(json()["nodes"][node]["extras"]["steradian"], now_.lights[place], now_.lights_on[place],
-                  scene_);
-        if (now_.resized[place]) resize(node, now_.lights[place], now_.moved[place]);
-        if (has_moved) move(node, glm::dmat4(now_.moved[place]));
+            state(json()["nodes"][node]["extras"]["steradian"], now_.lights[i], now_.lights_on[i], scene_);
+        if (now_.resized[i]) resize(node, now_.lights[i], now_.moved[i]);
+        if (has_moved) move(node, glm::dmat4(now_.moved[i]));
     }
 
     /// States a light's sizes at its node, which will have moved by `by`: sizes scale by the largest of its
@@ -226,7 +223,8 @@ private:
 
     const LoadedScene& loaded_;
     const scene::Scene& scene_;
-    const LightingState& before_;
+    const FileLights& file_;
+    bool adds_or_removes_;
     const LightingState& now_;
     GltfText gltf_;
 };

@@ -9,12 +9,12 @@ namespace sr::viewer {
 namespace {
 
 std::string constants(image::ToneCurve curve, bool is_false_color, Comparison comparison, bool is_scaled,
-                      bool is_resting) {
+                      bool is_other_displayed, bool is_resting) {
     return fmt::format("const int shown_curve = {};\nconst bool is_false_color = {};\n"
                        "const int comparison = {};\nconst bool is_scaled = {};\n"
-                       "const bool is_resting = {};\n",
+                       "const bool is_other_displayed = {};\nconst bool is_resting = {};\n",
                        static_cast<int>(curve), is_false_color, static_cast<int>(comparison), is_scaled,
-                       is_resting);
+                       is_other_displayed, is_resting);
 }
 
 } // namespace
@@ -32,8 +32,30 @@ const gl::Program& Screen::program(const Choice& choice) {
     return programs_.emplace(choice, std::move(program)).first->second;
 }
 
+Screen::Codes::Codes(int columns, int rows) : width(columns), height(rows) {
+    texture.bind(0);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture.id(), 0);
+}
+
 void Screen::draw(const FilmSum& film, const FilmSum& other, const Look& look, int width, int height) {
+    const bool is_compared = other.sum && look.comparison != Comparison::none;
+    if (is_compared || (film.width == width && film.height == height)) {
+        glBindFramebuffer(GL_FRAMEBUFFER, 0);
+        return cover(film, other, look, width, height);
+    }
+    if (!codes_ || codes_->width != film.width || codes_->height != film.height)
+        codes_.emplace(film.width, film.height);
+    glBindFramebuffer(GL_FRAMEBUFFER, codes_->framebuffer.id());
+    cover(film, {}, look, film.width, film.height);
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+    glBlitFramebuffer(0, 0, film.width, film.height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_LINEAR);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
+void Screen::cover(const FilmSum& film, const FilmSum& other, const Look& look, int width, int height) {
     glViewport(0, 0, width, height);
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
@@ -44,7 +66,7 @@ void Screen::draw(const FilmSum& film, const FilmSum& other, const Look& look, i
     const bool is_scaled = !fits(film) || (is_compared && !fits(other));
     const gl::Program& used =
         program({look.curve, look.is_false_color, is_compared ? look.comparison : Comparison::none, is_scaled,
-                 film.rest_weights != nullptr});
+                 is_compared && other.is_displayed, film.rest_weights != nullptr});
     used.use();
     const auto weight = [](const FilmSum& f) { return 1.0f / static_cast<float>(f.samples); };
     const auto at = [&](const char* name) { return used.uniform(name); };

@@ -2,6 +2,7 @@
 
 #include "core/error.hpp"
 #include "image/luminance.hpp"
+#include "viewer/animation_bar.hpp"
 #include "viewer/config.hpp"
 #include "viewer/panels.hpp"
 
@@ -67,11 +68,8 @@ void Session::run(const std::function<bool()>& is_interrupted) {
         std::vector<Event> events = input_.take();
         if (input_.take_damage() || !events.empty()) frames_to_draw_ = frames_after_event;
         if (lights_.wants_focus() || dialog_.wants_focus()) frames_to_draw_ = std::max(frames_to_draw_, 1);
-        const bool has_work = show_ && !show_->picture().is_done();
-        if (frames_to_draw_ <= 0 && !has_work && !hand_.is_flying()) continue;
-        for (const Event& event : events)
-            if (const auto* key = std::get_if<KeyEvent>(&event); key && key->is_down) ui_.press(key->key);
-        ui_.begin(); // before the events, so that it knows whose the pointer is
+        if (!is_busy()) continue;
+        ui_.begin(taps_among(events)); // before the events, so that it knows whose the pointer is
         for (const Event& event : events) handle(event);
         advance();
         draw();
@@ -81,10 +79,15 @@ void Session::run(const std::function<bool()>& is_interrupted) {
     }
 }
 
+/// Whether a frame is to be drawn.
+bool Session::is_busy() const {
+    return frames_to_draw_ > 0 || hand_.is_flying() || playback_.is_playing
+           || (show_ && !show_->picture().is_done());
+}
+
 /// Sleeps while there is nothing to do: no processor and no GPU is used.
 void Session::wait() {
-    const bool is_busy = frames_to_draw_ > 0 || hand_.is_flying() || (show_ && !show_->picture().is_done());
-    if (is_busy)
+    if (is_busy())
         glfwPollEvents();
     else
         glfwWaitEventsTimeout(loading_ || flipping_ ? 0.01 : poll_interval);
@@ -117,12 +120,17 @@ void Session::show(LoadedScene scene) {
     }
     auto shown = std::make_unique<Show>(std::move(scene), options_, eye.camera(), width_, height_);
     const bool is_first = !show_;
+    const bool keeps_edits = std::exchange(keeps_edits_, false) && is_same_file;
+    if (keeps_edits) shown->take_edits(show_->lighting());
     show_ = std::move(shown);
     eye_ = std::move(eye);
+    begin_playback(is_same_file);
     if (!is_same_file)
         exposure_.forget();
     else
-        say("scene read anew");
+        say(!keeps_edits               ? "scene read anew"
+            : options_.variant.empty() ? "no variant"
+                                       : "variant " + options_.variant);
     measured_samples_ = 0;
     if (is_first) {
         statistics_.start.emplace_back("upload", show_->upload_seconds());
@@ -159,9 +167,11 @@ void Session::advance() {
     if (!show_) return;
     fly(seconds);
     relight();
+    play(seconds);
     Picture& picture = show_->picture();
     if (was_moving_ && picture.is_moving()) {
         statistics_.moving_frames.push_back(seconds);
+        statistics_.moving_samples.push_back(picture.seconds_per_sample());
         statistics_.moving_scales.push_back(picture.scale());
         statistics_.moving_cpu.push_back(Statistics::cpu() - last_cpu_);
     }
@@ -170,8 +180,8 @@ void Session::advance() {
     const bool was_done = picture.is_done();
     picture.advance();
     if (picture.is_done() && !was_done && options_.is_verbose)
-        std::fprintf(stderr, "converged: %s, --camera '%s'\n", progress_of(picture).c_str(),
-                     eye_->argument().c_str());
+        std::fprintf(stderr, "converged: %s, --camera '%s'%s\n", progress_of(picture).c_str(),
+                     eye_->argument().c_str(), moment_argument().c_str());
     measure_exposure();
     advance_turntable();
     if (exposure_.advance(std::min(seconds, 0.1))) frames_to_draw_ = std::max(frames_to_draw_, 1);
@@ -227,6 +237,7 @@ void Session::draw_panels() {
     probe_.draw_directions(show_->scene().stage, projection(), ui_.scale());
     probe_.draw(show_->scene().stage, show_->lighting(), lights_.selected, ui_.scale());
     lights_.draw_marks(show_->lighting(), projection(), ui_.scale());
+    draw_animation();
     draw_grip();
     const Picture& picture = show_->picture();
     status_line({progress_of(picture), under_pointer(), message_});
@@ -242,6 +253,8 @@ void Session::draw_panels() {
         if (wish.moved) eye_->move_to(*wish.moved);
         if (wish.file_camera || wish.moved) move_camera();
         draw_lights();
+        if (const auto variant = variants_panel(show_->scene().contents.variants, show_->scene().variant))
+            choose_variant(*variant);
         picture_panel(exposure_, look_, scene::radiance_unit(scene.units));
         obey(compare_panel(look_, reference_ ? &*reference_ : nullptr, flip_result_,
                            options_.rendering.estimator, options_.visibility));

@@ -8,6 +8,7 @@
 #include "viewer/handles.hpp"
 #include "viewer/input.hpp"
 #include "viewer/lights_panel.hpp"
+#include "viewer/playback.hpp"
 #include "viewer/probe_panel.hpp"
 #include "viewer/screen.hpp"
 #include "viewer/show.hpp"
@@ -45,6 +46,7 @@ private:
     using Clock = std::chrono::steady_clock;
 
     // session.cpp: the loop
+    bool is_busy() const;
     void wait();
     void take_loaded();
     void show(LoadedScene scene);
@@ -92,6 +94,17 @@ private:
     vec3 grip_center() const;
     std::optional<Handles> handles() const;
 
+    // session_animation.cpp: what moves by itself, and variants
+    void begin_playback(bool is_same_file);
+    void play(double elapsed);
+    void show_moment();
+    std::optional<Command> key_of_the_bar(const KeyEvent& event) const;
+    bool obey_animation(Command command);
+    void draw_animation();
+    void choose_variant(const std::string& name);
+    void next_variant();
+    std::string moment_argument() const;
+
     // session_compare.cpp: questions to the picture
     void answer_question();
     std::optional<Lobe> lobe_of(const render::PixelTerms& terms, const render::RenderOptions& options,
@@ -108,7 +121,9 @@ private:
 
     // session_files.cpp: what is read and written
     void open(const std::string& file);
+    void take_dropped(const std::vector<std::string>& files);
     void reload();
+    void read_again();
     void watch_files();
     void reload_shaders();
     void write_png();
@@ -133,6 +148,9 @@ private:
     LightChange change_ = LightChange::none; // of the lights, since the last frame
     std::optional<Grip> grip_;               // on the selected light
     vec2 pointer_{0.0f};                     // where it was when the event at hand happened
+    Playback playback_;
+    bool bar_has_pointer_ = false;
+    bool keeps_edits_ = false; // of lights, when the file that is being read is there
     ProbePanel probe_;
     std::optional<vec2> question_; // the place in the window that is to be asked
     std::optional<Reference> reference_;

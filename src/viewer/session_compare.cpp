@@ -2,19 +2,18 @@
 #include "viewer/session.hpp"
 
 #include "core/error.hpp"
-#include "image/file.hpp"
 #include "image/luminance.hpp"
 #include "render/lobe.hpp"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
-#include <filesystem>
 #include <fmt/format.h>
 
 namespace sr::viewer {
 
 /// The equation at the pixel. It takes a while: keys and pointer wait, Esc stops it.
 void Session::answer_question() {
+    playback_.is_playing = false; // the answer is that of a moment
     const vec2 place = place_of(*question_);
     question_.reset();
     constexpr int most_samples = 64; // the terms of one pixel take as long as a small picture
@@ -98,8 +97,10 @@ void Session::keep_picture() {
 
 void Session::load_reference(const std::string& file) {
     try {
-        reference_.emplace(std::filesystem::path(file).filename().string(), image::read(file));
+        reference_ = read_reference(file);
         if (look_.comparison == Comparison::none) look_.comparison = Comparison::wipe;
+        error_text_.clear();
+        say("beside " + reference_->name() + ": B goes through the ways to compare with it");
     } catch (const Error& error) {
         fail("There is nothing to compare with.", error.what());
     }
@@ -117,8 +118,9 @@ void Session::next_comparison() {
 void Session::begin_flip() {
     if (flipping_ || !reference_ || show_->picture().sample_count() == 0) return;
     flip_result_ = "working ...";
-    flipping_ = std::async(std::launch::async, [film = show_->picture().film(), other = reference_->film()] {
-        return flip_of(film, other);
+    flipping_ = std::async(std::launch::async, [film = show_->picture().film(), other = reference_->film(),
+                                                look = look_, is_displayed = reference_->is_displayed()] {
+        return is_displayed ? flip_of_displayed(film, look, other) : flip_of(film, other);
     });
 }
 
@@ -128,7 +130,7 @@ void Session::take_flip() {
     frames_to_draw_ = 3;
     try {
         FlipMap map = flipping->get();
-        flip_result_ = fmt::format("mean HDR-FLIP {:.4f}", map.mean);
+        flip_result_ = fmt::format("mean FLIP {:.4f}", map.mean);
         flip_.emplace("FLIP", std::move(map.film));
         say(flip_result_);
     } catch (const Error& error) {

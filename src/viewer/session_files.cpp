@@ -17,14 +17,43 @@ void Session::open(const std::string& file) {
         return;
     }
     const float aspect = static_cast<float>(width_) / static_cast<float>(height_);
-    if (show_ && file != show_->scene().file) options_.camera.clear(); // it was the other file's
+    options_.is_reloading = show_ && file == show_->scene().file;
+    if (show_ && !options_.is_reloading) { // these were the other file's
+        options_.camera.clear();
+        options_.animation.clear();
+        options_.variant.clear();
+        options_.at.reset();
+        options_.plays = keeps_edits_ = false;
+    }
     options_.scene = file;
     loading_ = std::async(std::launch::async, load_scene, file, options_, aspect);
+}
+
+/// Scenes are opened, pictures are compared with.
+void Session::take_dropped(const std::vector<std::string>& files) {
+    for (const std::string& file : files) {
+        const std::string ending = std::filesystem::path(file).extension().string();
+        if (ending == ".gltf" || ending == ".glb")
+            open(file);
+        else if (is_picture(file) && show_)
+            load_reference(file);
+        else
+            fail("This cannot be shown.",
+                 Error({file}, "is neither a scene nor a picture",
+                       "drop a .gltf or .glb to open it, an .exr, .hdr, .png or .jpg to compare with")
+                     .what());
+    }
+    frames_to_draw_ = frames_to_draw_ > 3 ? frames_to_draw_ : 3;
 }
 
 void Session::reload() {
     if (!show_) return;
     ++statistics_.reloads;
+    keeps_edits_ = false;
+    read_again();
+}
+
+void Session::read_again() {
     if (!scene::is_look_at(eye_->argument())) options_.camera = eye_->argument(); // as the file has it now
     open(show_->scene().file);
 }
@@ -52,6 +81,8 @@ void Session::write_exr() {
         {"steradian:camera", eye_->argument()},
         {"steradian:GL_RENDERER", window_.info().renderer},
         {"steradian:GL_VERSION", window_.info().version}};
+    if (playback_.seconds)
+        film.attributes.emplace_back("steradian:time", fmt::format("{:.9g} s", *playback_.seconds));
     try {
         image::write(film, name, image::SampleType::floating);
         say("wrote " + name);
@@ -62,6 +93,7 @@ void Session::write_exr() {
 
 /// A whole turn around the pivot, a PNG for each of its steps, each converged.
 void Session::begin_turntable() {
+    playback_.is_playing = false;
     turntable_.emplace();
     turntable_->folder = free_name(show_->scene().file, "-turntable");
     std::error_code failure;

@@ -23,7 +23,7 @@ void Session::handle(const Event& event) {
     if (std::holds_alternative<CloseEvent>(event))
         is_closing_ = true;
     else if (const auto* drop = std::get_if<DropEvent>(&event))
-        open(drop->files.front());
+        take_dropped(drop->files);
     else if (const auto* key = std::get_if<KeyEvent>(&event))
         handle_key(*key);
     else
@@ -35,7 +35,10 @@ void Session::handle_key(const KeyEvent& event) {
     if (handle_grip(event)) return;
     if (ui_.has_keyboard() && event.key != GLFW_KEY_ESCAPE) return;
     if (hand_.is_flying() && !(event.modifiers & control)) return; // W A S D Q E fly, and nothing else
-    if (const auto command = command_of(event.key, event.modifiers)) obey(*command);
+    if (const auto command = key_of_the_bar(event))
+        obey(*command);
+    else if (const auto meant = command_of(event.key, event.modifiers))
+        obey(*meant);
 }
 
 void Session::handle_pointer(const Event& event) {
@@ -86,7 +89,7 @@ void Session::move_camera() {
 
 void Session::obey(Command command) {
     if (obey_program(command) || !show_) return;
-    if (obey_picture(command) || obey_light(command)) return;
+    if (obey_picture(command) || obey_light(command) || obey_animation(command)) return;
     if (eye_->obey(command, selection())) move_camera();
 }
 
@@ -100,6 +103,7 @@ bool Session::obey_program(Command command) {
     case Command::open_file: dialog_.show(FileDialog::Purpose::open, options_.scene); return true;
     case Command::cancel:
         has_help_ = false;
+        error_text_.clear();
         lights_.selected.reset();
         probe_.answer.reset();
         dialog_.close();
@@ -149,6 +153,7 @@ void Session::copy_view() {
     std::string text = fmt::format("--camera '{}' --size {}x{} --samples {}", eye_->argument(), width_,
                                    height_, stop.samples);
     if (stop.error) text += fmt::format(" --error {}%", static_cast<float>(100.0 * *stop.error));
+    text += moment_argument();
     glfwSetClipboardString(window_.handle(), text.c_str());
     say("copied: " + text);
 }

@@ -1,6 +1,9 @@
 #include "viewer/show.hpp"
 
+#include "core/error.hpp"
+
 #include <chrono>
+#include <exception>
 
 namespace sr::viewer {
 namespace {
@@ -11,9 +14,10 @@ double seconds_since(Clock::time_point begin) {
     return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
-render::GpuScene uploaded(const LoadedScene& scene, render::Visibility visibility, double& seconds) {
+render::GpuScene uploaded(const LoadedScene& scene, const Options& options, double& seconds) {
     const auto begin = Clock::now();
-    render::GpuScene gpu(scene.stage.scene, scene.stage.lights, visibility);
+    render::GpuScene gpu(scene.stage.scene, scene.stage.lights, options.visibility,
+                         options.has_energy_compensation);
     glFinish();
     seconds = seconds_since(begin);
     return gpu;
@@ -23,7 +27,7 @@ render::GpuScene uploaded(const LoadedScene& scene, render::Visibility visibilit
 
 Show::Show(LoadedScene scene, const Options& options, const scene::Camera& camera, int width, int height)
     : scene_(std::move(scene)),
-      gpu_(uploaded(scene_, options.visibility, upload_seconds_)),
+      gpu_(uploaded(scene_, options, upload_seconds_)),
       lighting_(scene_, options.hide_emitters) {
     make_picture(options, camera, width, height);
 }
@@ -37,13 +41,13 @@ void Show::make_picture(const Options& options, const scene::Camera& camera, int
 void Show::set_visibility(Options& options, render::Visibility visibility, const scene::Camera& camera,
                           int width, int height) {
     const render::Visibility before = options.visibility;
-    gpu_ = uploaded(scene_, visibility, upload_seconds_);
     options.visibility = visibility;
     try {
+        gpu_ = uploaded(scene_, options, upload_seconds_);
         make_picture(options, camera, width, height);
     } catch (...) {
         options.visibility = before;
-        gpu_ = uploaded(scene_, before, upload_seconds_);
+        gpu_ = uploaded(scene_, options, upload_seconds_);
         make_picture(options, camera, width, height);
         throw;
     }
@@ -53,6 +57,29 @@ void Show::relight(bool casters_change) {
     lighting_.apply(scene_);
     gpu_.relight(scene_.stage.scene, scene_.stage.lights, scene_.base.meshes, casters_change);
     picture_->relit();
+}
+
+void Show::pose(const gltf::Moment& moment) {
+    const gltf::Moment before = scene_.moment;
+    std::exception_ptr failure;
+    try {
+        viewer::pose(scene_, moment);
+    } catch (const Error&) {
+        failure = std::current_exception();
+        viewer::pose(scene_, before);
+    }
+    lighting_.follow(scene_);
+    lighting_.apply(scene_);
+    const bool deforms = scene_.contents.skins > 0 || scene_.contents.morph_targets > 0;
+    gpu_.relight(scene_.stage.scene, scene_.stage.lights, deforms ? 0 : scene_.base.meshes, true);
+    picture_->relit();
+    if (failure) std::rethrow_exception(failure);
+}
+
+void Show::take_edits(Lighting lighting) {
+    lighting_ = std::move(lighting);
+    lighting_.follow(scene_);
+    if (lighting_.is_changed()) relight(true);
 }
 
 render::RenderOptions render_options(const Options& options, int width, int height) {

@@ -34,6 +34,11 @@ public:
     const Lighting& lighting() const { return lighting_; }
     /// `casters_change`: something that casts shadows has moved, come or gone. @throws Error
     void relight(bool casters_change);
+    /// Brings the file to another moment, edits included. @throws Error if a value makes no sense then; the
+    /// moment before is shown
+    void pose(const gltf::Moment& moment);
+    /// Goes on with what was edited in the same file, with other materials.
+    void take_edits(Lighting lighting);
 
     double upload_seconds() const { return upload_seconds_; }
     double compile_seconds() const { return compile_seconds_; }

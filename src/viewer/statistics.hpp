@@ -17,7 +17,8 @@ struct Statistics {
     std::vector<double> moving_frames; // [s] from one drawn frame of a moving picture to the next
     std::vector<double>
         moving_cpu; // [s] of all threads in each of them, which other programs do not lengthen
-    std::vector<double> moving_scales; // of the picture's sides, in each of them
+    std::vector<double> moving_samples; // [s] of each of them that its sample took
+    std::vector<double> moving_scales;  // of the picture's sides, in each of them
     int reloads = 0;
     int drawn_frames = 0;
     std::string renderer; // GL_RENDERER

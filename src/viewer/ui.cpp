@@ -30,6 +30,17 @@ void load_font(float scale) {
     io.Fonts->AddFontDefault(&config);
 }
 
+/// Holds these keys, or lets them go. Later versions queue keys themselves and have no such array.
+template<class Io>
+void hold(Io& io, const std::vector<KeyEvent>& keys, bool is_down) {
+    if constexpr (IMGUI_VERSION_NUM < 18700 && requires { io.KeysDown[0]; })
+        for (const KeyEvent& key : keys) {
+            if (key.key < 0) continue; // one that GLFW does not know
+            io.KeysDown[key.key] = is_down;
+            if (key.modifiers & control) io.KeyCtrl = is_down;
+        }
+}
+
 } // namespace
 
 Ui::Ui(GLFWwindow* window) : window_(window) {
@@ -66,15 +77,17 @@ void Ui::watch_scale() {
     ImGui_ImplOpenGL3_DestroyDeviceObjects(); // they come back with the next frame, font included
 }
 
-void Ui::begin() {
+void Ui::begin(std::vector<KeyEvent> taps) {
+    taps_ = std::move(taps);
     watch_scale();
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
+    hold(ImGui::GetIO(), taps_, true);
     ImGui::NewFrame();
 }
 
 void Ui::end() {
-    release_keys();
+    hold(ImGui::GetIO(), taps_, false);
     ImGui::Render();
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }
@@ -82,21 +95,5 @@ void Ui::end() {
 bool Ui::has_pointer() const { return ImGui::GetIO().WantCaptureMouse; }
 bool Ui::has_keyboard() const { return ImGui::GetIO().WantTextInput; }
 bool Ui::has_active_item() const { return ImGui::IsAnyItemActive(); }
-
-#if IMGUI_VERSION_NUM < 18700 // later ones keep such keys themselves
-void Ui::press(int key) {
-    if (key < 0 || key >= IM_ARRAYSIZE(ImGui::GetIO().KeysDown)) return;
-    ImGui::GetIO().KeysDown[key] = true;
-    pressed_.push_back(key);
-}
-
-void Ui::release_keys() {
-    for (const int key : pressed_) ImGui::GetIO().KeysDown[key] = glfwGetKey(window_, key) == GLFW_PRESS;
-    pressed_.clear();
-}
-#else
-void Ui::press(int) {}
-void Ui::release_keys() {}
-#endif
 
 } // namespace sr::viewer

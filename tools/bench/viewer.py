@@ -1,8 +1,10 @@
 #!/usr/bin/env python3
 """Measures the viewer as a person meets it, on a display of its own (Xvfb, xdotool): what start takes until the first
-picture, by part; frames while a drag orbits; memory over many reloads.
+picture, by part; frames while a drag orbits; memory over many reloads; frames and memory while an animation plays.
 
-usage: viewer.py STERADIAN SCENE [--size WxH] [--reloads N]
+usage: viewer.py STERADIAN SCENE [--size WxH] [--reloads N | --play SECONDS] [-- OPTION...]
+
+What follows -- goes to `steradian view`.
 """
 import argparse
 import json
@@ -39,23 +41,37 @@ def reload(viewer: Viewer, count: int):
             viewer.wait(lambda: viewer.errors().count("read anew") > i, "a reload")
 
 
+def play(viewer: Viewer, seconds: float):
+    """Plays the animation, and says what memory does."""
+    viewer.key("k")
+    begin = time.monotonic()
+    for part in (0.1, 0.5, 1.0):
+        time.sleep(max(0.0, begin + seconds * part - time.monotonic()))
+        print(f"after {seconds * part:4.0f} s: {resident(viewer):.0f} MB")
+    viewer.key("k")
+
+
 def main() -> int:
-    parser = argparse.ArgumentParser(description=__doc__)
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("steradian", type=Path)
     parser.add_argument("scene", type=Path)
     parser.add_argument("--size", default="1280x720")
     parser.add_argument("--reloads", type=int, default=0)
+    parser.add_argument("--play", type=float, default=0.0)
+    parser.add_argument("more", nargs="*")
     options = parser.parse_args()
     width, height = map(int, options.size.split("x"))
     with tempfile.TemporaryDirectory() as folder:
         display = Display(Path(folder) / "display", width, height)
         try:
             viewer = Viewer(display, options.steradian.resolve(), Path(folder) / "run", options.scene.resolve(), "--size",
-                            options.size, "--samples", "1", "--json")
+                            options.size, "--samples", "1", "--json", *options.more)
             viewer.done()
             viewer.key("h")
             if options.reloads:
                 reload(viewer, options.reloads)
+            elif options.play:
+                play(viewer, options.play)
             else:
                 orbit(viewer, width, height)
                 time.sleep(1.0)

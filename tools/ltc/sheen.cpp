@@ -1,5 +1,6 @@
 // The albedo of sheen (KHR_materials_sheen: Charlie), in doubles and with none of the shaders' code. Printed
-// as assets/lut/charlie_albedo.inc has it: 32 rows of roughness, in each 32 views, √cosθ_o.
+// as assets/lut/charlie_albedo.inc has it: 64 rows of roughness^⅔, in each 64 views, ∛cosθ_o. Even steps of
+// these are fine where fibres shine, at grazing.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -7,7 +8,7 @@
 
 namespace {
 
-constexpr int grid = 32;
+constexpr int grid = 64;
 constexpr double pi = std::numbers::pi;
 
 /// Λ of Conty Estevez & Kulla 2017, section 2 (table 1 between α = 1 and α = 0).
@@ -46,16 +47,16 @@ double albedo(double cos_o, double alpha) {
 } // namespace
 
 int main() {
-    std::printf("// Made by fit_sheen (tools/ltc/). Albedo of Charlie sheen: %d rows of roughness from 0 to "
-                "1, in each %d\n"
-                "// views, √cosθ_o from 0 to 1.\n",
+    std::printf("// Made by fit_sheen (tools/ltc/). Albedo of Charlie sheen: %d rows of roughness^⅔ from 0 "
+                "to 1, in each %d\n"
+                "// views, ∛cosθ_o from 0 to 1.\n",
                 grid, grid);
     for (int row = 0; row < grid; ++row) {
-        const double roughness = static_cast<double>(row) / (grid - 1);
-        const double alpha = std::max(roughness * roughness, 1e-4);
+        const double v = static_cast<double>(row) / (grid - 1);
+        const double alpha = std::max(v * v * v, 1e-4); // roughness²
         for (int column = 0; column < grid; ++column) {
             const double u = static_cast<double>(column) / (grid - 1);
-            std::printf("%.5ff,%c", albedo(u * u, alpha), column % 8 == 7 ? '\n' : ' ');
+            std::printf("%.5ff,%c", albedo(u * u * u, alpha), column % 8 == 7 ? '\n' : ' ');
         }
     }
     return 0;

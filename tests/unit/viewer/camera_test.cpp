@@ -173,29 +173,49 @@ const Test keys("unit.viewer.bindings.every_command_has_one_key_and_no_key_two",
         EXPECT_TRUE(reachable.contains(static_cast<Command>(c))) << c;
 });
 
-/// Scales of a machine that takes `whole` seconds for the whole picture and `fixed` for any.
-std::vector<float> scales(double whole, double fixed, int frames) {
-    Resolution resolution(0.035);
+constexpr double frame = 0.05; // [s] that is aimed at
+
+/// Scales of a machine that takes `whole` seconds for the whole picture, `fixed` for any, and `others`
+/// besides.
+std::vector<float> scales(double whole, double fixed, double others, int frames) {
+    Resolution resolution(frame);
     std::vector<float> result;
     for (int i = 0; i < frames; ++i) {
+        resolution.others_took(others);
         resolution.took(fixed + whole * resolution.scale() * resolution.scale());
         result.push_back(resolution.scale());
     }
     return result;
 }
 
-const Test resolution("unit.viewer.resolution.shrinks_at_once_returns_and_is_steady", [] {
-    EXPECT_EQ(scales(0.01, 0.001, 20).back(), 1.0f);
-    for (const double whole : {0.05, 0.2, 0.5, 1.0}) {
-        const auto slow = scales(whole, 0.004, 60);
-        EXPECT_LE(0.004 + whole * slow[2] * slow[2], 0.036) << "three frames are enough";
-        EXPECT_GE(0.004 + whole * slow.back() * slow.back(), 0.01) << "not smaller than it must be";
-        EXPECT_EQ(slow[40], slow[59]) << "no back and forth";
-    }
-    Resolution back(0.035);
-    for (int i = 0; i < 5; ++i) back.took(0.3);
-    for (int i = 0; i < 60; ++i) back.took(0.002);
+const Test resolution("unit.viewer.resolution.shrinks_soon_returns_and_is_steady", [] {
+    EXPECT_EQ(scales(0.01, 0.001, 0.0, 20).back(), 1.0f);
+    for (const double whole : {0.05, 0.2, 0.5, 1.0, 1.6})
+        for (const double others : {0.0, 0.01, 0.025}) {
+            const auto scale = scales(whole, 0.004, others, 80);
+            const auto whole_frame = [&](std::size_t i) {
+                return 0.004 + whole * scale[i] * scale[i] + others;
+            };
+            EXPECT_LE(whole_frame(3), 0.066) << whole << ": four frames are enough";
+            EXPECT_LE(whole_frame(79), 0.060) << whole << ": above 15 frames a second";
+            EXPECT_TRUE(whole_frame(79) >= 0.030 || scale[79] == 1.0f)
+                << whole << ": not smaller than it must be";
+            EXPECT_EQ(scale[50], scale[79]) << whole << ": no back and forth";
+        }
+    Resolution back(frame);
+    for (int i = 0; i < 5; ++i) back.took(0.4);
+    EXPECT_EQ(back.scale(), 0.125f);
+    for (int i = 0; i < 80; ++i) back.took(0.002);
     EXPECT_EQ(back.scale(), 1.0f);
+});
+
+const Test one_late_frame("unit.viewer.resolution.a_single_late_frame_is_no_reason", [] {
+    Resolution picture(frame);
+    for (int i = 0; i < 30; ++i) picture.took(i % 3 == 0 ? 0.09 : 0.04);
+    EXPECT_EQ(picture.scale(), 0.25f);
+    picture.took(0.09);
+    picture.took(0.09);
+    EXPECT_LT(picture.scale(), 0.25f);
 });
 
 } // namespace

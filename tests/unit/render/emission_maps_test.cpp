@@ -1,0 +1,54 @@
+// Textures of emitters, as the light table reads them again and again.
+#include "render/emission_maps.hpp"
+#include "support/address.hpp"
+
+using namespace sr;
+using sr::testing::Test;
+
+namespace {
+
+using Uv = std::array<vec2, 3>;
+
+/// Two textures of 8×8 texels: red grows to the right, green upwards.
+scene::Scene two_textures() {
+    scene::Scene scene;
+    for (int t = 0; t < 2; ++t) {
+        std::vector<std::uint8_t> texels;
+        for (int y = 0; y < 8; ++y)
+            for (int x = 0; x < 8; ++x)
+                for (const int value : {32 * x, 32 * y, 255 * t, 255})
+                    texels.push_back(static_cast<std::uint8_t>(value));
+        scene::TextureImage& image = scene.images.emplace_back();
+        image.width = image.height = 8;
+        image.texels = std::move(texels);
+        scene.textures.emplace_back().image = t;
+    }
+    return scene;
+}
+
+const Test remembered("unit.render.emission_maps.what_is_remembered_is_what_is_measured", [] {
+    const scene::Scene scene = two_textures();
+    const std::array<Uv, 3> places{Uv{vec2(0, 0), vec2(0.4, 0), vec2(0, 0.4)},
+                                   Uv{vec2(0.5, 0.5), vec2(1, 0.5), vec2(0.5, 1)},
+                                   Uv{vec2(0.9, 0.1), vec2(0.9, 0.2), vec2(1, 0.1)}};
+    render::EmissionMaps maps;
+    // The same questions again, other ones, fewer, more: always as if nobody had asked before.
+    for (const std::vector<std::pair<int, std::size_t>>& questions :
+         {std::vector<std::pair<int, std::size_t>>{{0, 0}, {1, 1}},
+          {{0, 0}, {1, 1}},
+          {{1, 0}, {0, 1}},
+          {{0, 2}},
+          {{0, 2}, {0, 1}, {1, 2}}}) {
+        maps.ask_anew();
+        for (const auto& [texture, place] : questions)
+            EXPECT_EQ(maps.mean(scene, texture, places[place]),
+                      render::EmissionMaps().mean(scene, texture, places[place]));
+    }
+    EXPECT_EQ(maps.texels().size(), 2u * 64u) << "each texture is there once";
+    EXPECT_NE(render::EmissionMaps().mean(scene, 0, places[0]),
+              render::EmissionMaps().mean(scene, 0, places[1]));
+    EXPECT_NE(render::EmissionMaps().mean(scene, 0, places[0]),
+              render::EmissionMaps().mean(scene, 1, places[0]));
+});
+
+} // namespace
