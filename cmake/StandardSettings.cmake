@@ -11,11 +11,23 @@ endif()
 option(STERADIAN_SANITIZE "Build with AddressSanitizer and UndefinedBehaviorSanitizer" OFF)
 option(STERADIAN_WERROR "Treat warnings as errors" OFF)
 
+# Eight files at a time halve what a build from nothing takes (large headers are parsed once for all of them); an edit then costs eight
+# files, so this is for continuous integration, and for whoever only wants the program (tools/demo).
+if(DEFINED ENV{CI})
+  set(CMAKE_UNITY_BUILD ON CACHE BOOL "Compile several files at a time")
+endif()
+
+# Of files that are compiled together, what is local to one is not shadowed by another's.
+set(shadow_warning -Wshadow)
+if(CMAKE_UNITY_BUILD)
+  set(shadow_warning $<$<CXX_COMPILER_ID:GNU>:-Wshadow=local>)
+endif()
+
 add_library(sr_settings INTERFACE)
 if(MSVC)
   target_compile_options(sr_settings INTERFACE /W4 /utf-8)
 else()
-  target_compile_options(sr_settings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
+  target_compile_options(sr_settings INTERFACE -Wall -Wextra -Wpedantic ${shadow_warning} -Wconversion -Wno-sign-conversion
                                                $<$<BOOL:${STERADIAN_WERROR}>:-Werror>
                                                # GCC 12 warns of its own std::string (GCC bug 105651).
                                                $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
@@ -31,12 +43,6 @@ endif()
 add_library(sr_compile_quickly INTERFACE)
 if(NOT MSVC AND NOT CMAKE_BUILD_TYPE STREQUAL "Debug")
   target_compile_options(sr_compile_quickly INTERFACE $<IF:$<BOOL:${STERADIAN_SANITIZE}>,-O0,-O1>)
-endif()
-
-# Eight files at a time halve what a build from nothing takes (large headers are parsed once for all of them); an edit then costs eight
-# files, so this is for continuous integration, and for whoever only wants the program (tools/demo).
-if(DEFINED ENV{CI})
-  set(CMAKE_UNITY_BUILD ON CACHE BOOL "Compile several files at a time")
 endif()
 
 find_program(CCACHE_PROGRAM ccache)
