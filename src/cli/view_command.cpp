@@ -1,10 +1,13 @@
 #include "cli/commands.hpp"
 #include "cli/interruption.hpp"
 #include "cli/render_options.hpp"
+#include "gl/lost_display.hpp"
 #include "viewer/session.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstdio>
+#include <cstdlib>
 #include <fmt/format.h>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -18,6 +21,7 @@ struct ViewCommand {
     RenderCommand rendering;
     bool plays = false;
     bool is_fullscreen = false;
+    bool has_inertia = false;
     bool is_verbose = false;
 };
 
@@ -48,6 +52,7 @@ viewer::Options viewer_options(const ViewCommand& command) {
         options.height = r.size->height;
     }
     options.is_fullscreen = command.is_fullscreen;
+    options.has_inertia = command.has_inertia;
     options.is_verbose = command.is_verbose;
     options.gl_debug = r.gl_debug;
     return options;
@@ -84,6 +89,10 @@ void view(const ViewCommand& command) {
     const auto preloading = image::preload();
     const Interruption interruption;
     viewer::Session session(viewer_options(command));
+    gl::when_display_is_lost([] {
+        std::fputs("window: its display is gone: start again on one that can be reached\n", stderr);
+        std::_Exit(worlds_fault);
+    });
     session.run([&] { return interruption.has_come(); });
     if (command.rendering.json) fmt::print("{}\n", summary(session.statistics()).dump(2));
 }
@@ -106,6 +115,8 @@ void add_view_command(CLI::App& app) {
     command->get_option("--animation")
         ->description("which one to play: by name or index, or all at once (default: the first)");
     command->add_flag("--play", options->plays, "play the animation, from --at or its beginning on");
+    command->add_flag("--inertia", options->has_inertia,
+                      "a view that is let go in motion goes on for a moment");
     command->add_flag("--fullscreen", options->is_fullscreen, "fill the screen (F11)");
     command->add_flag("-v,--verbose", options->is_verbose, "say on stderr what happens");
     command->add_flag("--json", options->rendering.json,

@@ -1,5 +1,6 @@
 #include "viewer/hand.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace sr::viewer {
@@ -9,6 +10,10 @@ constexpr float click_slack = 4.0f;   // a hand trembles so many pixels
 constexpr float turn_per_height = pi; // [rad] of a drag over the window's height
 constexpr float notch = 0.9f;         // a wheel's notch brings so much closer
 constexpr float pan_per_notch = 0.05f;
+constexpr float memory = 0.03f;          // [s] over which a hand's velocity is told
+constexpr float glide_half_life = 0.12f; // [s]
+constexpr float slowest_glide = 0.01f;   // [heights of the window / s]
+constexpr float longest_step = 0.2f;     // [s] a frame that took longer does not throw the view
 
 } // namespace
 
@@ -28,6 +33,18 @@ void Hand::press(const ButtonEvent& event) {
     button_ = event.button;
     pressed_at_ = at_;
     is_click_ = event.button == Button::left && event.modifiers == no_modifier;
+    gliding_ = Drag::none;
+    travelled_ = velocity_ = vec2(0.0f);
+}
+
+void Hand::drag(Drag how, vec2 by, Viewpoint& view) {
+    switch (how) {
+    case Drag::orbit: return orbit(view, turn_per_height * by);
+    case Drag::look: return look_around(view, 0.5f * turn_per_height * by);
+    case Drag::pan: return pan(view, by);
+    case Drag::dolly: return dolly(view, std::exp2(3.0f * by.y));
+    case Drag::none: return;
+    }
 }
 
 Hand::Effect Hand::move(vec2 to, Viewpoint& view, vec2 window) {
@@ -36,17 +53,29 @@ Hand::Effect Hand::move(vec2 to, Viewpoint& view, vec2 window) {
     if (drag_ == Drag::none) return {};
     if (is_click_ && glm::distance(to, pressed_at_) <= click_slack) return {};
     is_click_ = false;
-    switch (drag_) {
-    case Drag::orbit: orbit(view, turn_per_height * by); break;
-    case Drag::look: look_around(view, 0.5f * turn_per_height * by); break;
-    case Drag::pan: pan(view, by); break;
-    case Drag::dolly: dolly(view, std::exp2(3.0f * by.y)); break;
-    case Drag::none: return {};
-    }
+    drag(drag_, by, view);
+    travelled_ += by;
     return {true, {}};
 }
 
+bool Hand::advance(double seconds, Viewpoint& view) {
+    const auto elapsed = static_cast<float>(seconds);
+    if (is_dragging() && elapsed > 0.0f) {
+        velocity_ = glm::mix(travelled_ / elapsed, velocity_, std::exp2(-elapsed / memory));
+        travelled_ = vec2(0.0f);
+    }
+    if (!is_gliding()) return false;
+    velocity_ *= std::exp2(-elapsed / glide_half_life);
+    if (glm::length(velocity_) < slowest_glide) {
+        gliding_ = Drag::none;
+        return false;
+    }
+    drag(gliding_, std::min(elapsed, longest_step) * velocity_, view);
+    return true;
+}
+
 Hand::Effect Hand::scroll(const ScrollEvent& event, Viewpoint& view, const std::optional<vec3>& target) {
+    gliding_ = Drag::none;
     if (event.by.x != 0.0f || (event.modifiers & shift))
         pan(view,
             pan_per_notch * ((event.modifiers & shift) ? vec2(event.by.x, event.by.y) : vec2(event.by.x, 0)));
@@ -69,6 +98,7 @@ Hand::Effect Hand::take(const Event& event, Viewpoint& view, vec2 window, const 
         return {};
     }
     if (drag_ == Drag::none || button->button != button_) return {};
+    if (has_inertia_ && !is_click_) gliding_ = drag_;
     drag_ = Drag::none;
     return is_click_ ? Effect{false, at_} : Effect{};
 }

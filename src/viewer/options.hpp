@@ -29,8 +29,9 @@ struct Options {
     int width = 0; // of the window [pixels]; 0: as it was last, or 1280 × 720
     int height = 0;
     bool is_fullscreen = false;
-    bool is_verbose = false; // says on stderr what happens
-    bool gl_debug = false;   // any error or warning of the driver ends the viewer
+    bool has_inertia = false; // what is dragged goes on for a moment
+    bool is_verbose = false;  // says on stderr what happens
+    bool gl_debug = false;    // any error or warning of the driver ends the viewer
 };
 
 } // namespace sr::viewer

@@ -39,6 +39,7 @@ Session::Session(Options options)
       window_(window_options(options_)),
       input_(window_.handle()),
       ui_(window_.handle()),
+      hand_(options_.has_inertia),
       exposure_(options_.ev100) {
     statistics_.start.emplace_back("window", statistics_.since_begin());
     statistics_.renderer = window_.info().renderer;
@@ -81,7 +82,7 @@ void Session::run(const std::function<bool()>& is_interrupted) {
 
 /// Whether a frame is to be drawn.
 bool Session::is_busy() const {
-    return frames_to_draw_ > 0 || hand_.is_flying() || playback_.is_playing
+    return frames_to_draw_ > 0 || hand_.is_flying() || hand_.is_gliding() || playback_.is_playing
            || (show_ && !show_->picture().is_done());
 }
 

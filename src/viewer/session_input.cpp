@@ -65,6 +65,10 @@ void Session::handle_pointer(const Event& event) {
 }
 
 void Session::fly(double seconds) {
+    if (Viewpoint gliding = eye_->view(); hand_.advance(seconds, gliding)) {
+        eye_->move_to(gliding);
+        move_camera();
+    }
     if (!hand_.is_flying()) return;
     const auto axis = [this](int plus, int minus) {
         return static_cast<float>(input_.is_down(plus)) - static_cast<float>(input_.is_down(minus));

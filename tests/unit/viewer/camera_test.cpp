@@ -162,6 +162,31 @@ const Test click_and_drag("unit.viewer.hand.a_click_is_no_drag", [] {
     EXPECT_FALSE(take(ButtonEvent{Button::left, no_modifier, false}).clicked);
 });
 
+const Test inertia("unit.viewer.hand.glides_only_if_asked_and_let_go_in_motion", [] {
+    const auto nothing = [](vec2) { return std::optional<vec3>{}; };
+    const auto frames_of_gliding = [&](bool has_inertia, double last_frame, float by) {
+        Hand hand(has_inertia);
+        Viewpoint view;
+        const auto take = [&](const Event& event) { hand.take(event, view, {100, 100}, nothing); };
+        take(MotionEvent{{50, 50}});
+        take(ButtonEvent{Button::left, shift, true});
+        for (int i = 1; i <= 10; ++i) {
+            take(MotionEvent{{50.0f + by * static_cast<float>(i), 50}});
+            hand.advance(i < 10 ? 0.02 : last_frame, view);
+        }
+        take(ButtonEvent{Button::left, shift, false});
+        int frames = 0;
+        for (float before = view.pivot.x; hand.advance(0.02, view); before = view.pivot.x, ++frames)
+            EXPECT_GT((view.pivot.x - before) * -by, 0.0f) << "it goes on the way it went";
+        EXPECT_FALSE(hand.is_gliding());
+        return frames;
+    };
+    EXPECT_EQ(frames_of_gliding(false, 0.02, 4.0f), 0);
+    EXPECT_GT(frames_of_gliding(true, 0.02, 4.0f), 10);
+    EXPECT_GT(frames_of_gliding(true, 0.02, 4.0f), frames_of_gliding(true, 0.02, 1.0f));
+    EXPECT_EQ(frames_of_gliding(true, 10.0, 4.0f), 0) << "the hand rested before it let go";
+});
+
 const Test keys("unit.viewer.bindings.every_command_has_one_key_and_no_key_two", [] {
     std::set<std::pair<int, int>> taken;
     std::set<Command> reachable;

@@ -212,12 +212,23 @@ def converging_by_error(display: Display):
     viewer.close()
 
 
+def losing_the_display():
+    """The X server goes away under an open window."""
+    display = Display(SCRATCH / "lost_display", 400, 300)
+    viewer = Viewer(display, STERADIAN, SCRATCH / "lost", SCENES / "cornell.gltf", "--size", "64x48", "--samples", "1")
+    viewer.done()
+    display.close()
+    assert viewer.process.wait(20) == 3, viewer.process.returncode
+    assert "display is gone" in viewer.errors().splitlines()[-1], viewer.errors()
+
+
 def main() -> int:
     if not shutil.which("Xvfb") or not shutil.which("xdotool"):
         print("Xvfb and xdotool are needed: sudo apt-get install xvfb xdotool")
         return 77
     shutil.rmtree(SCRATCH, ignore_errors=True)
     no_display()
+    losing_the_display()
     display = Display(SCRATCH / "display", 800, 600)
     scene, shader = SCRATCH / "scene.gltf", SCRATCH / "shaders" / "brdf" / "f_r.glsl"
     shader.parent.mkdir(parents=True)
