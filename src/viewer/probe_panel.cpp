@@ -56,7 +56,8 @@ void ProbePanel::draw(const scene::Stage& stage, const Lighting& lighting,
                             ImGuiCond_Appearing, {1.0f, is_pixel_low ? 0.0f : 1.0f});
     ImGui::SetNextWindowSizeConstraints(
         {0.0f, 0.0f}, {ImGui::GetMainViewport()->Size.x, 0.6f * ImGui::GetMainViewport()->Size.y});
-    if (ImGui::Begin("L_o = L_e + sum of E f_r", &is_open, ImGuiWindowFlags_AlwaysAutoResize)) {
+    if (ImGui::Begin("L_o = L_e + sum of E f_r", &is_open,
+                     ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoNavInputs)) {
         put(fmt::format("pixel {},{}, {} samples, coverage {:.3g}", answer->column, answer->row,
                         answer->samples, terms.coverage));
         put(fmt::format("x {} m   n {}   wo {}", three(terms.x), three(terms.n), three(terms.wo)));

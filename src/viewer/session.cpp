@@ -244,7 +244,7 @@ void Session::draw_panels() {
     status_line({progress_of(picture), under_pointer(), message_});
     ImGui::SetNextWindowPos({10.0f, 10.0f}, ImGuiCond_FirstUseEver);
     ImGui::SetNextWindowSizeConstraints({0.0f, 0.0f}, {1e4f, 0.92f * window_size().y});
-    if (ImGui::Begin("Steradian", nullptr, ImGuiWindowFlags_AlwaysAutoResize)) {
+    if (ImGui::Begin("Steradian", nullptr, ui_.panel_flags())) {
         ImGui::PushItemWidth(170.0f * ui_.scale());
         ImGui::PushTextWrapPos(280.0f * ui_.scale());
         const scene::Scene& scene = show_->scene().stage.scene;

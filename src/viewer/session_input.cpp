@@ -17,6 +17,18 @@ constexpr float stop = 1.0f / 3.0f;        // [EV] a key's press
 constexpr float scenes_per_second = 0.25f; // how fast one flies, in radii of the scene
 constexpr float faster = 4.0f;             // with Shift
 
+/// Whether a key that means this is no text, so that a field that is being typed into leaves it alone.
+bool is_nothing_to_type(Command command) {
+    switch (command) {
+    case Command::quit:
+    case Command::open_file:
+    case Command::save_as:
+    case Command::reload:
+    case Command::fullscreen: return true;
+    default: return false;
+    }
+}
+
 } // namespace
 
 void Session::handle(const Event& event) {
@@ -33,11 +45,12 @@ void Session::handle(const Event& event) {
 void Session::handle_key(const KeyEvent& event) {
     if (!event.is_down) return;
     if (handle_grip(event)) return;
-    if (ui_.has_keyboard() && event.key != GLFW_KEY_ESCAPE) return;
+    const auto meant = command_of(event.key, event.modifiers);
+    if (ui_.has_keyboard() && event.key != GLFW_KEY_ESCAPE && !(meant && is_nothing_to_type(*meant))) return;
     if (hand_.is_flying() && !(event.modifiers & control)) return; // W A S D Q E fly, and nothing else
     if (const auto command = key_of_the_bar(event))
         obey(*command);
-    else if (const auto meant = command_of(event.key, event.modifiers))
+    else if (meant)
         obey(*meant);
 }
 

@@ -31,7 +31,9 @@ bool Session::obey_light(Command command) {
     const std::size_t count = lighting.lamps().size();
     const auto changed = [&](LightChange change) { change_ = std::max(change_, change); };
     if (command == Command::next_light) {
-        if (count > 0) lights_.selected = lights_.selected ? (*lights_.selected + 1) % count : 0;
+        if (count == 0) return true;
+        lights_.selected = lights_.selected ? (*lights_.selected + 1) % count : 0;
+        say("selected " + lighting.lamps()[*lights_.selected].name);
         return true;
     }
     if (command == Command::undo_light || command == Command::redo_light) {

@@ -93,6 +93,9 @@ void Ui::end() {
 }
 
 bool Ui::has_pointer() const { return ImGui::GetIO().WantCaptureMouse; }
+int Ui::panel_flags() const {
+    return ImGuiWindowFlags_AlwaysAutoResize | (has_keyboard() ? 0 : ImGuiWindowFlags_NoNavInputs);
+}
 bool Ui::has_keyboard() const { return ImGui::GetIO().WantTextInput; }
 bool Ui::has_active_item() const { return ImGui::IsAnyItemActive(); }
 

@@ -23,6 +23,9 @@ public:
     /// Whether the pointer is on a panel, and whether a text field has the keyboard.
     bool has_pointer() const;
     bool has_keyboard() const;
+    /// ImGuiWindowFlags of a panel. Tab goes from one field to the next, but into the first by a click or
+    /// Enter: until then it is the next light's key.
+    int panel_flags() const;
     bool has_active_item() const;          // a field or a button is in use
     float scale() const { return scale_; } // of a HiDPI screen
 

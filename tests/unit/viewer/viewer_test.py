@@ -188,6 +188,16 @@ def gripping(viewer: Viewer, folder: Path):
         assert all(abs(x) < 1e-5 for x in node["matrix"][12:15]), node
 
 
+def keys_beside_fields(viewer: Viewer):
+    """Tab goes through the lights, not into a panel's fields; in a field Ctrl Q still quits."""
+    for name in ("plate", "spot", "plate"):
+        before = viewer.errors().count(f"selected {name}")
+        viewer.key("Tab")
+        viewer.wait(lambda: viewer.errors().count(f"selected {name}") > before, f"the {name} by Tab", 10)
+    viewer.key("Return")
+    viewer.close()
+
+
 def converging_by_error(display: Display):
     """It stops when render --error does, with the same pixels at rest; the window divides each by its own samples."""
     size, error = (160, 120), ("--error", "4%")
@@ -246,7 +256,7 @@ def main() -> int:
         reloading(viewer, shader, scene, first)
         opening(viewer)
         gripping(viewer, SCRATCH)
-        viewer.close()
+        keys_beside_fields(viewer)
         converging_by_error(display)
     finally:
         display.close()
