@@ -1,6 +1,7 @@
 #include "render/lobe.hpp"
 
 #include "core/error.hpp"
+#include "render/passes.hpp"
 
 namespace sr::render {
 namespace {
@@ -11,31 +12,10 @@ struct Seen {
     int triangle = 0; // of its mesh
 };
 
-void cull(const Draw& draw) {
-    if (draw.is_double_sided)
-        glDisable(GL_CULL_FACE);
-    else
-        glEnable(GL_CULL_FACE);
-    glCullFace(GL_BACK);
-}
-
 /// The nearest triangle that the scissor's one pixel sees, transparent ones included.
 std::optional<Seen> seen_at(const GpuScene& scene, const Target& frame, ShaderLibrary& shaders, int column,
                             int row) {
-    frame.bind();
-    glDisable(GL_BLEND);
-    glEnable(GL_DEPTH_TEST);
-    glDepthFunc(GL_LESS);
-    glDepthMask(GL_TRUE);
-    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    for (const auto* draws : {&scene.opaque_draws(), &scene.blended_draws()})
-        for (const Draw& draw : *draws) {
-            cull(draw);
-            shaders.mesh_program("views/seen.frag", caster_features(draw.features)).use();
-            scene.draw(draw);
-        }
+    seen_pass(frame, scene, shaders);
     const image::Image film = frame.read();
     const auto texel = film.at(column, row);
     if (texel[3] == 0.0f) return std::nullopt;

@@ -34,9 +34,8 @@ float farness(const Draw& draw, vec4 eye) {
     return glm::distance(draw.center, vec3(eye));
 }
 
-} // namespace
-
-void depth_pass(const Target& frame, const GpuScene& scene, ShaderLibrary& shaders, vec3 background) {
+/// An empty frame, in which the nearest surfaces win.
+void begin_nearest(const Target& frame, vec3 background) {
     frame.bind();
     glDisable(GL_BLEND);
     glEnable(GL_DEPTH_TEST);
@@ -45,6 +44,12 @@ void depth_pass(const Target& frame, const GpuScene& scene, ShaderLibrary& shade
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glClearColor(background.r, background.g, background.b, 0.0f);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+}
+
+} // namespace
+
+void depth_pass(const Target& frame, const GpuScene& scene, ShaderLibrary& shaders, vec3 background) {
+    begin_nearest(frame, background);
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     for (const Draw& draw : scene.opaque_draws()) {
         cull(draw.is_double_sided);
@@ -116,6 +121,16 @@ void accumulate_pass(const Target& film, const Target& frame, ShaderLibrary& sha
     frame.color().bind(0);
     glBindSampler(0, 0);
     glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void seen_pass(const Target& frame, const GpuScene& scene, ShaderLibrary& shaders) {
+    begin_nearest(frame, vec3(0.0f));
+    for (const auto* draws : {&scene.opaque_draws(), &scene.blended_draws()})
+        for (const Draw& draw : *draws) {
+            cull(draw.is_double_sided);
+            shaders.mesh_program("views/seen.frag", caster_features(draw.features)).use();
+            scene.draw(draw);
+        }
 }
 
 } // namespace sr::render

@@ -28,6 +28,10 @@ void forward_pass(const Target& frame, const GpuScene& scene, ShaderLibrary& sha
 void blend_pass(const Target& frame, const GpuScene& scene, ShaderLibrary& shaders, const std::string& shader,
                 vec4 eye, VisibilityTerm visibility);
 
+/// Not of a frame that is rendered: writes which instance and triangle each pixel sees, transparent ones
+/// included.
+void seen_pass(const Target& frame, const GpuScene& scene, ShaderLibrary& shaders);
+
 /// Adds the frame to the film.
 void accumulate_pass(const Target& film, const Target& frame, ShaderLibrary& shaders);
 
