@@ -136,8 +136,7 @@ scene::Scene with(const json& stated, const json& punctual = nullptr) {
     }
     made.root["nodes"].push_back(node);
     made.root["scenes"][0]["nodes"] = {0, 1};
-    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-    const auto file = scratch_folder(std::string(test->test_suite_name()) + "." + test->name()) / "made.gltf";
+    const auto file = scratch_folder("lamp") / "made.gltf";
     write_text(file, made.gltf());
     return gltf::load(file).scene;
 }
@@ -236,7 +235,7 @@ const Test mesh("law.light.flux.a_material_shares_its_lumens", [] {
     made.primitive()["material"] = 0;
     made.root["nodes"].push_back({{"mesh", 0}, {"scale", {2, 3, 1}}});
     made.root["scenes"][0]["nodes"] = {0, 1};
-    const auto file = scratch_folder("law.light.flux.mesh") / "made.gltf";
+    const auto file = scratch_folder("mesh") / "made.gltf";
     write_text(file, made.gltf());
     const scene::Scene scene = gltf::load(file).scene;
     ASSERT_EQ(scene.instances.size(), 2u);

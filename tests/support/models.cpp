@@ -1,6 +1,9 @@
 #include "support/models.hpp"
 
+#include "core/error.hpp"
+
 #include <cstdlib>
+#include <gtest/gtest.h>
 
 namespace sr::testing {
 
@@ -19,7 +22,10 @@ std::optional<fs::path> models_folder() {
 }
 
 fs::path scratch_folder(const std::string& name) {
-    const fs::path folder = fs::path(STERADIAN_BINARY_DIR) / "scratch" / name;
+    const ::testing::TestInfo* test = ::testing::UnitTest::GetInstance()->current_test_info();
+    require(test != nullptr, "a test is running");
+    const fs::path folder = fs::path(STERADIAN_BINARY_DIR) / "scratch"
+                            / (std::string(test->test_suite_name()) + "." + test->name()) / name;
     fs::remove_all(folder);
     fs::create_directories(folder);
     return folder;

@@ -15,7 +15,8 @@ std::filesystem::path assets_folder();
 /// The source tree itself.
 std::filesystem::path source_folder();
 
-/// A fresh, empty folder for one test's files, under the build tree.
+/// A fresh, empty folder of that name, under the build tree. It is the running test's own: others run beside
+/// it.
 std::filesystem::path scratch_folder(const std::string& name);
 
 } // namespace sr::testing

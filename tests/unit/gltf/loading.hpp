@@ -10,11 +10,7 @@
 
 namespace sr::testing {
 
-/// A fresh folder of the running test's own.
-inline std::filesystem::path test_folder() {
-    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-    return scratch_folder(std::string(test->test_suite_name()) + "." + test->name());
-}
+inline std::filesystem::path test_folder() { return scratch_folder("made"); }
 
 inline gltf::Loaded load_text(std::string_view text, const gltf::LoadOptions& options = {}) {
     const auto file = test_folder() / "made.gltf";

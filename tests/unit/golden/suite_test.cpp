@@ -14,9 +14,7 @@ namespace {
 
 /// What load_suite says about a text, without the folder.
 std::string complaint(const std::string& text) {
-    // A folder for each test: they run beside each other.
-    const std::string test = ::testing::UnitTest::GetInstance()->current_test_info()->name();
-    const auto folder = scratch_folder("suite_complaint_" + test);
+    const auto folder = scratch_folder("suite_complaint");
     const auto file = written(folder / "s.json", text);
     const std::string error = error_of([&] { golden::load_suite(file); });
     return error.starts_with(folder.string()) ? error.substr(folder.string().size() + 1) : error;

@@ -14,7 +14,7 @@ class Reflector(mi.BSDF):
     and its `wo` to the light; here they are called `view` and `light`, and both are in the frame of `si`.
     """
 
-    #: Textures that a heir reads besides the base colour, roughness and normal map.
+    #: Textures that an heir reads besides the base colour, roughness and normal map.
     own_textures = ()
 
     def __init__(self, props):
