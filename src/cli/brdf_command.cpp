@@ -17,6 +17,7 @@
 #include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 namespace sr::cli {
 namespace {
@@ -122,10 +123,11 @@ ordered_json laws_json(const std::vector<brdf::Law>& laws) {
 }
 
 void print(const ordered_json& json) {
-    fmt::print("{}\n\n  albedo  ", json["brdf"].get<std::string>());
+    fmt::print("{}\n\n", json["brdf"].get<std::string>());
+    const char* head = "albedo";
     for (const auto& row : json["albedo"])
-        fmt::print("  cosθ {:.3g}: {:.4f} {:.4f} {:.4f}\n          ", row["cos_o"].get<double>(),
-                   row["albedo"][0].get<double>(), row["albedo"][1].get<double>(),
+        fmt::print("  {:<6}    cosθ {:.3g}: {:.4f} {:.4f} {:.4f}\n", std::exchange(head, ""),
+                   row["cos_o"].get<double>(), row["albedo"][0].get<double>(), row["albedo"][1].get<double>(),
                    row["albedo"][2].get<double>());
     fmt::print("\n");
     for (const auto& law : json["laws"]) {

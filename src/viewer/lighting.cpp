@@ -199,21 +199,15 @@ bool Lighting::remove(std::size_t index) {
     return true;
 }
 
-bool Lighting::undo() {
-    is_step_open_ = false;
-    if (history_.empty()) return false;
-    undone_.push_back(std::exchange(state_, std::move(history_.back())));
-    history_.pop_back();
-    viewer::follow(state_, file_); // it may be of another moment
-    return true;
-}
+bool Lighting::undo() { return step(history_, undone_); }
+bool Lighting::redo() { return step(undone_, history_); }
 
-bool Lighting::redo() {
+bool Lighting::step(std::vector<LightingState>& from, std::vector<LightingState>& to) {
     is_step_open_ = false;
-    if (undone_.empty()) return false;
-    history_.push_back(std::exchange(state_, std::move(undone_.back())));
-    undone_.pop_back();
-    viewer::follow(state_, file_);
+    if (from.empty()) return false;
+    to.push_back(std::exchange(state_, std::move(from.back())));
+    from.pop_back();
+    viewer::follow(state_, file_); // it may be of another moment
     return true;
 }
 

@@ -66,6 +66,8 @@ public:
     void follow(const LoadedScene& loaded);
 
 private:
+    /// Takes the latest of `from` for the state, which goes to `to`. @return false: there is none
+    bool step(std::vector<LightingState>& from, std::vector<LightingState>& to);
     void remember();
     scene::Light& light_of(const Lamp& lamp);
     std::vector<bool>& switches(Lamp::Kind kind);
