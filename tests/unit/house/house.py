@@ -61,11 +61,11 @@ def terms(root: Path) -> list[str]:
 
 
 def sizes(root: Path) -> list[str]:
-    """C++ and Python files have at most 300 lines, GLSL files 120."""
+    """C++ and Python files have at most 500 lines, GLSL files 120."""
     broken = []
     for folder in ("src", "shaders", "tests", "tools"):
         for file in sources(root / folder, ".cpp", ".hpp", ".py", ".glsl", ".vert", ".frag"):
-            most = 120 if file.suffix in {".glsl", ".vert", ".frag"} else 300
+            most = 120 if file.suffix in {".glsl", ".vert", ".frag"} else 500
             lines = len(file.read_text().splitlines())
             if lines > most:
                 broken.append(f"{file.relative_to(root)}: {lines} lines, at most {most}: divide it")
@@ -95,8 +95,8 @@ BAD_TREES = {
                  "src/viewer/a.cpp": '#include "core/error.hpp"\n'}),
     terms: (2, {"shaders/brdf/a.glsl": '#include "light/sample_light.glsl"\n#include "base/math.glsl"\n',
                 "shaders/visibility/a.glsl": '#include "brdf/f_r.glsl"\n'}),
-    sizes: (3, {"shaders/brdf/a.glsl": "\n" * 121, "src/core/a.cpp": "\n" * 301, "tools/a.py": "\n" * 301,
-                "src/core/b.hpp": "\n" * 300}),
+    sizes: (3, {"shaders/brdf/a.glsl": "\n" * 121, "src/core/a.cpp": "\n" * 501, "tools/a.py": "\n" * 501,
+                "src/core/b.hpp": "\n" * 500}),
     readmes: (1, {"src/core/a.cpp": "", "src/gl/a.cpp": "", "src/README.md": "gl/ is named"}),
 }
 
