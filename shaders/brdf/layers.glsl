@@ -19,6 +19,8 @@
 vec3 under_sheen(Surface x, vec3 base, vec3 wi, vec3 wo) {
     float cos_i = dot(x.n, wi);
     float cos_o = max(dot(x.n, wo), 0.0);
+    if (has_diffuse_transmission && cos_i <= 0.0)
+        return base * (1.0 - largest(x.sheen_color) * min(E_charlie(cos_o, x.sheen_alpha), 1.0));
     if (cos_i <= 0.0) return vec3(0.0);
     float E = max(E_charlie(cos_i, x.sheen_alpha), E_charlie(cos_o, x.sheen_alpha));
     float f = f_charlie(x.n, wi, wo, x.sheen_alpha) / max(E, 1.0);

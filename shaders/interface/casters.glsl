@@ -1,10 +1,12 @@
 // What stands in the light's way, in buffer textures. Mirror: src/render/gpu_casters.cpp.
 uniform isamplerBuffer bvh_nodes;       // two texels a box, see visibility/bvh.glsl
 uniform samplerBuffer caster_triangles; // three texels a triangle, in the order of the leaves: its corners [m];
-                                        // w: texel of its caster, texel of its alpha corners, -; negative: plain
+                                        // w: texel of its caster, texel of its corners, texel of its glass or 0;
+                                        // the first negative: plain
 uniform isamplerBuffer triangle_places; // where among them the triangle of an index is; negative: nowhere
-uniform samplerBuffer caster_data;      // two texels a caster; behind them the alpha corners, three texels a triangle
-uniform samplerBuffer alpha_texels;
+uniform samplerBuffer caster_data;      // two texels a caster; behind them the alpha corners, three texels a triangle,
+                                        // then the glass, seven texels each, and its corners, nine texels a triangle
+uniform samplerBuffer alpha_texels;     // of glass also other channels, linear
 
 const int opaque_mode = 0; // scene::AlphaMode
 const int mask_mode = 1;

@@ -37,8 +37,17 @@ const bool has_sheen_roughness_texture = true;
 const bool has_iridescence_texture = true;
 const bool has_film_thickness_texture = true;
 
+// KHR_materials_transmission, _volume, _diffuse_transmission.
+const bool is_transmissive = false;
+const bool has_diffuse_transmission = false;
+const bool has_transmission_texture = true;
+const bool has_thickness_texture = true;
+const bool has_diffuse_transmission_texture = true;
+const bool has_diffuse_transmission_color_texture = true;
+
 const int rays_per_light = 2; // that a point sends to each light
-const bool has_transparent_casters = true; // masked or blended surfaces cast shadows
+const bool has_transparent_casters = true; // surfaces that are masked, blended or of glass cast shadows
+const bool has_tinted_casters = true;      // glass does
 
 const bool is_masked = true;  // alphaMode MASK
 const bool is_blended = true; // alphaMode BLEND

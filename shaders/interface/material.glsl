@@ -13,7 +13,11 @@ const int sheen_color_slot = 10;
 const int sheen_roughness_slot = 11;
 const int iridescence_slot = 12;
 const int film_thickness_slot = 13;
-const int slot_count = 14;
+const int transmission_slot = 14;
+const int thickness_slot = 15;
+const int diffuse_transmission_slot = 16;
+const int diffuse_transmission_color_slot = 17;
+const int slot_count = 18;
 
 layout(std140) uniform Material {
     vec4 base_color_factor;
@@ -25,6 +29,9 @@ layout(std140) uniform Material {
     vec4 iridescence_factor;    // iridescence, ior of the film, its least and largest thickness [nm]
     vec4 ior_factor;            // rgb: n of a conductor; w: Phong's exponent
     vec4 extinction_factor;     // rgb: k of a conductor; w: GGX width near a measured lobe
+    vec4 transmission_factor;   // transmission, thickness [m] in the mesh's space; w: diffuse transmission
+    vec4 attenuation_factor;    // rgb: σ [1/m]
+    vec4 diffuse_transmission_color_factor; // rgb
     float metallic_factor;
     float roughness_factor;
     float normal_scale;
@@ -48,3 +55,7 @@ uniform sampler2D sheen_color_texture;
 uniform sampler2D sheen_roughness_texture;
 uniform sampler2D iridescence_texture;
 uniform sampler2D film_thickness_texture;
+uniform sampler2D transmission_texture;
+uniform sampler2D thickness_texture;
+uniform sampler2D diffuse_transmission_texture;
+uniform sampler2D diffuse_transmission_color_texture;

@@ -2,7 +2,8 @@
 layout(std140) uniform Object {
     mat4 world_from_object;
     mat4 world_from_normal; // inverse transpose of the upper 3×3, but for a positive factor
-    vec4 handedness;        // x: -1 where the transform mirrors, else 1
+    vec4 handedness;        // x: -1 where the transform mirrors, else 1; y: how much longer lengths become, the cube root
+                            // of |det|; z: 1 where a mesh of glass is closed
     int first_triangle;     // its first triangle's index among the shadow casters
     int object;             // its own index, and its material's, in the scene
     int material;

@@ -2,6 +2,7 @@
 #include "brdf/coat.glsl"
 #include "interface/frame.glsl"
 #include "interface/object.glsl"
+#include "surface/glass.glsl"
 #include "surface/shading_normal.glsl"
 #include "surface/surface.glsl"
 
@@ -50,8 +51,24 @@ void add_layers(inout Surface x, vec3 wo) {
     }
 }
 
+// After the other layers, whose coat lies over the glass.
+void add_transmission(inout Surface x, vec3 wo) {
+    x.transmission = clamp(transmission(), 0.0, 1.0);
+    bool leaves_body = handedness.z != 0.0 && !gl_FrontFacing;
+    vec3 optical_depth = leaves_body ? vec3(0.0) : attenuation_factor.rgb * (handedness.y * thickness());
+    float F0 = max(x.F0_dielectric.r, max(x.F0_dielectric.g, x.F0_dielectric.b));
+    vec3 color = (1.0 - x.metallic) * x.transmission * x.base_color;
+    Glass glass = Glass(color, F0, x.specular, has_clearcoat ? x.clearcoat : 0.0, optical_depth);
+    vec3 T = straight_transmittance(glass, max(dot(x.n, wo), 0.0));
+    x.alpha_coverage = x.coverage;
+    x.through = mix(vec3(1.0), T, x.alpha_coverage);
+    x.coverage = 1.0 - dot(x.through, vec3(1.0 / 3.0));
+}
+
 Surface surface_at_fragment() {
     vec4 color = base_color();
+    // The depth pre-pass cuts opaque surfaces out; glass has none.
+    if (is_transmissive && is_masked && color.a < alpha_cutoff) discard;
     vec2 rm = clamp(roughness_metallic(), 0.0, 1.0);
     vec4 layer = specular();
     vec3 wo = direction_to_viewer();
@@ -75,5 +92,11 @@ Surface surface_at_fragment() {
     x.emission = emission();
     x.coverage = is_blended ? color.a : 1.0;
     add_layers(x, wo);
+    if (is_transmissive) add_transmission(x, wo);
+    if (has_diffuse_transmission) {
+        vec4 diffuse = clamp(diffuse_transmission(), 0.0, 1.0);
+        x.diffuse_transmission = diffuse.a;
+        x.diffuse_transmission_color = diffuse.rgb;
+    }
     return x;
 }

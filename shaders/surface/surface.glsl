@@ -11,7 +11,8 @@ struct Surface {
     float specular;       // weight of the dielectric part's specular layer
     vec3 emission;        // L_e [cd/m²]
     int triangle;         // that x lies on: its index among the shadow casters
-    float coverage;       // alpha of the base colour, 1 if opaque
+    float coverage;       // how much of the light from behind is kept back: alpha of the base colour, 1 if opaque; of
+                          // glass the mean over the channels
 
     float roughness;      // as typed
     vec3 t;               // unit, across n: along it the GGX width is alphas.x, across it alphas.y
@@ -29,4 +30,10 @@ struct Surface {
     float exponent;       // of Phong's lobes
     vec3 specular_color;  // albedo of Phong's lobes
     float measured_alpha; // GGX width near a measured lobe
+
+    float transmission;   // share of the base that lets light straight through
+    vec3 through;         // what of the light from behind goes on to the viewer, alpha included
+    float alpha_coverage; // alpha of the base colour, 1 if opaque
+    float diffuse_transmission; // share of the diffuse base that scatters to the other side
+    vec3 diffuse_transmission_color;
 };

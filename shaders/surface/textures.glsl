@@ -73,3 +73,26 @@ vec2 iridescence() {
         film.y = mix(iridescence_factor.z, film.y, texture(film_thickness_texture, uv(film_thickness_slot)).g);
     return film;
 }
+
+float transmission() {
+    float t = transmission_factor.x;
+    if (has_transmission_texture) t *= texture(transmission_texture, uv(transmission_slot)).r;
+    return t;
+}
+
+// [m], in the mesh's space.
+float thickness() {
+    float d = transmission_factor.y;
+    if (has_thickness_texture) d *= texture(thickness_texture, uv(thickness_slot)).g;
+    return d;
+}
+
+// (colour, share of the diffuse base)
+vec4 diffuse_transmission() {
+    vec4 factors = vec4(diffuse_transmission_color_factor.rgb, transmission_factor.w);
+    if (has_diffuse_transmission_color_texture)
+        factors.rgb *= texture(diffuse_transmission_color_texture, uv(diffuse_transmission_color_slot)).rgb;
+    if (has_diffuse_transmission_texture)
+        factors.a *= texture(diffuse_transmission_texture, uv(diffuse_transmission_slot)).a;
+    return factors;
+}

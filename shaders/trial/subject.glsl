@@ -2,7 +2,7 @@
 // src/brdf/trial.cpp.
 #include "surface/surface.glsl"
 
-uniform vec4 parameters[10];
+uniform vec4 parameters[12];
 
 const vec3 subject_n = vec3(0.48, -0.6, 0.64);
 
@@ -34,6 +34,9 @@ Surface subject() {
     x.ior = parameters[6].rgb;
     x.extinction = parameters[7].rgb;
     x.specular_color = parameters[8].rgb;
+    x.diffuse_transmission_color = parameters[10].rgb;
+    x.diffuse_transmission = parameters[10].a;
+    x.transmission = parameters[11].x;
     // Any unit vector across n, turned by the rotation of the anisotropy.
     vec3 across = normalize(cross(vec3(0.0, 0.0, 1.0), x.n));
     x.t = cos(parameters[9].x) * across + sin(parameters[9].x) * cross(x.n, across);

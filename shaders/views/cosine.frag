@@ -10,7 +10,7 @@ void main() {
     vec2 sums = vec2(0.0);
     for (int k = first_light; !is_unlit && k < end_light; ++k) {
         Arriving a = arriving_from(k, x);
-        sums += luminance(a.E) * vec2(dot(x.n, a.light.wi), 1.0);
+        sums += luminance(a.E) * vec2(abs(dot(x.n, a.light.wi)), 1.0);
     }
     film = vec4(sums * x.coverage, 0.0, x.coverage);
 }

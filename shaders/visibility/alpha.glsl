@@ -2,17 +2,21 @@
 #include "base/texel_wrap.glsl"
 #include "interface/casters.glsl"
 
-// Bilinear in the full-size texture.
-float map_alpha(Caster caster, vec2 uv) {
-    vec2 at = uv * vec2(caster.map_size) - 0.5;
+// Bilinear in the full-size texture that begins at texel `first`.
+float map_value(int first, ivec2 size, int wrap_u, int wrap_v, vec2 uv) {
+    vec2 at = uv * vec2(size) - 0.5;
     ivec2 corner = ivec2(floor(at));
     vec2 f = at - floor(at);
-    int x0 = wrapped(corner.x, caster.map_size.x, caster.wrap_u);
-    int x1 = wrapped(corner.x + 1, caster.map_size.x, caster.wrap_u);
-    int row0 = caster.map + caster.map_size.x * wrapped(corner.y, caster.map_size.y, caster.wrap_v);
-    int row1 = caster.map + caster.map_size.x * wrapped(corner.y + 1, caster.map_size.y, caster.wrap_v);
+    int x0 = wrapped(corner.x, size.x, wrap_u);
+    int x1 = wrapped(corner.x + 1, size.x, wrap_u);
+    int row0 = first + size.x * wrapped(corner.y, size.y, wrap_v);
+    int row1 = first + size.x * wrapped(corner.y + 1, size.y, wrap_v);
     return mix(mix(texelFetch(alpha_texels, row0 + x0).r, texelFetch(alpha_texels, row0 + x1).r, f.x),
                mix(texelFetch(alpha_texels, row1 + x0).r, texelFetch(alpha_texels, row1 + x1).r, f.x), f.y);
+}
+
+float map_alpha(Caster caster, vec2 uv) {
+    return map_value(caster.map, caster.map_size, caster.wrap_u, caster.wrap_v, uv);
 }
 
 // Where a ray meets the triangle: weights of its corners. `corners`: texel of its alpha corners.

@@ -8,5 +8,6 @@ uniform samplerBuffer answers;
 vec3 visibility(Surface x, vec3 wi, float distance, int light, int ray) {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     int plane = light * rays_per_light + ray - first_ray;
-    return vec3(texelFetch(answers, plane * plane_size + (pixel.y - first_row) * row_size + pixel.x).r);
+    vec3 V = texelFetch(answers, plane * plane_size + (pixel.y - first_row) * row_size + pixel.x).rgb;
+    return has_tinted_casters ? V : vec3(V.r); // without glass the answers have one channel
 }

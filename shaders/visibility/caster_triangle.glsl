@@ -4,6 +4,7 @@
 // slips between them.
 #include "interface/features.glsl"
 #include "visibility/alpha.glsl"
+#include "visibility/glass.glsl"
 #include "visibility/origin.glsl"
 
 // t, and the weights of the three corners; t < 0 where the ray does not meet the triangle.
@@ -38,5 +39,7 @@ vec3 through_triangle(Ray ray, int light, int place) {
     bool is_own = caster.first_light <= light && light < caster.end_light;
     if (is_own && at.x >= ray.end * (1.0 - caster.own_share)) return vec3(1.0);
     if (!has_transparent_casters) return vec3(0.0);
+    if (has_tinted_casters && p2.w > 0.0)
+        return through_glass(caster, int(p2.w), int(p1.w), at.yzw, cross(p1.xyz - p0.xyz, p2.xyz - p0.xyz), ray.direction);
     return vec3(transmittance_at(caster, int(p1.w), at.yzw));
 }

@@ -5,6 +5,7 @@
 // al. 2014, "Sub-pixel shadow mapping") and no surface shadows itself. That misses what is smaller than a texel, so
 // depths have a say, too (map_depths.glsl).
 #include "surface/surface.glsl"
+#include "visibility/bvh.glsl"
 #include "visibility/caster_triangle.glsl"
 #include "visibility/kept.glsl"
 #include "visibility/map_depths.glsl"
@@ -50,7 +51,8 @@ vec3 V_by_map(Surface x, MapPoint y, vec3 wi, float distance, int light) {
     }
     for (bool is_open = turns > 0 && V > 0.0; is_open; is_open = false)
         V = V_by_depths(x, y, place, corner, distance, light);
-    return vec3(V);
+    // Glass is in no map: a tree of it alone tells its colour.
+    return has_tinted_casters && V > 0.0 ? transmittance(ray, light) : vec3(V);
 }
 
 // Lights without extent, whose one point is where they are; of others integrator/shadowed_by_maps.glsl takes care.

@@ -28,7 +28,7 @@ float lobe_width(const Specimen& specimen) {
 
 /// What shaders/trial/subject.glsl makes a Surface of, as shaders/surface/at_fragment.glsl does of a
 /// Material.
-std::array<vec4, 10> parameters_of(const Specimen& specimen) {
+std::array<vec4, 12> parameters_of(const Specimen& specimen) {
     const scene::Material& m = specimen.material;
     const float r = (m.ior - 1.0f) / (m.ior + 1.0f);
     const vec3 F0 = glm::min((m.ior == 0.0f ? 1.0f : r * r) * m.specular_color, vec3(1.0f));
@@ -46,7 +46,9 @@ std::array<vec4, 10> parameters_of(const Specimen& specimen) {
         vec4(m.conductor.n, 0.0f),
         vec4(m.conductor.k, 0.0f),
         vec4(m.specular_color, 0.0f),
-        vec4(m.anisotropy_rotation, 0.0f, 0.0f, 0.0f)};
+        vec4(m.anisotropy_rotation, 0.0f, 0.0f, 0.0f),
+        vec4(m.diffuse_transmission_color, m.diffuse_transmission),
+        vec4(m.transmission, 0.0f, 0.0f, 0.0f)};
 }
 
 std::vector<Row> numbered_rows(vec3 wo, int count) {

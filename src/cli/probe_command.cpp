@@ -83,6 +83,7 @@ ordered_json as_json(const ProbeCommand& command, const OpenScene& open, const r
                           {"cos_i", t.cos_i},
                           {"f_r [1/sr]", triple(t.f_r)},
                           {"V", t.V},
+                          {"V_rgb", triple(t.V_color)},
                           {with_unit("E", scene::Quantity::irradiance, open), triple(t.E)},
                           {radiance("L_r"), triple(t.L_r)}});
     }

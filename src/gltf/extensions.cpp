@@ -12,14 +12,16 @@
 namespace sr::gltf {
 namespace {
 
-constexpr std::array<std::string_view, 17> supported{
+constexpr std::array<std::string_view, 20> supported{
     "EXT_lights_area",         "EXT_lights_ies",
     "EXT_mesh_gpu_instancing", "KHR_animation_pointer",
     "KHR_lights_punctual",     "KHR_materials_anisotropy",
-    "KHR_materials_clearcoat", "KHR_materials_emissive_strength",
-    "KHR_materials_ior",       "KHR_materials_iridescence",
-    "KHR_materials_sheen",     "KHR_materials_specular",
+    "KHR_materials_clearcoat", "KHR_materials_diffuse_transmission",
+    "KHR_materials_emissive_strength", "KHR_materials_ior",
+    "KHR_materials_iridescence", "KHR_materials_sheen",
+    "KHR_materials_specular",  "KHR_materials_transmission",
     "KHR_materials_unlit",     "KHR_materials_variants",
+    "KHR_materials_volume",
     "KHR_mesh_quantization",   "KHR_node_visibility",
     "KHR_texture_transform"};
 

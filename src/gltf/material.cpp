@@ -195,6 +195,9 @@ scene::Material MaterialTable::read(const tinygltf::Material& from) {
     read_clearcoat(from, to);
     read_sheen(from, to);
     read_iridescence(from, to);
+    read_transmission(from, to);
+    read_volume(from, to);
+    read_diffuse_transmission(from, to);
     read_brdf(from, to);
 
     to.alpha_mode = alpha_mode_of(from.alphaMode);

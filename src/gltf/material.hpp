@@ -41,6 +41,10 @@ private:
     void read_clearcoat(const tinygltf::Material& from, scene::Material& to);
     void read_sheen(const tinygltf::Material& from, scene::Material& to);
     void read_iridescence(const tinygltf::Material& from, scene::Material& to);
+    void read_transmission(const tinygltf::Material& from, scene::Material& to);
+    void read_volume(const tinygltf::Material& from, scene::Material& to);
+    void read_diffuse_transmission(const tinygltf::Material& from, scene::Material& to);
+    vec3 color(const tinygltf::Value& object, const char* factor, const std::string& material);
     void read_brdf(const tinygltf::Material& from, scene::Material& to);
     scene::TextureSlot slot(const tinygltf::Value& info, scene::ColorSpace color_space);
     scene::TextureSlot slot(int texture, int texcoord, const tinygltf::ExtensionMap& extensions,

@@ -1,4 +1,4 @@
-// The KHR_materials_ extensions that shape or cover a material's lobes.
+// The KHR_materials_ extensions that shape or cover a material's lobes, or let light through.
 #include "gltf/material.hpp"
 #include "gltf/text.hpp"
 
@@ -69,6 +69,56 @@ void MaterialTable::read_iridescence(const tinygltf::Material& from, scene::Mate
         to.iridescence_texture = slot(film->Get("iridescenceTexture"), ColorSpace::linear);
     if (film->Has("iridescenceThicknessTexture"))
         to.film_thickness_texture = slot(film->Get("iridescenceThicknessTexture"), ColorSpace::linear);
+}
+
+vec3 MaterialTable::color(const Value& object, const char* factor, const std::string& material) {
+    vec3 color = not_negative(document_, three_in(object, factor, vec3(1.0f)), factor, material);
+    for (int i = 0; i < 3; ++i) color[i] = fraction(static_cast<double>(color[i]), factor, material);
+    return color;
+}
+
+void MaterialTable::read_transmission(const tinygltf::Material& from, scene::Material& to) {
+    const Value* transmission = extension(from.extensions, "KHR_materials_transmission");
+    if (!transmission) return;
+    to.transmission =
+        fraction(number_in(*transmission, "transmissionFactor", 0.0), "transmissionFactor", from.name);
+    if (transmission->Has("transmissionTexture"))
+        to.transmission_texture = slot(transmission->Get("transmissionTexture"), ColorSpace::linear);
+}
+
+void MaterialTable::read_volume(const tinygltf::Material& from, scene::Material& to) {
+    const Value* volume = extension(from.extensions, "KHR_materials_volume");
+    if (!volume) return;
+    to.thickness = static_cast<float>(number_in(*volume, "thicknessFactor", 0.0));
+    if (!(to.thickness >= 0.0f))
+        document_.fail(fmt::format("material {}: thicknessFactor is {}", in_quotes(from.name), to.thickness),
+                       "give zero or more");
+    if (volume->Has("attenuationDistance")) {
+        const auto distance = static_cast<float>(number_in(*volume, "attenuationDistance", 0.0));
+        if (distance > 0.0f)
+            to.attenuation_distance = distance;
+        else
+            warnings_.add(fmt::format("material {}: attenuationDistance is {}, not more than 0",
+                                      in_quotes(from.name), distance),
+                          "nothing is attenuated");
+    }
+    to.attenuation_color = color(*volume, "attenuationColor", from.name);
+    if (volume->Has("thicknessTexture"))
+        to.thickness_texture = slot(volume->Get("thicknessTexture"), ColorSpace::linear);
+}
+
+void MaterialTable::read_diffuse_transmission(const tinygltf::Material& from, scene::Material& to) {
+    const Value* diffuse = extension(from.extensions, "KHR_materials_diffuse_transmission");
+    if (!diffuse) return;
+    to.diffuse_transmission = fraction(number_in(*diffuse, "diffuseTransmissionFactor", 0.0),
+                                       "diffuseTransmissionFactor", from.name);
+    to.diffuse_transmission_color = color(*diffuse, "diffuseTransmissionColorFactor", from.name);
+    if (diffuse->Has("diffuseTransmissionTexture"))
+        to.diffuse_transmission_texture =
+            slot(diffuse->Get("diffuseTransmissionTexture"), ColorSpace::linear);
+    if (diffuse->Has("diffuseTransmissionColorTexture"))
+        to.diffuse_transmission_color_texture =
+            slot(diffuse->Get("diffuseTransmissionColorTexture"), ColorSpace::srgb);
 }
 
 } // namespace sr::gltf

@@ -35,6 +35,12 @@ constexpr std::array material_properties{
     Listed{"KHR_materials_iridescence", "iridescenceIor", 1},
     Listed{"KHR_materials_iridescence", "iridescenceThicknessMinimum", 1},
     Listed{"KHR_materials_iridescence", "iridescenceThicknessMaximum", 1},
+    Listed{"KHR_materials_transmission", "transmissionFactor", 1},
+    Listed{"KHR_materials_volume", "thicknessFactor", 1},
+    Listed{"KHR_materials_volume", "attenuationDistance", 1},
+    Listed{"KHR_materials_volume", "attenuationColor", 3},
+    Listed{"KHR_materials_diffuse_transmission", "diffuseTransmissionFactor", 1},
+    Listed{"KHR_materials_diffuse_transmission", "diffuseTransmissionColorFactor", 3},
 };
 
 constexpr std::array transform_properties{Listed{"KHR_texture_transform", "offset", 2},

@@ -135,6 +135,16 @@ const Rule iridescence = record({{"iridescenceFactor", &number},
                                  {"iridescenceThicknessMinimum", &number},
                                  {"iridescenceThicknessMaximum", &number},
                                  {"iridescenceThicknessTexture", &texture_info}});
+const Rule transmission =
+    record({{"transmissionFactor", &number}, {"transmissionTexture", &texture_info}});
+const Rule volume = record({{"thicknessFactor", &number},
+                            {"thicknessTexture", &texture_info},
+                            {"attenuationDistance", &number},
+                            {"attenuationColor", &three_numbers}});
+const Rule diffuse_transmission = record({{"diffuseTransmissionFactor", &number},
+                                          {"diffuseTransmissionTexture", &texture_info},
+                                          {"diffuseTransmissionColorFactor", &three_numbers},
+                                          {"diffuseTransmissionColorTexture", &texture_info}});
 const Rule material_extensions = record({{"KHR_materials_anisotropy", &anisotropy},
                                          {"KHR_materials_clearcoat", &clearcoat},
                                          {"KHR_materials_sheen", &sheen},
@@ -142,6 +152,9 @@ const Rule material_extensions = record({{"KHR_materials_anisotropy", &anisotrop
                                          {"KHR_materials_emissive_strength", &emissive_strength},
                                          {"KHR_materials_ior", &ior},
                                          {"KHR_materials_specular", &specular},
+                                         {"KHR_materials_transmission", &transmission},
+                                         {"KHR_materials_volume", &volume},
+                                         {"KHR_materials_diffuse_transmission", &diffuse_transmission},
                                          {"KHR_materials_unlit", &object}});
 const Rule alpha_mode = one_of({"OPAQUE", "MASK", "BLEND"});
 const Rule material = record({{"name", &text},

@@ -62,6 +62,9 @@ struct MaterialBlock {
     vec4 iridescence_factor;
     vec4 ior_factor;
     vec4 extinction_factor;
+    vec4 transmission_factor;
+    vec4 attenuation_factor;
+    vec4 diffuse_transmission_color_factor;
     float metallic_factor;
     float roughness_factor;
     float normal_scale;

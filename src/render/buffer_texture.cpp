@@ -11,6 +11,7 @@ std::size_t bytes_per_texel(GLenum format) {
     switch (format) {
     case GL_RGBA32F:
     case GL_RGBA32I: return 16;
+    case GL_RGB32F: return 12;
     case GL_RGBA16F: return 8;
     case GL_R32F:
     case GL_R32I: return 4;

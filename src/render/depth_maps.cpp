@@ -96,7 +96,7 @@ void DepthMaps::look_from(Point& point, float roll) {
     for (int face = 0; face < 6; ++face) {
         if (!point.view.has_face(face)) continue;
         for (std::size_t i = 0; i < casters.size(); ++i) {
-            if (!stands_in_light(casters[i], point.light) || !may_see(point.view, face, stage_.casters[i]))
+            if (!is_in_maps(casters[i], point.light) || !may_see(point.view, face, stage_.casters[i]))
                 continue;
             point.layers[static_cast<std::size_t>(face)] = static_cast<int>(count_++);
             break;
@@ -181,7 +181,7 @@ void DepthMaps::draw_face(const Point& point, int face, std::uint32_t sample_ind
     for (const auto* draws : {&scene_.opaque_draws(), &scene_.blended_draws()}) {
         for (const Draw& draw : *draws) {
             const auto instance = static_cast<std::size_t>(draw.instance);
-            if (!stands_in_light(casters[instance], point.light)
+            if (!is_in_maps(casters[instance], point.light)
                 || !may_see(point.view, face, stage_.casters[instance]))
                 continue;
             shaders.mesh_program("caster.frag", caster_features(draw.features)).use();

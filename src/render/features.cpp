@@ -69,7 +69,11 @@ constexpr std::array texture_flags{
     Flag{"has_sheen_color_texture", &Features::has_sheen_color_texture},
     Flag{"has_sheen_roughness_texture", &Features::has_sheen_roughness_texture},
     Flag{"has_iridescence_texture", &Features::has_iridescence_texture},
-    Flag{"has_film_thickness_texture", &Features::has_film_thickness_texture}};
+    Flag{"has_film_thickness_texture", &Features::has_film_thickness_texture},
+    Flag{"has_transmission_texture", &Features::has_transmission_texture},
+    Flag{"has_thickness_texture", &Features::has_thickness_texture},
+    Flag{"has_diffuse_transmission_texture", &Features::has_diffuse_transmission_texture},
+    Flag{"has_diffuse_transmission_color_texture", &Features::has_diffuse_transmission_color_texture}};
 
 constexpr std::array other_flags{Flag{"has_vertex_colors", &Features::has_vertex_colors},
                                  Flag{"has_anisotropy", &Features::has_anisotropy},
@@ -77,7 +81,10 @@ constexpr std::array other_flags{Flag{"has_vertex_colors", &Features::has_vertex
                                  Flag{"has_sheen", &Features::has_sheen},
                                  Flag{"has_iridescence", &Features::has_iridescence},
                                  Flag{"has_energy_compensation", &Features::has_energy_compensation},
+                                 Flag{"is_transmissive", &Features::is_transmissive},
+                                 Flag{"has_diffuse_transmission", &Features::has_diffuse_transmission},
                                  Flag{"has_transparent_casters", &Features::has_transparent_casters},
+                                 Flag{"has_tinted_casters", &Features::has_tinted_casters},
                                  Flag{"is_masked", &Features::is_masked},
                                  Flag{"is_blended", &Features::is_blended},
                                  Flag{"is_unlit", &Features::is_unlit}};
@@ -106,6 +113,28 @@ void ask_for_layers(Features& f, const scene::Material& m, bool has_tangents) {
     f.has_film_thickness_texture = f.has_iridescence && m.film_thickness_texture.is_present();
 }
 
+/// What lets light through this material.
+void ask_for_transmission(Features& f, const scene::Material& m) {
+    f.is_transmissive = m.is_transmissive();
+    f.has_transmission_texture = f.is_transmissive && m.transmission_texture.is_present();
+    f.has_thickness_texture = f.is_transmissive && m.thickness_texture.is_present();
+    f.has_diffuse_transmission = m.transmits_diffusely();
+    f.has_diffuse_transmission_texture =
+        f.has_diffuse_transmission && m.diffuse_transmission_texture.is_present();
+    f.has_diffuse_transmission_color_texture =
+        f.has_diffuse_transmission && m.diffuse_transmission_color_texture.is_present();
+}
+
+/// Whether an instance of the scene has a material of which `is_so`.
+template<class Predicate>
+bool any_material(const scene::Scene& scene, Predicate is_so) {
+    return std::ranges::any_of(scene.instances, [&](const scene::Instance& instance) {
+        const auto material =
+            static_cast<std::size_t>(scene.meshes[static_cast<std::size_t>(instance.mesh)].material);
+        return is_so(scene.materials[material]);
+    });
+}
+
 } // namespace
 
 std::string Features::glsl() const {
@@ -129,7 +158,7 @@ bool Features::is_analytic() const {
     switch (model) {
     case scene::Model::metallic_roughness:
     case scene::Model::ggx:
-    case scene::Model::conductor: return !has_anisotropy && !has_clearcoat && !has_sheen;
+    case scene::Model::conductor: return !has_anisotropy && !has_clearcoat && !has_sheen && !has_diffuse_transmission;
     case scene::Model::lambert:
     case scene::Model::oren_nayar: return true;
     case scene::Model::mirror:
@@ -156,11 +185,13 @@ Features light_features(std::span<const scene::Light> lights) {
 }
 
 bool has_transparent_casters(const scene::Scene& scene) {
-    return std::ranges::any_of(scene.instances, [&](const scene::Instance& instance) {
-        const auto material =
-            static_cast<std::size_t>(scene.meshes[static_cast<std::size_t>(instance.mesh)].material);
-        return scene.materials[material].alpha_mode != scene::AlphaMode::opaque;
+    return any_material(scene, [](const scene::Material& m) {
+        return m.alpha_mode != scene::AlphaMode::opaque || m.is_transmissive();
     });
+}
+
+bool has_tinted_casters(const scene::Scene& scene) {
+    return any_material(scene, [](const scene::Material& m) { return m.is_transmissive(); });
 }
 
 Features shading_features(const scene::Scene& scene, const scene::Mesh& mesh, const Features& lights) {
@@ -175,6 +206,7 @@ Features shading_features(const scene::Scene& scene, const scene::Mesh& mesh, co
     f.has_vertex_colors = !mesh.colors.empty();
     f.model = material.model;
     ask_for_layers(f, material, !mesh.tangents.empty());
+    ask_for_transmission(f, material);
     f.is_masked = material.alpha_mode == scene::AlphaMode::mask;
     f.is_blended = material.alpha_mode == scene::AlphaMode::blend;
     f.is_unlit = material.is_unlit;

@@ -48,8 +48,16 @@ struct Features {
     bool has_iridescence_texture = false;
     bool has_film_thickness_texture = false;
 
+    bool is_transmissive = false; // light goes straight through
+    bool has_diffuse_transmission = false;
+    bool has_transmission_texture = false;
+    bool has_thickness_texture = false;
+    bool has_diffuse_transmission_texture = false;
+    bool has_diffuse_transmission_color_texture = false;
+
     int rays_per_light = 1;               // that a point sends to each light
-    bool has_transparent_casters = false; // masked or blended surfaces cast shadows
+    bool has_transparent_casters = false; // surfaces that are masked, blended or of glass cast shadows
+    bool has_tinted_casters = false;      // glass does
 
     bool is_masked = false;
     bool is_blended = false;
@@ -75,8 +83,10 @@ struct Features {
 /// where a direction of the BRDF's choice can meet any of them, another along that.
 Features light_features(std::span<const scene::Light> lights);
 
-/// Whether any surface of the scene is masked or blended, and so lets some light through.
+/// Whether any surface of the scene is masked, blended or of glass, and so lets some light through.
 bool has_transparent_casters(const scene::Scene& scene);
+/// Whether any is of glass, so that V has a colour.
+bool has_tinted_casters(const scene::Scene& scene);
 
 /// What shading this mesh takes under lights that take `lights`.
 Features shading_features(const scene::Scene& scene, const scene::Mesh& mesh, const Features& lights);

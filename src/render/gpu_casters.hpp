@@ -14,7 +14,7 @@ public:
     /// @throws Error if the driver's buffer textures are too small.
     GpuCasters(const shadow::Casters& casters, const shadow::Bvh& bvh);
 
-    /// Without a tree, the triangles in their own order. @throws Error as above
+    /// The triangles in their own order, with a tree of those of glass alone. @throws Error as above
     explicit GpuCasters(const shadow::Casters& casters);
 
     void bind() const;

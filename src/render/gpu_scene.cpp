@@ -32,12 +32,13 @@ GLsizeiptr upload_blocks(const gl::Buffer& buffer, const std::vector<BlockType>&
     return static_cast<GLsizeiptr>(stride);
 }
 
+/// `is_body`: a closed mesh of glass.
 ObjectBlock packed_object(const scene::Instance& instance, std::size_t first_triangle, std::size_t object,
-                          int material) {
+                          int material, bool is_body) {
     const mat4& m = instance.world_from_object;
     return {m,
             mat4(scene::normal_transform(m)),
-            vec4(scene::mirrors(m) ? -1.0f : 1.0f, 0.0f, 0.0f, 0.0f),
+            vec4(scene::mirrors(m) ? -1.0f : 1.0f, scene::length_scale(m), is_body ? 1.0f : 0.0f, 0.0f),
             static_cast<std::int32_t>(first_triangle),
             static_cast<std::int32_t>(object),
             material};
@@ -56,6 +57,9 @@ MaterialBlock packed_material(const scene::Material& m, const scene::Scene& scen
         vec4(m.iridescence, m.film_ior, m.least_film_thickness, m.largest_film_thickness);
     block.ior_factor = vec4(m.conductor.n, m.exponent);
     block.extinction_factor = vec4(m.conductor.k, m.measured < 0 ? 1.0f : scene.measured[m.measured].alpha);
+    block.transmission_factor = vec4(m.transmission, m.thickness, 0.0f, m.diffuse_transmission);
+    block.attenuation_factor = vec4(scene::attenuation_coefficient(m), 0.0f);
+    block.diffuse_transmission_color_factor = vec4(m.diffuse_transmission_color, 0.0f);
     block.metallic_factor = m.metallic;
     block.roughness_factor = m.roughness;
     block.normal_scale = m.normal_scale;
@@ -167,9 +171,10 @@ void GpuScene::upload_objects(const scene::Scene& scene) {
     std::vector<ObjectBlock> blocks;
     std::size_t triangles = 0; // so far, as shadow::Casters counts them
     for (const scene::Instance& instance : scene.instances) {
-        blocks.push_back(
-            packed_object(instance, triangles, blocks.size(), scene.meshes[instance.mesh].material));
-        triangles += scene.meshes[instance.mesh].indices.size() / 3;
+        const scene::Mesh& mesh = scene.meshes[instance.mesh];
+        const bool is_body = scene::is_body_of_glass(mesh, scene.materials[mesh.material]);
+        blocks.push_back(packed_object(instance, triangles, blocks.size(), mesh.material, is_body));
+        triangles += mesh.indices.size() / 3;
     }
     object_stride_ = upload_blocks(objects_, blocks);
 }
@@ -211,6 +216,7 @@ void GpuScene::list_draws(const scene::Scene& scene, std::span<const scene::Ligh
     Features lit = light_features(lights);
     lit.has_energy_compensation = has_energy_compensation_;
     lit.has_transparent_casters = has_transparent_casters(scene);
+    lit.has_tinted_casters = has_tinted_casters(scene);
     GLint texture_units = 0;
     glGetIntegerv(GL_MAX_TEXTURE_IMAGE_UNITS, &texture_units);
     opaque_.clear();
@@ -227,7 +233,7 @@ void GpuScene::list_draws(const scene::Scene& scene, std::span<const scene::Ligh
         require_texture_units(draw.features, scene.materials[mesh.material].name, texture_units);
         draw.mirrors = scene::mirrors(instance.world_from_object);
         draw.is_double_sided = scene.materials[mesh.material].is_double_sided;
-        if (draw.features.is_blended) {
+        if (draw.features.is_blended || draw.features.is_transmissive) {
             draw.center = center_of(mesh, instance.world_from_object);
             blended_.push_back(draw);
         } else {

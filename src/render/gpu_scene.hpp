@@ -47,7 +47,8 @@ public:
     /// What casts shadows; null if nothing does.
     const Occluders* occluders() const { return occluders_.get(); }
     const std::vector<Draw>& opaque_draws() const { return opaque_; }   // opaque and masked, by program
-    const std::vector<Draw>& blended_draws() const { return blended_; } // in the scene's order
+    /// What lets through a part of what is behind: blended, or of glass; in the scene's order.
+    const std::vector<Draw>& blended_draws() const { return blended_; }
 
     /// How many distinct sets of features its draws have: each takes its own programs.
     std::size_t feature_set_count() const;

@@ -5,6 +5,8 @@
 namespace sr::render {
 namespace {
 
+const std::string glass_shader = "glass.frag";
+
 void cull(bool is_double_sided, GLenum face = GL_BACK) {
     if (is_double_sided)
         glDisable(GL_CULL_FACE);
@@ -47,6 +49,10 @@ void begin_nearest(const Target& frame, vec3 background) {
 }
 
 } // namespace
+
+const std::string& fragment_of(const Draw& draw, const std::string& shader) {
+    return draw.features.is_transmissive && shader == "forward.frag" ? glass_shader : shader;
+}
 
 void depth_pass(const Target& frame, const GpuScene& scene, ShaderLibrary& shaders, vec3 background) {
     begin_nearest(frame, background);
@@ -91,7 +97,6 @@ void blend_pass(const Target& frame, const GpuScene& scene, ShaderLibrary& shade
     frame.bind();
     glEnable(GL_BLEND);
     glBlendEquation(GL_FUNC_ADD);
-    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA); // the shader multiplies by its coverage
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);
     glDepthMask(GL_FALSE);
@@ -100,7 +105,12 @@ void blend_pass(const Target& frame, const GpuScene& scene, ShaderLibrary& shade
     std::stable_sort(draws.begin(), draws.end(),
                      [&](const Draw& a, const Draw& b) { return farness(a, eye) > farness(b, eye); });
     for (const Draw& draw : draws) {
-        shaders.mesh_program(shader, draw.features, visibility).use();
+        const std::string& fragment = fragment_of(draw, shader);
+        if (fragment == glass_shader)
+            glBlendFuncSeparate(GL_ONE, GL_SRC1_COLOR, GL_ONE, GL_SRC1_ALPHA);
+        else
+            glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA); // the shader multiplies by its coverage
+        shaders.mesh_program(fragment, draw.features, visibility).use();
         if (draw.is_double_sided) {
             cull(false, GL_FRONT);
             scene.draw(draw);

@@ -90,6 +90,11 @@ std::optional<PixelTerms> probe(const GpuScene& scene, const scene::Camera& came
         t.solid_angle = film.x;
         t.V = film.z > 0.0f ? film.y / film.z : 1.0f;
     });
+    for (LightTerms& t : terms.lights) t.V_color = vec3(t.V);
+    if (goes && scene.occluders() && scene.occluders()->casters().is_tinted())
+        for_each_light("views/unshadowed.frag", [](LightTerms& t, vec4 film) {
+            for (int c = 0; c < 3; ++c) t.V_color[c] = film[c] > 0.0f ? t.E[c] / film[c] : 1.0f;
+        });
     if (!goes) return std::nullopt;
     return terms;
 }

@@ -13,7 +13,8 @@ struct LightTerms {
     vec3 wi{0.0f};            // the mean direction, weighted by E; shorter than 1 the larger the light is
     float cos_i = 0.0f;       // the mean cosθ_i, weighted by E
     vec3 E{0.0f};             // irradiance [lx], shadows included
-    float V = 1.0f;           // E over E without shadows
+    float V = 1.0f;           // E over E without shadows, as luminance
+    vec3 V_color{1.0f};       // the same for red, green and blue, which glass makes differ
     vec3 f_r{0.0f};           // L_r / E [1/sr]
     vec3 L_r{0.0f};           // what the pixel gains by this light [cd/m²]
 };

@@ -88,7 +88,7 @@ std::vector<Band> RayAnswers::bands(Band all, int light_count) const {
     const std::size_t per_row = static_cast<std::size_t>(width_)
                                 * static_cast<std::size_t>(std::max(light_count, 1))
                                 * static_cast<std::size_t>(rays_per_light_);
-    const std::size_t most = std::min(BufferTexture::most_texels(), most_answers_);
+    const std::size_t most = std::min(BufferTexture::most_texels(), most_answers_ / channels());
     const int rows =
         static_cast<int>(std::min<std::size_t>(static_cast<std::size_t>(all.count), most / per_row));
     if (rows == 0)
@@ -105,8 +105,8 @@ void RayAnswers::find(Band band, int first_light, int end_light, FrameData& fram
                       ShaderLibrary& shaders) {
     planes_ = {first_light * rays_per_light_,
                static_cast<std::size_t>(width_) * static_cast<std::size_t>(band.count)};
-    values_.assign(planes_.size * static_cast<std::size_t>((end_light - first_light) * rays_per_light_),
-                   0.0f);
+    const auto rays = static_cast<std::size_t>((end_light - first_light) * rays_per_light_);
+    values_.assign(planes_.size * rays * channels(), 0.0f);
     for (int first = first_light; first < end_light; first += lights_a_pass) {
         const int end = std::min(end_light, first + lights_a_pass);
         frame_data.select_lights(first, end);
@@ -115,8 +115,7 @@ void RayAnswers::find(Band band, int first_light, int end_light, FrameData& fram
         int taken = 0;
         while (taken < most && record_and_answer(band, taken, shaders)) taken += rays_a_pass;
     }
-    answers_.upload(values_, "choose a smaller --size");
-    answers_.bind(answers_unit);
+    upload_answers();
     upload_block({planes_.first_ray, static_cast<std::int32_t>(planes_.size), width_, band.first});
     frame_data.select_lights(first_light, end_light);
 }
@@ -168,7 +167,7 @@ std::size_t RayAnswers::answer_row(std::size_t first, std::size_t end) {
         const std::size_t place = static_cast<std::size_t>(number - planes_.first_ray) * planes_.size + pixel;
         if (!is_finite(ray)
             || !is_finite(receiver)) { // a user's shader may ask this, Embree may not be asked
-            values_[place] = std::numeric_limits<float>::quiet_NaN();
+            std::fill_n(&values_[place * channels()], channels(), std::numeric_limits<float>::quiet_NaN());
             ++broken;
             continue;
         }
@@ -176,11 +175,20 @@ std::size_t RayAnswers::answer_row(std::size_t first, std::size_t end) {
                            number / rays_per_light_});
         places.push_back(place);
     }
-    std::vector<float> V(queries.size());
+    std::vector<vec3> V(queries.size());
     scene_.occluders()->occlusion()->answer(queries, V);
-    for (std::size_t i = 0; i < V.size(); ++i) values_[places[i]] = V[i];
+    for (std::size_t i = 0; i < V.size(); ++i)
+        std::copy_n(&V[i].x, channels(), &values_[places[i] * channels()]);
     return V.size() + broken;
 }
+
+void RayAnswers::upload_answers() {
+    BufferTexture& answers = channels() == 1 ? answers_ : tinted_answers_;
+    answers.upload(values_, "choose a smaller --size");
+    answers.bind(answers_unit);
+}
+
+std::size_t RayAnswers::channels() const { return scene_.occluders()->casters().is_tinted() ? 3 : 1; }
 
 void RayAnswers::upload_block(const RaysBlock& block) {
     glBindBuffer(GL_UNIFORM_BUFFER, block_.id());

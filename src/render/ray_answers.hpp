@@ -43,7 +43,9 @@ private:
     void read(Band band, int attachment, std::vector<vec4>& texels);
     std::size_t answer(Band band); // @return how many rays there were
     std::size_t answer_row(std::size_t first, std::size_t end);
+    void upload_answers();
     void upload_block(const RaysBlock& block);
+    std::size_t channels() const; // of V
 
     const GpuScene& scene_;
     int width_;
@@ -55,9 +57,10 @@ private:
     gl::Framebuffer framebuffer_{"rays"};
     gl::Buffer block_{"rays"};
     BufferTexture answers_{"the answered rays", GL_R32F};
+    BufferTexture tinted_answers_{"the answered rays", GL_RGB32F}; // where V has a colour
     std::vector<vec4> receivers_; // of the band
     std::vector<vec4> rays_;
-    std::vector<float> values_;
+    std::vector<float> values_; // one an answer, three where V has a colour
     Planes planes_;
     std::size_t ray_count_ = 0;
     double seconds_ = 0.0;

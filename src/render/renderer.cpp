@@ -91,7 +91,7 @@ void Renderer::compile() {
         if (ray_answers_) shaders_.mesh_program("record.frag", draw.features, VisibilityTerm::record);
     }
     for (const Draw& draw : scene_.blended_draws())
-        shaders_.mesh_program(options_.shader, draw.features, blended_visibility());
+        shaders_.mesh_program(fragment_of(draw, options_.shader), draw.features, blended_visibility());
     shaders_.fullscreen_program("accumulate.frag");
 }
 

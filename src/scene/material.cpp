@@ -33,7 +33,14 @@ std::array<const TextureSlot*, slot_count> texture_slots(const Material& m) {
             &m.emission_texture,         &m.specular_texture,           &m.specular_color_texture,
             &m.anisotropy_texture,       &m.clearcoat_texture,          &m.clearcoat_roughness_texture,
             &m.clearcoat_normal_texture, &m.sheen_color_texture,        &m.sheen_roughness_texture,
-            &m.iridescence_texture,      &m.film_thickness_texture};
+            &m.iridescence_texture,      &m.film_thickness_texture,     &m.transmission_texture,
+            &m.thickness_texture,        &m.diffuse_transmission_texture,
+            &m.diffuse_transmission_color_texture};
+}
+
+vec3 attenuation_coefficient(const Material& m) {
+    constexpr float blackest = 1e-30f; // a colour of 0 would be an endless coefficient
+    return -glm::log(glm::clamp(m.attenuation_color, vec3(blackest), vec3(1.0f))) / m.attenuation_distance;
 }
 
 bool needs_tangents(const Material& m) {

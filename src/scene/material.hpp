@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -97,6 +98,10 @@ enum Slot : unsigned {
     sheen_roughness_slot,
     iridescence_slot,
     film_thickness_slot,
+    transmission_slot,
+    thickness_slot,
+    diffuse_transmission_slot,
+    diffuse_transmission_color_slot,
     slot_count
 };
 
@@ -151,6 +156,18 @@ struct Material {
     float largest_film_thickness = 400.0f; // [nm], where it is 1, or there is none
     TextureSlot film_thickness_texture;
 
+    float transmission = 0.0f; // KHR_materials_transmission: share of the base; texture: red channel
+    TextureSlot transmission_texture;
+    float thickness = 0.0f; // KHR_materials_volume [m], in the mesh's space; texture: green channel
+    TextureSlot thickness_texture;
+    float attenuation_distance = std::numeric_limits<float>::infinity(); // [m], in world space
+    vec3 attenuation_color{1.0f}; // what white light becomes over that distance
+
+    float diffuse_transmission = 0.0f; // KHR_materials_diffuse_transmission; texture: alpha channel
+    TextureSlot diffuse_transmission_texture;
+    vec3 diffuse_transmission_color{1.0f};
+    TextureSlot diffuse_transmission_color_texture;
+
     Model model = Model::metallic_roughness;
     float roughness_across = -1.0f; // ggx, conductor: across the tangent; negative: `roughness`
     float exponent = 32.0f;         // phong, blinn_phong
@@ -168,8 +185,20 @@ struct Material {
                                                   : roughness_across >= 0.0f && roughness_across != roughness;
     }
     bool has_sheen() const { return sheen_color.x > 0.0f || sheen_color.y > 0.0f || sheen_color.z > 0.0f; }
+    /// Whether light goes straight through: glass. Metal lets none through.
+    bool is_transmissive() const {
+        return model == Model::metallic_roughness && !is_unlit && transmission > 0.0f
+               && (metallic < 1.0f || metallic_roughness_texture.is_present());
+    }
+    /// Whether light from behind is scattered to the front, as by a leaf.
+    bool transmits_diffusely() const {
+        return model == Model::metallic_roughness && !is_unlit && diffuse_transmission > 0.0f;
+    }
     bool is_emissive() const { return emission.x > 0.0f || emission.y > 0.0f || emission.z > 0.0f; }
 };
+
+/// σ of KHR_materials_volume [1/m]: what is left of light after d metres is exp(-σ d).
+vec3 attenuation_coefficient(const Material& material);
 
 /// In the order of Slot.
 std::array<const TextureSlot*, slot_count> texture_slots(const Material& material);

@@ -13,6 +13,8 @@ std::string described(const Material& m) {
     add(m.iridescence > 0.0f, "thin film");
     add(m.has_sheen(), "sheen");
     add(m.clearcoat > 0.0f, "clearcoat");
+    add(m.is_transmissive(), "transmission (straight through: not refracted, not blurred)");
+    add(m.transmits_diffusely(), "diffuse transmission");
     return text;
 }
 

@@ -74,4 +74,11 @@ Bounds bounds_of(const Scene& scene);
 
 std::size_t triangle_count(const Scene& scene);
 
+/// Whether the mesh encloses a volume: every edge of a triangle is another's in the other sense. Corners at
+/// the same place are the same.
+bool is_closed(const Mesh& mesh);
+
+/// Whether KHR_materials_volume fills the mesh, so that a ray that enters it leaves it elsewhere.
+bool is_body_of_glass(const Mesh& mesh, const Material& material);
+
 } // namespace sr::scene

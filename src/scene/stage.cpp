@@ -56,6 +56,15 @@ bool is_detail(const Light& light) {
     return mesh && mesh->texture >= 0;
 }
 
+/// Says what pictures of glass leave out.
+void remark_on_glass(const Scene& scene, const std::string& name, std::vector<std::string>& remarks) {
+    const auto count = std::ranges::count_if(scene.materials, &Material::is_transmissive);
+    if (count > 0)
+        remarks.push_back(fmt::format("{}: light goes straight through the glass of {} material{}: it is not "
+                                      "refracted, and rough glass does not blur it",
+                                      name, count, count == 1 ? "" : "s"));
+}
+
 } // namespace
 
 Stage set_stage(Scene scene, const std::string& name, const StageOptions& options) {
@@ -71,6 +80,7 @@ Stage set_stage(Scene scene, const std::string& name, const StageOptions& option
                                             "(--rig none leaves it dark)",
                                             name));
     }
+    remark_on_glass(scene, name, stage.remarks);
     if (options.hide_emitters)
         for (Material& material : scene.materials) material.emission = vec3(0.0f);
     else

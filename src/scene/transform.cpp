@@ -38,4 +38,8 @@ vec3 unit_or(const dvec3& v, vec3 otherwise) {
     return length > 0.0 && std::isfinite(length) ? vec3(v / length) : otherwise;
 }
 
+float length_scale(const mat4& transform) {
+    return static_cast<float>(std::cbrt(std::abs(glm::determinant(linear_part(transform)))));
+}
+
 } // namespace sr::scene

@@ -18,4 +18,7 @@ mat3 normal_transform(const mat4& transform);
 /// v at length 1, whatever its finite length is; `otherwise` where v is zero or not finite.
 vec3 unit_or(const glm::dvec3& v, vec3 otherwise);
 
+/// How much longer lengths become: the cube root of |det|, which a uniform scale is.
+float length_scale(const mat4& transform);
+
 } // namespace sr::scene

@@ -1,5 +1,7 @@
 #include "shadow/alpha.hpp"
 
+#include "image/srgb.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -8,6 +10,11 @@ namespace {
 
 std::uint16_t widened(std::uint8_t value) { return static_cast<std::uint16_t>(value * 257u); }
 std::uint16_t widened(std::uint16_t value) { return value; }
+
+std::uint16_t linear(std::uint16_t code) {
+    return static_cast<std::uint16_t>(
+        std::lround(image::linear_of_srgb(static_cast<float>(code) / 65535.0f) * 65535.0f));
+}
 
 } // namespace
 
@@ -24,15 +31,16 @@ float map_alpha(const AlphaMap& map, const std::vector<std::uint16_t>& texels, v
     return glm::mix(glm::mix(texel(0, 0), texel(1, 0), f.x), glm::mix(texel(0, 1), texel(1, 1), f.x), f.y);
 }
 
-std::vector<std::uint16_t> alphas_of(const scene::TextureImage& image) {
-    std::vector<std::uint16_t> alphas;
+std::vector<std::uint16_t> channel_of(const scene::TextureImage& image, std::size_t channel, bool is_srgb) {
+    std::vector<std::uint16_t> texels;
     std::visit(
         [&](const auto& values) {
-            alphas.reserve(values.size() / 4);
-            for (std::size_t i = 3; i < values.size(); i += 4) alphas.push_back(widened(values[i]));
+            texels.reserve(values.size() / 4);
+            for (std::size_t i = channel; i < values.size(); i += 4)
+                texels.push_back(is_srgb ? linear(widened(values[i])) : widened(values[i]));
         },
         image.texels);
-    return alphas;
+    return texels;
 }
 
 } // namespace sr::shadow

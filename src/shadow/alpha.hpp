@@ -5,7 +5,7 @@
 
 namespace sr::shadow {
 
-/// Where the alphas of a texture lie among those of all.
+/// Where the alphas of a texture, or another of its channels, lie among those of all.
 struct AlphaMap {
     int first = 0;
     int width = 0;
@@ -23,7 +23,8 @@ struct AlphaCorner {
 /// Alpha at `uv` of the map whose texels these are, in [0, 1].
 float map_alpha(const AlphaMap& map, const std::vector<std::uint16_t>& texels, vec2 uv);
 
-/// The alphas of an image; 8 bits are widened exactly.
-std::vector<std::uint16_t> alphas_of(const scene::TextureImage& image);
+/// A channel (0 to 3) of an image; 8 bits are widened exactly. `is_srgb`: decoded to linear light.
+std::vector<std::uint16_t> channel_of(const scene::TextureImage& image, std::size_t channel,
+                                      bool is_srgb = false);
 
 } // namespace sr::shadow

@@ -58,12 +58,13 @@ bool is_buildable(std::span<const vec3, 3> triangle) {
     return true;
 }
 
-std::vector<RTCBuildPrimitive> primitives_of(const Casters& casters) {
+std::vector<RTCBuildPrimitive> primitives_of(const Casters& casters, bool glass_alone) {
     std::vector<RTCBuildPrimitive> primitives;
     primitives.reserve(casters.triangle_count());
     for (std::size_t i = 0; i < casters.triangle_count(); ++i) {
         const auto triangle = casters.triangle(i);
         if (!is_buildable(triangle)) continue;
+        if (glass_alone && casters.casters[casters.caster_of[i]].glass < 0) continue;
         const RTCBounds b = bounds_of(triangle);
         primitives.push_back(
             {b.lower_x, b.lower_y, b.lower_z, 0, b.upper_x, b.upper_y, b.upper_z, static_cast<unsigned>(i)});
@@ -120,8 +121,8 @@ RTCBuildArguments arguments_for(RTCBVH bvh, std::vector<RTCBuildPrimitive>& prim
 
 } // namespace
 
-Bvh bvh_of(const Casters& casters) {
-    std::vector<RTCBuildPrimitive> primitives = primitives_of(casters);
+Bvh bvh_of(const Casters& casters, bool glass_alone) {
+    std::vector<RTCBuildPrimitive> primitives = primitives_of(casters, glass_alone);
     Bvh result;
     if (primitives.empty()) {
         result.nodes.push_back({vec3(INFINITY), 1, vec3(-INFINITY), 0}); // which nothing meets

@@ -1,6 +1,6 @@
 #pragma once
 // What stands in the light's way: every triangle of a scene, in world space.
-#include "shadow/alpha.hpp"
+#include "shadow/glass.hpp"
 
 #include <array>
 #include <span>
@@ -18,10 +18,12 @@ struct Caster {
     int alpha_map = -1; // index into Casters::alpha_maps; negative: none
     int first_triangle = 0;
     int first_corner =
-        -1; // of its first triangle in Casters::alpha_corners; negative: it is opaque throughout
+        -1; // of its first triangle in Casters::alpha_corners, of glass in glass_corners; negative: it is opaque
+            // throughout
+    int glass = -1; // index into Casters::glass; negative: it is none
 
     /// Blocks everything that meets it.
-    bool is_plain() const { return emits_as.is_empty() && alpha_mode == scene::AlphaMode::opaque; }
+    bool is_plain() const { return emits_as.is_empty() && first_corner < 0; }
 };
 
 /// An emitter whose own surface cannot come between itself and the outside (flat or convex, and alone on its
@@ -37,6 +39,8 @@ struct Casters {
     std::vector<std::uint32_t> caster_of;   // of each triangle
     std::vector<Caster> casters;            // one an instance
     std::vector<AlphaCorner> alpha_corners; // three a triangle of those that are not opaque
+    std::vector<Glass> glass;               // one an instance that is of it
+    std::vector<GlassCorner> glass_corners; // three a triangle of those
     std::vector<AlphaMap> alpha_maps;
     std::vector<std::uint16_t> alpha_texels; // 65535: opaque
 
@@ -44,15 +48,15 @@ struct Casters {
     std::span<const vec3, 3> triangle(std::size_t index) const {
         return std::span<const vec3, 3>(&corners[3 * index], 3);
     }
-    /// Whether any surface lets a part of the light through.
-    bool has_partial() const;
+    /// Whether V has a colour.
+    bool is_tinted() const { return !glass.empty(); }
 };
 
 /// @throws Error if there are more triangles than a float can count (2^24).
 Casters casters_of(const scene::Scene& scene, std::span<const scene::Light> lights);
 
-/// The share of the light that the triangle lets through where a ray meets it, at corner 0 + u (1 - 0) + v (2
-/// - 0): 0 or 1, or anything between for alphaMode BLEND.
-float transmittance(const Casters& casters, std::uint32_t triangle, float u, float v);
+/// The share of the light that the triangle lets through where a ray of that direction meets it, at corner 0 + u (1
+/// - 0) + v (2 - 0): 0 or 1, or anything between for alphaMode BLEND and for glass.
+vec3 transmittance(const Casters& casters, std::uint32_t triangle, float u, float v, vec3 direction);
 
 } // namespace sr::shadow

@@ -6,7 +6,7 @@ namespace {
 bool reflects(const scene::Material& material) {
     const bool is_black =
         vec3(material.base_color) == vec3(0.0f) && !material.base_color_texture.is_present();
-    return !material.is_unlit && !(is_black && material.specular == 0.0f);
+    return !material.is_unlit && !(is_black && material.specular == 0.0f && !material.transmits_diffusely());
 }
 
 } // namespace
@@ -14,6 +14,8 @@ bool reflects(const scene::Material& material) {
 bool stands_in_light(const Caster& caster, int light) {
     return !(caster.emits_as.contains(light) && caster.own_share == whole_ray);
 }
+
+bool is_in_maps(const Caster& caster, int light) { return caster.glass < 0 && stands_in_light(caster, light); }
 
 MapStage map_stage_of(const scene::Scene& scene, std::span<const scene::Light> lights,
                       const Casters& casters) {

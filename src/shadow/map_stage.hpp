@@ -20,4 +20,7 @@ MapStage map_stage_of(const scene::Scene& scene, std::span<const scene::Light> l
 /// stand in its own.
 bool stands_in_light(const Caster& caster, int light);
 
+/// Whether it is drawn into the maps of that light. Glass is not: it has a colour, which rays tell.
+bool is_in_maps(const Caster& caster, int light);
+
 } // namespace sr::shadow

@@ -18,17 +18,18 @@ struct Context {
     const Casters* casters;
     std::array<int, packet> light;
     std::array<float, packet> end; // t of the whole ray's end
-    std::array<float, packet> V;
+    std::array<vec3, packet> V;
 };
 
 /// Takes away from V what one hit does. @return whether the ray is stopped.
-bool is_stopped(Context& context, unsigned ray, float t, std::uint32_t triangle, float u, float v) {
+bool is_stopped(Context& context, unsigned ray, float t, std::uint32_t triangle, float u, float v,
+                vec3 direction) {
     const Casters& casters = *context.casters;
     const Caster& caster = casters.casters[casters.caster_of[triangle]];
     if (caster.emits_as.contains(context.light[ray]) && t >= context.end[ray] * (1.0f - caster.own_share))
         return false;
-    context.V[ray] *= transmittance(casters, triangle, u, v);
-    return context.V[ray] == 0.0f;
+    context.V[ray] *= transmittance(casters, triangle, u, v, direction);
+    return context.V[ray] == vec3(0.0f);
 }
 
 /// Embree's callback for each hit on a surface that is not plain: an invalidated hit lets the ray go on.
@@ -42,8 +43,10 @@ void filter(const RTCFilterFunctionNArguments* arguments) {
         const std::uint32_t triangle =
             static_cast<std::uint32_t>(context.casters->casters[geometry].first_triangle)
             + RTCHitN_primID(arguments->hit, n, i);
+        const vec3 direction(RTCRayN_dir_x(arguments->ray, n, i), RTCRayN_dir_y(arguments->ray, n, i),
+                             RTCRayN_dir_z(arguments->ray, n, i));
         if (!is_stopped(context, ray, RTCRayN_tfar(arguments->ray, n, i), triangle,
-                        RTCHitN_u(arguments->hit, n, i), RTCHitN_v(arguments->hit, n, i)))
+                        RTCHitN_u(arguments->hit, n, i), RTCHitN_v(arguments->hit, n, i), direction))
             arguments->valid[i] = 0;
     }
 }
@@ -108,7 +111,7 @@ Occlusion::Occlusion(const Casters& casters) : casters_(casters), tree_(std::mak
 
 Occlusion::~Occlusion() = default;
 
-void Occlusion::answer(std::span<const Query> queries, std::span<float> V) const {
+void Occlusion::answer(std::span<const Query> queries, std::span<vec3> V) const {
     require(queries.size() == V.size(), "one answer a query");
     Context context{};
     context.casters = &casters_;
@@ -122,14 +125,14 @@ void Occlusion::answer(std::span<const Query> queries, std::span<float> V) const
             set_lane(rays, lane, ray);
             context.light[lane] = query.light;
             context.end[lane] = ray.end;
-            context.V[lane] = 1.0f;
+            context.V[lane] = vec3(1.0f);
             valid[lane] = -1;
         }
         rtcInitIntersectContext(&context.embree);
         context.embree.flags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
         rtcOccluded8(valid.data(), tree_->scene, &context.embree, &rays);
         for (std::size_t lane = 0; lane < count; ++lane) // Embree marks what is stopped by minus infinity
-            V[first + lane] = rays.tfar[lane] < 0.0f ? 0.0f : context.V[lane];
+            V[first + lane] = rays.tfar[lane] < 0.0f ? vec3(0.0f) : context.V[lane];
     }
 }
 

@@ -25,6 +25,7 @@ vec3 sample_model(Surface x, vec3 wo, vec2 u) {
 }
 
 float p_model(Surface x, vec3 wi, vec3 wo) {
+    if (has_diffuse_transmission && dot(x.n, wi) <= 0.0) return 0.0; // below, light samples answer for all
     float share = coat_share(x, wo);
     float p = (1.0 - share) * p_microfacets(x, wi, wo);
     return share > 0.0 ? p + share * p_ggx(x.clearcoat_n, wi, wo, x.clearcoat_alpha) : p;

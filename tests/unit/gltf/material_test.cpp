@@ -82,6 +82,49 @@ const Test extensions("unit.gltf.material.extensions", [] {
     EXPECT_FALSE(material_of("{}").is_unlit);
 });
 
+const Test transmission("unit.gltf.material.light_that_goes_through", [] {
+    const scene::Material m = material_of(R"({"pbrMetallicRoughness": {"metallicFactor": 0}, "extensions": {
+        "KHR_materials_transmission": {"transmissionFactor": 0.5, "transmissionTexture": {"index": 0}},
+        "KHR_materials_volume": {"thicknessFactor": 0.25, "thicknessTexture": {"index": 0, "texCoord": 1},
+                                 "attenuationDistance": 2, "attenuationColor": [1, 0.5, 0]},
+        "KHR_materials_diffuse_transmission": {"diffuseTransmissionFactor": 0.75,
+            "diffuseTransmissionTexture": {"index": 0}, "diffuseTransmissionColorFactor": [0.1, 0.2, 0.3],
+            "diffuseTransmissionColorTexture": {"index": 0}}}})");
+    EXPECT_EQ(m.transmission, 0.5f);
+    EXPECT_EQ(m.thickness, 0.25f);
+    EXPECT_EQ(m.thickness_texture.texcoord, 1);
+    EXPECT_EQ(m.attenuation_distance, 2.0f);
+    EXPECT_EQ(m.attenuation_color, vec3(1, 0.5f, 0));
+    EXPECT_EQ(m.diffuse_transmission, 0.75f);
+    EXPECT_EQ(m.diffuse_transmission_color, vec3(0.1f, 0.2f, 0.3f));
+    EXPECT_EQ(m.transmission_texture.texture, m.diffuse_transmission_texture.texture); // both linear
+    EXPECT_NE(m.transmission_texture.texture, m.diffuse_transmission_color_texture.texture);
+    EXPECT_TRUE(m.is_transmissive());
+    EXPECT_TRUE(m.transmits_diffusely());
+    const vec3 sigma = scene::attenuation_coefficient(m);
+    EXPECT_EQ(sigma.x, 0.0f);
+    EXPECT_NEAR(sigma.y, 0.5f * std::log(2.0f), 1e-6f);
+    EXPECT_TRUE(std::isfinite(sigma.z) && sigma.z > 30.0f) << "black, and finite";
+
+    const scene::Material plain = material_of("{}");
+    EXPECT_FALSE(plain.is_transmissive());
+    EXPECT_FALSE(plain.transmits_diffusely());
+    EXPECT_EQ(scene::attenuation_coefficient(plain), vec3(0.0f));
+    EXPECT_FALSE(material_of(R"({"extensions": {"KHR_materials_transmission": {"transmissionFactor": 1}}})")
+                     .is_transmissive())
+        << "metal lets nothing through";
+});
+
+const Test bad_volumes("unit.gltf.material.bad_volumes_are_named", [] {
+    const gltf::Loaded loaded = load(with_material(
+        R"({"name": "m", "extensions": {"KHR_materials_volume": {"attenuationDistance": 0}}})"));
+    EXPECT_TRUE(std::isinf(loaded.scene.materials.at(0).attenuation_distance));
+    EXPECT_TRUE(warns_once(loaded, "material \"m\": attenuationDistance is 0, not more than 0: nothing is attenuated"));
+    EXPECT_NE(error_of(with_material(R"({"extensions": {"KHR_materials_volume": {"thicknessFactor": -1}}})"))
+                  .find("thicknessFactor is -1"),
+              std::string::npos);
+});
+
 const Test bad_factors("unit.gltf.material.bad_factors_are_named", [] {
     const gltf::Loaded loaded =
         load(with_material(R"({"name": "m", "pbrMetallicRoughness": {"roughnessFactor": 1.5}})"));

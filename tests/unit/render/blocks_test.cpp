@@ -22,6 +22,7 @@ Features everything() {
     f.has_emission_texture = f.has_specular_texture = f.has_specular_color_texture = true;
     f.has_vertex_colors = f.is_masked = f.is_blended = true;
     f.has_anisotropy = f.has_clearcoat = f.has_sheen = f.has_iridescence = true;
+    f.is_transmissive = f.has_diffuse_transmission = true;
     return f;
 }
 
@@ -72,6 +73,10 @@ const Test layout("unit.render.blocks.match_the_shaders", [] {
     EXPECT_EQ(offset_of(program, "iridescence_factor"), offsetof(MaterialBlock, iridescence_factor));
     EXPECT_EQ(offset_of(program, "ior_factor"), offsetof(MaterialBlock, ior_factor));
     EXPECT_EQ(offset_of(program, "extinction_factor"), offsetof(MaterialBlock, extinction_factor));
+    EXPECT_EQ(offset_of(program, "transmission_factor"), offsetof(MaterialBlock, transmission_factor));
+    EXPECT_EQ(offset_of(program, "attenuation_factor"), offsetof(MaterialBlock, attenuation_factor));
+    EXPECT_EQ(offset_of(program, "diffuse_transmission_color_factor"),
+              offsetof(MaterialBlock, diffuse_transmission_color_factor));
     EXPECT_EQ(offset_of(program, "metallic_factor"), offsetof(MaterialBlock, metallic_factor));
     EXPECT_EQ(offset_of(program, "roughness_factor"), offsetof(MaterialBlock, roughness_factor));
     EXPECT_EQ(offset_of(program, "normal_scale"), offsetof(MaterialBlock, normal_scale));

@@ -33,10 +33,10 @@ float V_towards(const scene::Scene& scene, std::span<const scene::Light> lights,
     const Occlusion occlusion(casters);
     const std::vector<Query> queries(
         11, Query{vec3(0.0f), 0, to_emitter, is_infinite, light}); // a packet and a half
-    std::vector<float> V(queries.size());
+    std::vector<vec3> V(queries.size());
     occlusion.answer(queries, V);
-    for (const float value : V) EXPECT_EQ(value, V.front());
-    return V.front();
+    for (const vec3 value : V) EXPECT_EQ(value, vec3(V.front().x)) << "without glass V has no colour";
+    return V.front().x;
 }
 
 scene::Material of_alpha(scene::AlphaMode mode, float alpha) {

@@ -1,0 +1,13 @@
+#version 410 core
+// What would arrive from the lights at work if nothing stood in the way [lx]: irradiance.frag without its V.
+#include "integrator/arriving.glsl"
+#include "surface/at_fragment.glsl"
+
+out vec4 film;
+
+void main() {
+    Surface x = surface_at_fragment();
+    vec3 E = vec3(0.0);
+    for (int k = first_light; !is_unlit && k < end_light; ++k) E += arriving_from(k, x).E_unshadowed;
+    film = vec4(E * x.coverage, x.coverage);
+}
