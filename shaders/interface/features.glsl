@@ -39,6 +39,7 @@ const bool has_film_thickness_texture = true;
 
 // KHR_materials_transmission, _volume, _diffuse_transmission.
 const bool is_transmissive = false;
+const bool is_opaque_part = false; // of glass, only what its textures keep opaque is drawn
 const bool has_diffuse_transmission = false;
 const bool has_transmission_texture = true;
 const bool has_thickness_texture = true;

@@ -69,6 +69,7 @@ Surface surface_at_fragment() {
     vec4 color = base_color();
     // The depth pre-pass cuts opaque surfaces out; glass has none.
     if (is_transmissive && is_masked && color.a < alpha_cutoff) discard;
+    if (is_other_part()) discard;
     vec2 rm = clamp(roughness_metallic(), 0.0, 1.0);
     vec4 layer = specular();
     vec3 wo = direction_to_viewer();

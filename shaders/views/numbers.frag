@@ -11,5 +11,6 @@ out vec4 film;
 void main() {
     if (is_masked && base_color().a < alpha_cutoff) discard;
     if (is_blended && base_color().a == 0.0) discard;
+    if (is_other_part()) discard;
     film = vec4(object, material, eye.w == 0.0 ? gl_FragCoord.z : 1.0 / gl_FragCoord.w, 1.0);
 }

@@ -51,6 +51,8 @@ void Materials::warn(const scene::Material& material) {
     };
     if (material.alpha_mode == scene::AlphaMode::mask) add("has an alpha mask: exported as opaque");
     if (material.alpha_mode == scene::AlphaMode::blend) add("is blended: exported as opaque");
+    if (material.is_transmissive()) add("is of glass: exported as opaque, with all of its diffuse base");
+    if (material.transmits_diffusely()) add("transmits diffusely: exported without that");
     if (material.is_emissive() && material.clearcoat > 0.0f)
         add("emits under a coat: exported with what it emits, uncoated");
     for (const scene::TextureSlot* slot : scene::texture_slots(material))

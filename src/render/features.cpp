@@ -82,6 +82,7 @@ constexpr std::array other_flags{Flag{"has_vertex_colors", &Features::has_vertex
                                  Flag{"has_iridescence", &Features::has_iridescence},
                                  Flag{"has_energy_compensation", &Features::has_energy_compensation},
                                  Flag{"is_transmissive", &Features::is_transmissive},
+                                 Flag{"is_opaque_part", &Features::is_opaque_part},
                                  Flag{"has_diffuse_transmission", &Features::has_diffuse_transmission},
                                  Flag{"has_transparent_casters", &Features::has_transparent_casters},
                                  Flag{"has_tinted_casters", &Features::has_tinted_casters},
@@ -223,7 +224,12 @@ void require_texture_units(const Features& features, std::string_view material, 
 }
 
 Features depth_features(const Features& shading) {
-    return shading.is_masked ? caster_features(shading) : Features{};
+    Features f = shading.is_masked ? caster_features(shading) : Features{};
+    if (!shading.is_opaque_part) return f;
+    f.is_transmissive = f.is_opaque_part = true;
+    f.has_transmission_texture = shading.has_transmission_texture;
+    f.has_metallic_roughness_texture = shading.has_metallic_roughness_texture;
+    return f;
 }
 
 Features caster_features(const Features& shading) {

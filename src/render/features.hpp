@@ -49,6 +49,7 @@ struct Features {
     bool has_film_thickness_texture = false;
 
     bool is_transmissive = false; // light goes straight through
+    bool is_opaque_part = false;  // but only what its textures keep opaque is drawn
     bool has_diffuse_transmission = false;
     bool has_transmission_texture = false;
     bool has_thickness_texture = false;
@@ -70,6 +71,11 @@ struct Features {
 
     /// The text that stands for brdf/model.glsl: the one BRDF that the material has.
     std::string model_glsl() const;
+
+    /// Whether a texture can make parts of glass opaque, which then hide what is behind like other surfaces.
+    bool may_have_opaque_part() const {
+        return is_transmissive && !is_blended && (has_transmission_texture || has_metallic_roughness_texture);
+    }
 
     /// Whether the analytic estimator can take the BRDF: one GGX lobe without a direction, or none.
     /// Others are sampled.
@@ -95,7 +101,7 @@ Features shading_features(const scene::Scene& scene, const scene::Mesh& mesh, co
 /// shadows; OpenGL grants 16 at least, GL_MAX_TEXTURE_IMAGE_UNITS
 void require_texture_units(const Features& features, std::string_view material, int units);
 
-/// What the depth pre-pass needs of `shading`: nothing, unless the material is masked.
+/// What the depth pre-pass needs of `shading`: nothing, unless the material is masked or glass in part.
 Features depth_features(const Features& shading);
 
 /// What depth maps need of `shading`: what alpha takes, unless the material is opaque.

@@ -9,7 +9,7 @@
 namespace sr::render {
 namespace {
 
-constexpr std::array<float, ltc_grid * ltc_grid * ltc_numbers> table{
+constexpr std::array<float, ltc_grid * ltc_grid * ltc_numbers> ltc_values{
 #include "lut/ggx_ltc.inc"
 };
 
@@ -36,13 +36,13 @@ float mean_loss(const float* row) {
 
 } // namespace
 
-std::span<const float> ltc_table() { return table; }
+std::span<const float> ltc_table() { return ltc_values; }
 
 gl::Texture upload_ltc_table() {
     constexpr std::size_t width = sheen_grid, height = 2 * ltc_grid + sheen_grid;
     std::vector<vec4> texels(width * height);
     for (std::size_t y = 0; y < ltc_grid; ++y) {
-        const float* row = &table[y * ltc_grid * ltc_numbers];
+        const float* row = &ltc_values[y * ltc_grid * ltc_numbers];
         for (std::size_t x = 0; x < ltc_grid; ++x) {
             const float* entry = row + x * ltc_numbers;
             texels[y * width + x] = vec4(entry[0], entry[1], entry[2], entry[3]);

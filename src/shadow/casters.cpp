@@ -17,7 +17,11 @@ using scene::AlphaMode;
 class Collector {
 public:
     Collector(const scene::Scene& scene, std::span<const scene::Light> lights)
-        : scene_(scene), lights_(lights) {}
+        : scene_(scene), lights_(lights) {
+        for (const scene::Light& light : lights)
+            all_.passes_back_faces.push_back(scene::passes_back_faces(light));
+        has_passing_lights_ = std::ranges::find(all_.passes_back_faces, true) != all_.passes_back_faces.end();
+    }
 
     void append(const scene::Instance& instance) {
         const scene::Mesh& mesh = scene_.meshes[static_cast<std::size_t>(instance.mesh)];
@@ -27,6 +31,8 @@ public:
         caster.own_share = own_share(caster.emits_as);
         caster.alpha_mode = material.alpha_mode;
         caster.alpha_cutoff = material.alpha_cutoff;
+        if (has_passing_lights_ && !material.is_double_sided && !material.is_transmissive())
+            caster.front = scene::mirrors(instance.world_from_object) ? -1.0f : 1.0f;
         caster.first_triangle = static_cast<int>(all_.caster_of.size());
         if (material.is_transmissive()) {
             caster.first_corner = static_cast<int>(all_.glass_corners.size());
@@ -129,6 +135,7 @@ private:
     std::span<const scene::Light> lights_;
     Casters all_;
     std::map<std::pair<int, Planes>, int> maps_; // by texture
+    bool has_passing_lights_ = false;
 };
 
 } // namespace
@@ -164,6 +171,14 @@ vec3 through_glass(const Casters& casters, const Caster& caster, std::uint32_t t
 }
 
 } // namespace
+
+bool is_passed_from_behind(const Casters& casters, std::uint32_t triangle, int light, vec3 ray_direction) {
+    const float front = casters.casters[casters.caster_of[triangle]].front;
+    if (front == 0.0f || !casters.passes_back_faces[static_cast<std::size_t>(light)]) return false;
+    const auto corners = casters.triangle(triangle);
+    return front * glm::dot(glm::cross(corners[1] - corners[0], corners[2] - corners[0]), ray_direction)
+           < 0.0f;
+}
 
 vec3 transmittance(const Casters& casters, std::uint32_t triangle, float u, float v, vec3 direction) {
     const Caster& caster = casters.casters[casters.caster_of[triangle]];

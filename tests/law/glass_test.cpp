@@ -218,6 +218,31 @@ const Test textures("law.glass.textures_are_read_by_v_and_by_the_eye", [] {
     }
 });
 
+// What a texture keeps opaque hides what is behind, in whatever order the triangles come.
+const Test part("law.glass.opaque_parts_hide_each_other", [] {
+    auto scene = lambert_plane(4.0f);
+    auto material = glass(vec3(1.0f));
+    material.specular = 0.0f;
+    material.transmission_texture.texture =
+        two_texels(scene, {0, 0, 0, 0, 255, 0, 0, 0}, scene::ColorSpace::linear);
+    add_quad(scene, {0.0f, 1.0f, 0.0f}, {1.0f, 0, 0}, {0, 0, -1.0f}, material);
+    scene::Mesh& mesh = scene.meshes[1]; // its first triangles are above, red; those after are below, green
+    for (int i = 0; i < 4; ++i) {
+        mesh.positions.push_back(mesh.positions[static_cast<std::size_t>(i)] - vec3(0.0f, 0.5f, 0.0f));
+        mesh.normals.push_back(mesh.normals[0]);
+        mesh.texcoords[0].push_back(mesh.texcoords[0][static_cast<std::size_t>(i)]);
+    }
+    mesh.indices.insert(mesh.indices.end(), {4, 5, 6, 4, 6, 7});
+    for (int i = 0; i < 8; ++i) mesh.colors.push_back(i < 4 ? vec4(1, 0, 0, 1) : vec4(0, 1, 0, 1));
+    const scene::Light above = scene::DirectionalLight{"", {0.0f, -1.0f, 0.0f}, vec3(pi)};
+    for (const Visibility visibility : every_provider) {
+        const auto image = picture(scene, std::span(&above, 1), camera_from_above(extent), size, 1, 0, visibility);
+        const auto opaque = image.at(size / 2 - 8, size / 2), clear = image.at(size / 2 + 8, size / 2);
+        expect_near({opaque[0], opaque[1], opaque[2]}, {1.0f, 0.0f, 0.0f}, 1e-5f);
+        expect_near({clear[0], clear[1], clear[2]}, vec3(0.0f), 1e-5f, "red times green");
+    }
+});
+
 /// Panes anywhere above the plane, of glass with every property, some cut, some in part metal.
 scene::Scene heap() {
     auto scene = lambert_plane(4.0f);

@@ -207,11 +207,15 @@ const Test unsaid("unit.mitsuba.write.names_what_mitsuba_cannot_say", [] {
     spot.radius = 0.1f;
     scene.lights = {point, spot};
     scene.materials[0].alpha_mode = scene::AlphaMode::mask;
+    scene.materials[0].metallic = 0.0f;
+    scene.materials[0].transmission = scene.materials[0].diffuse_transmission = 0.5f;
     const auto warnings = written(scene, "unsaid").warnings;
-    ASSERT_EQ(warnings.size(), 3u);
+    ASSERT_EQ(warnings.size(), 5u);
     expect_holds(warnings[0], {"'lamp'", "profile", "radius"});
     expect_holds(warnings[1], {"'beam'", "radius"});
     expect_holds(warnings[2], {"'clay'", "alpha mask"});
+    expect_holds(warnings[3], {"'clay'", "glass"});
+    expect_holds(warnings[4], {"'clay'", "transmits diffusely"});
 });
 
 } // namespace
