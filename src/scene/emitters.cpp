@@ -1,5 +1,6 @@
 #include "scene/emitters.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>

@@ -1,5 +1,6 @@
 #include "viewer/watch.hpp"
 
+#include <cstdlib>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
