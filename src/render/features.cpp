@@ -84,6 +84,7 @@ constexpr std::array other_flags{Flag{"has_vertex_colors", &Features::has_vertex
                                  Flag{"is_transmissive", &Features::is_transmissive},
                                  Flag{"is_opaque_part", &Features::is_opaque_part},
                                  Flag{"has_diffuse_transmission", &Features::has_diffuse_transmission},
+                                 Flag{"is_specular_glossiness", &Features::is_specular_glossiness},
                                  Flag{"has_transparent_casters", &Features::has_transparent_casters},
                                  Flag{"has_tinted_casters", &Features::has_tinted_casters},
                                  Flag{"is_masked", &Features::is_masked},
@@ -206,6 +207,7 @@ Features shading_features(const scene::Scene& scene, const scene::Mesh& mesh, co
     f.has_specular_color_texture = material.specular_color_texture.is_present();
     f.has_vertex_colors = !mesh.colors.empty();
     f.model = material.model;
+    f.is_specular_glossiness = material.is_specular_glossiness;
     ask_for_layers(f, material, !mesh.tangents.empty());
     ask_for_transmission(f, material);
     f.is_masked = material.alpha_mode == scene::AlphaMode::mask;

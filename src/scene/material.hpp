@@ -174,6 +174,14 @@ struct Material {
     ComplexIor conductor;
     int measured = -1; // merl: index into Scene::measured
 
+    /// KHR_materials_pbrSpecularGlossiness: the base colour is the diffuse one, `specular_color` is F0 with
+    /// the glossiness (1 - roughness) in its texture's alpha, and F0 takes its largest channel from the
+    /// diffuse.
+    bool is_specular_glossiness = false;
+
+    /// Which TEXCOORD_n of the file the meshes' first and second set of texture coordinates are.
+    std::array<int, 2> texcoord_sets{0, 1};
+
     AlphaMode alpha_mode = AlphaMode::opaque;
     float alpha_cutoff = 0.5f;
     bool is_double_sided = false;
@@ -187,12 +195,13 @@ struct Material {
     bool has_sheen() const { return sheen_color.x > 0.0f || sheen_color.y > 0.0f || sheen_color.z > 0.0f; }
     /// Whether light goes straight through: glass. Metal lets none through.
     bool is_transmissive() const {
-        return model == Model::metallic_roughness && !is_unlit && transmission > 0.0f
+        return model == Model::metallic_roughness && !is_specular_glossiness && !is_unlit && transmission > 0.0f
                && (metallic < 1.0f || metallic_roughness_texture.is_present());
     }
     /// Whether light from behind is scattered to the front, as by a leaf.
     bool transmits_diffusely() const {
-        return model == Model::metallic_roughness && !is_unlit && diffuse_transmission > 0.0f;
+        return model == Model::metallic_roughness && !is_specular_glossiness && !is_unlit
+               && diffuse_transmission > 0.0f;
     }
     bool is_emissive() const { return emission.x > 0.0f || emission.y > 0.0f || emission.z > 0.0f; }
 };
@@ -202,6 +211,7 @@ vec3 attenuation_coefficient(const Material& material);
 
 /// In the order of Slot.
 std::array<const TextureSlot*, slot_count> texture_slots(const Material& material);
+std::array<TextureSlot*, slot_count> texture_slots(Material& material);
 
 /// Whether shading reads the tangents of meshes of this material.
 bool needs_tangents(const Material& material);
