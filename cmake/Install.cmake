@@ -12,6 +12,7 @@ write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/SteradianConfigVers
 install(FILES ${CMAKE_SOURCE_DIR}/cmake/SteradianConfig.cmake ${CMAKE_SOURCE_DIR}/cmake/SteradianGolden.cmake
               ${CMAKE_CURRENT_BINARY_DIR}/SteradianConfigVersion.cmake
         DESTINATION ${package_folder})
+install(DIRECTORY ${CMAKE_SOURCE_DIR}/assets/assignments DESTINATION ${CMAKE_INSTALL_DATADIR}/steradian)
 file(GLOB schemas CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/assets/*.schema.json)
 install(FILES ${schemas} DESTINATION ${CMAKE_INSTALL_DATADIR}/steradian)
 install(FILES ${CMAKE_SOURCE_DIR}/assets/scenes/default.gltf DESTINATION ${CMAKE_INSTALL_DATADIR}/steradian/scenes)

@@ -20,5 +20,6 @@ void add_compare_command(CLI::App& app);
 void add_golden_command(CLI::App& app);
 void add_export_command(CLI::App& app);
 void add_brdf_command(CLI::App& app);
+void add_assignment_command(CLI::App& app);
 
 } // namespace sr::cli

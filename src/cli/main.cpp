@@ -30,6 +30,7 @@ int main(int argc, char** argv) {
     add_golden_command(app);
     add_export_command(app);
     add_brdf_command(app);
+    add_assignment_command(app);
     try {
         app.parse(argc, argv);
         return done;

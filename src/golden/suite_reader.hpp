@@ -28,6 +28,8 @@ public:
     std::vector<double> numbers(const std::string& key, std::size_t count) const;
     /// The objects of a list; none if there is no such member.
     std::vector<SuiteReader> objects(const std::string& key) const;
+    /// The member, which is an object. @throws Error if it is none.
+    SuiteReader object(const std::string& key) const { return {*text_, place_ / key}; }
     /// A required text.
     std::string required_text(const std::string& key) const;
 

@@ -1,0 +1,192 @@
+#include "assignment/mark.hpp"
+
+#include "assignment/compile_problem.hpp"
+#include "assignment/sampling_check.hpp"
+#include "assignment/value_check.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace sr::assignment {
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json begun(const Task& task) {
+    return {{"id", task.id},
+            {"title", task.title},
+            {"extra", task.is_extra},
+            {"status", "failed"},
+            {"points", 0.0},
+            {"of", task.points()},
+            {"problems", ordered_json::array()},
+            {"checks", ordered_json::array()}};
+}
+
+ordered_json broken(const Task& task, const std::vector<Problem>& problems) {
+    ordered_json result = begun(task);
+    result["status"] = "broken";
+    for (const Problem& p : problems)
+        result["problems"].push_back({{"file", p.place},
+                                      {"line", p.line},
+                                      {"column", p.column},
+                                      {"text", p.text},
+                                      {"source", p.source},
+                                      {"hint", p.hint}});
+    return result;
+}
+
+/// A text filled with blanks to a width in code points.
+std::string padded(const std::string& text, std::size_t width) {
+    std::size_t length = 0;
+    for (const char c : text) length += (c & 0xc0) != 0x80;
+    return text + std::string(length < width ? width - length : 1, ' ');
+}
+
+std::string check_lines(const ordered_json& check) {
+    const bool passed = check["passed"];
+    std::string text =
+        fmt::format("    {} {} {:g}/{:g}", passed ? "ok    " : "WRONG ", padded(check["name"], 16),
+                    check["points"].get<double>(), check["of"].get<double>());
+    const auto word = [&](const char* key) { return check[key].get<std::string>(); };
+    if (passed) return text + "\n";
+    const bool has_unit = !word("unit").empty() && word("unit") != "1"; // 1: a number without a unit
+    text += "  " + word("message");
+    if (!word("got").empty())
+        text += fmt::format("\n           got {}, expected {}{}{}, at {}", word("got"), word("expected"),
+                            has_unit ? " " : "", has_unit ? word("unit") : "", word("at"));
+    if (!check["diagnosis"].is_null())
+        text += fmt::format("\n           {}: {}", check["diagnosis"]["name"].get<std::string>(),
+                            check["diagnosis"]["text"].get<std::string>());
+    const bool repeats = !check["diagnosis"].is_null() && check["diagnosis"]["text"] == check["hint"];
+    if (!word("hint").empty() && !repeats) text += "\n           hint: " + word("hint");
+    return text + "\n";
+}
+
+} // namespace
+
+Finding Marker::found(const Task& task, const Check& check, const Codes& codes) {
+    if (check.kind == Check::Kind::samples) return check_samples(assignment_, parameters_, check, codes);
+    if (check.kind == Check::Kind::slope) return check_slope(assignment_, parameters_, check, codes);
+    if (check.kind == Check::Kind::image) {
+        Finding finding = pictures_.check(check, codes);
+        if (!finding.passed && finding.is_implemented && last_mistake_.empty())
+            finding.diagnosis = pictures_.diagnosed(task, check, finding);
+        return finding;
+    }
+    const Inputs inputs = inputs_of(check.inputs, check.rows, check.mean_over, check.mean_count);
+    const Compared compared = compare_values(assignment_, parameters_, check, codes, inputs);
+    Finding finding = judged(check, compared, inputs);
+    if (!finding.passed && finding.is_implemented)
+        finding.diagnosis =
+            sr::assignment::diagnosed(assignment_, parameters_, task, check, compared, inputs, last_mistake_);
+    return finding;
+}
+
+ordered_json Marker::marked_check(const Task& task, const Check& check, const Codes& codes) {
+    Finding finding = found(task, check, codes);
+    // A mistake that an earlier check named is the likeliest cause of what this one cannot name.
+    if (!finding.passed && finding.is_implemented && !finding.diagnosis && !last_mistake_.empty())
+        finding.diagnosis = Named{last_mistake_, task.hints.at(last_mistake_)};
+    if (finding.diagnosis && task.hints.contains(finding.diagnosis->name) && last_mistake_.empty())
+        for (const Variant& variant : task.variants)
+            if (variant.name == finding.diagnosis->name) last_mistake_ = variant.name;
+    ordered_json result{{"name", check.name},
+                        {"passed", finding.passed},
+                        {"implemented", finding.is_implemented},
+                        {"points", finding.passed ? check.points : 0.0},
+                        {"of", check.points},
+                        {"got", finding.got},
+                        {"expected", finding.expected},
+                        {"unit", check.unit},
+                        {"at", finding.at},
+                        {"message", finding.message},
+                        {"diagnosis", nullptr},
+                        {"hint", finding.passed ? "" : hint_for(task, check, finding)}};
+    if (finding.diagnosis)
+        result["diagnosis"] = {{"name", finding.diagnosis->name}, {"text", finding.diagnosis->text}};
+    return result;
+}
+
+ordered_json Marker::mark(const Task& task, const Submission& submission) {
+    if (const auto fault = submission.faults.find(task.id); fault != submission.faults.end())
+        return broken(task, {{"", 0, 0, fault->second, {}, {}}});
+    Codes codes{{task.id, submission.codes.at(task.id)}};
+    if (const auto helpers = submission.codes.find(std::string(helpers_region));
+        helpers != submission.codes.end())
+        codes.insert(*helpers);
+    last_mistake_.clear();
+    ordered_json result = begun(task);
+    bool is_implemented = true;
+    double points = 0.0;
+    try {
+        for (const Check& check : task.checks) {
+            if (!is_implemented) break;
+            result["checks"].push_back(marked_check(task, check, codes));
+            points += result["checks"].back()["points"].get<double>();
+            is_implemented = result["checks"].back()["implemented"];
+        }
+    } catch (const gl::ShaderError& error) {
+        return broken(task, problems_of(error, task.id, codes));
+    } catch (const Error& error) { // an #include or a comment of theirs; else the assignment is at fault
+        const std::string words = error.what();
+        if (std::ranges::none_of(codes,
+                                 [&](const auto& code) { return words.starts_with(code.second.place); }))
+            throw;
+        return broken(task, {{"", 0, 0, words, {}, {}}});
+    }
+    if (!is_implemented) {
+        result["status"] = "not implemented";
+        result["checks"] = ordered_json::array();
+        return result;
+    }
+    result["points"] = points;
+    result["status"] = points >= task.points() ? "passed" : "failed";
+    return result;
+}
+
+ordered_json ended_early(const Task& task, const std::string& why) {
+    return broken(task, {{"", 0, 0, why, {}, "Look for a loop that does not end."}});
+}
+
+ordered_json summed(const Assignment& assignment, const std::string& student, const ordered_json& tasks) {
+    double points = 0.0;
+    for (const ordered_json& task : tasks) points += task["points"].get<double>();
+    const double of = assignment.points();
+    return {{"assignment", assignment.id},
+            {"title", assignment.title},
+            {"student", student},
+            {"points", points},
+            {"of", of},
+            {"percent", of > 0.0 ? 100.0 * points / of : 0.0},
+            {"tasks", tasks}};
+}
+
+std::string table_of(const ordered_json& result) {
+    std::string text =
+        fmt::format("{}: {}\n", result["assignment"].get<std::string>(), result["title"].get<std::string>());
+    for (const ordered_json& task : result["tasks"]) {
+        text += fmt::format("\n{} {} {:g}/{:g}  {}{}\n", task["id"].get<std::string>(),
+                            padded(task["title"], 44), task["points"].get<double>(), task["of"].get<double>(),
+                            task["status"].get<std::string>(), task["extra"].get<bool>() ? " (extra)" : "");
+        for (const ordered_json& p : task["problems"]) {
+            const int line = p["line"], column = p["column"];
+            text += "    ";
+            if (line > 0)
+                text += fmt::format("{}:{}:{} ", p["file"].get<std::string>(), line,
+                                    column > 0 ? fmt::format("{}:", column) : "");
+            text += p["text"].get<std::string>() + "\n";
+            if (!p["source"].get<std::string>().empty())
+                text += "        | " + p["source"].get<std::string>() + "\n";
+            if (!p["hint"].get<std::string>().empty())
+                text += "        hint: " + p["hint"].get<std::string>() + "\n";
+        }
+        for (const ordered_json& check : task["checks"]) text += check_lines(check);
+    }
+    return text
+           + fmt::format("\n{:g} of {:g} points, {:.0f} %\n", result["points"].get<double>(),
+                         result["of"].get<double>(), result["percent"].get<double>());
+}
+
+} // namespace sr::assignment

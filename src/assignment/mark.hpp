@@ -1,0 +1,45 @@
+#pragma once
+// A submission's marks, task by task.
+#include "assignment/pictures.hpp"
+#include "assignment/submission.hpp"
+
+#include <functional>
+#include <nlohmann/json_fwd.hpp>
+
+namespace sr::assignment {
+
+class Marker {
+public:
+    /// Needs a current context for as long as it lives.
+    Marker(const Assignment& assignment, const std::string& student)
+        : assignment_(assignment),
+          parameters_(parameters_of(assignment, student)),
+          pictures_(assignment_, parameters_) {}
+
+    /// A task's result (assets/assignment_result.schema.json): the student's region, with the reference for
+    /// all others.
+    /// @throws Error where the assignment itself is at fault
+    nlohmann::ordered_json mark(const Task& task, const Submission& submission);
+
+private:
+    nlohmann::ordered_json marked_check(const Task& task, const Check& check, const Codes& codes);
+    Finding found(const Task& task, const Check& check, const Codes& codes);
+
+    const Assignment& assignment_;
+    Parameters parameters_;
+    Pictures pictures_;
+    std::string last_mistake_; // of the task that is being marked
+};
+
+/// The sum over tasks, with the points that are extra: {"assignment", "student", "points", "of", "percent",
+/// "tasks"}.
+nlohmann::ordered_json summed(const Assignment& assignment, const std::string& student,
+                              const nlohmann::ordered_json& tasks);
+
+/// The result of a task whose check did not come to its end.
+nlohmann::ordered_json ended_early(const Task& task, const std::string& why);
+
+/// The table of task, check, verdict, got, expected, unit, diagnosis and hint that people read.
+std::string table_of(const nlohmann::ordered_json& result);
+
+} // namespace sr::assignment

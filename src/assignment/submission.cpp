@@ -1,0 +1,179 @@
+#include "assignment/submission.hpp"
+
+#include "assignment/stub.hpp"
+#include "core/error.hpp"
+#include "golden/suite_reader.hpp"
+#include "image/whole_file.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <fstream>
+#include <sstream>
+
+namespace sr::assignment {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uintmax_t most_bytes = 1 << 20; // of a student's file
+
+std::string read_text(const fs::path& file) {
+    std::error_code failure;
+    if (!fs::is_regular_file(fs::symlink_status(file, failure)))
+        throw Error({file.string()}, "no file", "put it back: `steradian assignment new` makes it");
+    if (fs::file_size(file, failure) > most_bytes)
+        throw Error({file.string()}, "larger than 1 MiB", "hand in the shaders alone");
+    std::ifstream stream(file, std::ios::binary);
+    std::ostringstream text;
+    if (stream) text << stream.rdbuf();
+    if (!stream) throw Error({file.string()}, "cannot be read", "check its permissions");
+    return text.str();
+}
+
+void write_text(const fs::path& file, const std::string& text) {
+    fs::create_directories(file.parent_path());
+    image::write_whole(file, std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
+}
+
+const Task* task_of(const Assignment& assignment, const std::string& region) {
+    const auto found = std::ranges::find(assignment.tasks, region, &Task::id);
+    return found == assignment.tasks.end() ? nullptr : &*found;
+}
+
+void add_regions(Submission& submission, const Assignment& assignment, const std::string& file,
+                 const std::string& text, const std::string& place) {
+    std::string fault;
+    try {
+        for (const Region& region : regions_of(text, place))
+            if (region.name == helpers_region || task_of(assignment, region.name))
+                submission.codes[region.name] = {place, region.begin_line + 1, region.text};
+    } catch (const Error& error) {
+        fault = error.what();
+    }
+    for (const Task& task : assignment.tasks) {
+        if (task.file != file) continue;
+        if (!fault.empty())
+            submission.faults[task.id] = fault;
+        else if (!submission.codes.contains(task.id))
+            submission.faults[task.id] =
+                fmt::format("{}: the region {} is missing: write // begin {} and // end {} around its code",
+                            place, task.id, task.id, task.id);
+    }
+}
+
+fs::path program_folder() {
+    std::error_code ignored;
+    return fs::read_symlink("/proc/self/exe", ignored).parent_path();
+}
+
+} // namespace
+
+FolderLabel label_of(const fs::path& folder) {
+    const golden::JsonText text(folder / "assignment.json");
+    const golden::SuiteReader root(text, golden::SuiteReader::Pointer(""));
+    if (!root.has("assignment"))
+        root.fail("no student's folder", "make one with `steradian assignment new NAME DIR`");
+    return {root.required_text("assignment"), root.text("student", "")};
+}
+
+Submission read_submission(const Assignment& assignment, const fs::path& folder) {
+    Submission submission;
+    for (const auto& [name, reference] : assignment.files) {
+        const fs::path file = folder / name;
+        if (regions_of(reference, assignment.place_of(name)).empty()) continue; // given, not the student's
+        try {
+            add_regions(submission, assignment, name, read_text(file), file.string());
+        } catch (const Error& error) {
+            for (const Task& task : assignment.tasks)
+                if (task.file == name) submission.faults[task.id] = error.what();
+        }
+    }
+    return submission;
+}
+
+std::string student_version(const Assignment& assignment, const std::string& file) {
+    const std::string& text = assignment.files.at(file);
+    const std::vector<Region> regions = regions_of(text, assignment.place_of(file));
+    std::string result;
+    std::istringstream lines(text);
+    int number = 0;
+    for (std::string line; std::getline(lines, line);) {
+        ++number;
+        const auto region = std::ranges::find_if(
+            regions, [number](const Region& r) { return r.begin_line <= number && number <= r.end_line; });
+        if (region == regions.end()) {
+            result += line + "\n";
+        } else if (number == region->begin_line) {
+            const Task* task = task_of(assignment, region->name);
+            if (!task) {
+                result +=
+                    fmt::format("// begin {}: functions of your own that several tasks use\n// end {}\n",
+                                region->name, region->name);
+                continue;
+            }
+            result += fmt::format("// begin {}: {} ({:g} points)\n", task->id, task->title, task->points());
+            result +=
+                stub_of(region->text, task->functions, assignment.place_of(file), region->begin_line + 1);
+            result += fmt::format("// end {}\n", task->id);
+        }
+    }
+    return result;
+}
+
+Submission empty_submission(const Assignment& assignment) {
+    Submission submission;
+    for (const auto& [name, text] : assignment.files)
+        if (!regions_of(text, assignment.place_of(name)).empty())
+            add_regions(submission, assignment, name, student_version(assignment, name), name);
+    return submission;
+}
+
+void make_folder(const Assignment& assignment, const fs::path& folder, const std::string& student) {
+    std::error_code failure;
+    if (fs::exists(folder, failure) && !fs::is_empty(folder, failure))
+        throw Error({folder.string()}, "is there and not empty", "name a new folder");
+    const Parameters parameters = parameters_of(assignment, student);
+    for (const auto& [name, text] : assignment.files)
+        write_text(folder / name, student_version(assignment, name));
+    if (!parameters.empty()) write_text(folder / "parameters.glsl", parameters_glsl(assignment, parameters));
+    const nlohmann::ordered_json label{{"assignment", assignment.id}, {"student", student}};
+    write_text(folder / "assignment.json", label.dump(2) + "\n");
+    write_text(folder / ".vscode" / "extensions.json", "{ \"recommendations\": [\"slevesque.shader\"] }\n");
+    write_text(
+        folder / ".vscode" / "settings.json",
+        "{ \"files.associations\": { \"*.glsl\": \"glsl\", \"*.frag\": \"glsl\", \"*.vert\": \"glsl\" } }\n");
+    for (const char* page : {"README.md", "README.html"})
+        if (const fs::path file = assignment.folder / page; fs::exists(file))
+            write_text(folder / page, substituted(read_text(file), parameters, file.string()));
+    for (const char* part : {"figures", "scenes", "overlay"})
+        if (const fs::path from = assignment.folder / part; fs::is_directory(from))
+            fs::copy(from, folder / part, fs::copy_options::recursive);
+}
+
+fs::path assignments_folder() {
+    std::vector<std::string> places;
+    if (const char* named = std::getenv("STERADIAN_ASSIGNMENTS")) places.emplace_back(named);
+    places.push_back((program_folder() / "../share/steradian/assignments").lexically_normal().string());
+    places.emplace_back(STERADIAN_ASSIGNMENTS_SOURCE);
+    for (const std::string& place : places)
+        if (fs::is_directory(place)) return place;
+    throw Error(fmt::format("no folder of assignments in {}", fmt::join(places, ", ")),
+                "install them, or name their folder in $STERADIAN_ASSIGNMENTS");
+}
+
+fs::path assignment_named(const std::string& name) {
+    if (fs::exists(fs::path(name) / "assignment.json")) return name;
+    std::vector<std::string> known;
+    for (const auto& entry : fs::directory_iterator(assignments_folder())) {
+        const std::string id = entry.path().filename().string();
+        if (!fs::exists(entry.path() / "assignment.json")) continue;
+        if (id == name || id.starts_with(name + "-")) return entry.path();
+        known.push_back(id);
+    }
+    std::ranges::sort(known);
+    throw Error(fmt::format("no assignment '{}'", name), fmt::format("there are {}", fmt::join(known, ", ")));
+}
+
+} // namespace sr::assignment

@@ -1,0 +1,52 @@
+#pragma once
+// A student's folder: made from an assignment, read back.
+#include "assignment/evaluation.hpp"
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+
+namespace sr::assignment {
+
+/// What a folder says of itself in assignment.json.
+struct FolderLabel {
+    std::string assignment; // "a3-brdf"
+    std::string student;
+};
+
+/// @throws Error if the folder is none that `assignment new` made
+FolderLabel label_of(const std::filesystem::path& folder);
+
+/// A student's code by task, and what is wrong with files that cannot be read as regions.
+struct Submission {
+    Codes codes;                               // by region, `helpers` among them
+    std::map<std::string, std::string> faults; // by task: one line
+};
+
+/// Reads the student's *.glsl files. Whatever is wrong with them becomes a fault of the tasks concerned.
+Submission read_submission(const Assignment& assignment, const std::filesystem::path& folder);
+
+/// The student's version of one of the reference's files: signatures with bodies that are still to be
+/// written.
+/// @throws Error for a region that has no function of its task
+std::string student_version(const Assignment& assignment, const std::string& file);
+
+/// The functions still to be written, as a submission.
+Submission empty_submission(const Assignment& assignment);
+
+/// Makes a student's folder: shaders, handout, figures, scenes, editor settings. @throws Error if the folder
+/// is there and not empty
+void make_folder(const Assignment& assignment, const std::filesystem::path& folder,
+                 const std::string& student);
+
+/// Where assignments lie: $STERADIAN_ASSIGNMENTS, ../share/steradian/assignments beside the program, the
+/// source tree.
+/// @throws Error naming the places, if none is a folder
+std::filesystem::path assignments_folder();
+
+/// The assignment of this name, or the one whose name begins with it and "-": "a3" is "a3-brdf". @throws
+/// Error
+std::filesystem::path assignment_named(const std::string& name);
+
+} // namespace sr::assignment
