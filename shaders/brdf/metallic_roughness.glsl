@@ -8,6 +8,7 @@
 // KHR_materials_anisotropy, F: KHR_materials_iridescence, where a material has them. For materials that are half metal the
 // appendix's closing simplification (B.3.5) weighs the diffuse part with the blended F instead; the definition above is
 // used. Unless it is asked for, no energy is compensated: rough metals lose what bounces twice.
+#include "base/unit.glsl"
 #include "brdf/energy_compensation.glsl"
 #include "brdf/fresnel.glsl"
 #include "brdf/iridescence.glsl"
@@ -25,7 +26,7 @@ Lobes metallic_roughness_lobes(Surface x, vec3 wi, vec3 wo) {
     float cos_i = dot(x.n, wi);
     if (cos_i <= 0.0) return Lobes(vec3(0.0), vec3(0.0));
 
-    vec3 h = normalize(wi + wo);
+    vec3 h = half_vector(wi, wo, x.n);
     float cos_h = dot(wo, h);
     vec3 F = x.specular * F_of(x, x.F0_dielectric, cos_h);
     vec3 F_metal = F_of(x, x.base_color, cos_h);

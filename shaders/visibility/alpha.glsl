@@ -4,7 +4,7 @@
 
 // Bilinear in the full-size texture.
 float map_alpha(Caster caster, vec2 uv) {
-    vec2 at = uv * vec2(caster.map_size) - 0.5;
+    vec2 at = texel_place(uv, caster.map_size);
     ivec2 corner = ivec2(floor(at));
     vec2 f = at - floor(at);
     int x0 = wrapped(corner.x, caster.map_size.x, caster.wrap_u);

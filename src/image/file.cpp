@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <fmt/format.h>
 #include <string_view>
 
@@ -28,7 +29,20 @@ Format format_of(const fs::path& file) {
     throw Error({file.string()}, what, "use .exr, .hdr, .png, .jpg or .jpeg");
 }
 
+constexpr float largest_half = 65504.0f; // IEEE 754 binary16
+
+Image within_half(Image image) {
+    for (float& value : image.pixels)
+        if (std::abs(value) > largest_half) value = std::copysign(largest_half, value); // what is no number stays so
+    return image;
+}
+
 } // namespace
+
+std::size_t half_overflow_count(const Image& image) {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(image.pixels, [](float value) { return std::abs(value) > largest_half; }));
+}
 
 std::future<void> preload() {
     return std::async(std::launch::async, [] { codec(); });
@@ -44,7 +58,9 @@ void write(const Image& image, const fs::path& file, SampleType type) {
     const std::size_t samples = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height)
                                 * static_cast<std::size_t>(image.channels);
     require(samples > 0 && image.pixels.size() == samples, "an image has as many samples as its size says");
-    write_whole(file, codec().encode(image, format, type, file.string()));
+    const bool is_half = format == Format::exr && type == SampleType::half;
+    const bool is_clamped = is_half && half_overflow_count(image) > 0;
+    write_whole(file, codec().encode(is_clamped ? within_half(image) : image, format, type, file.string()));
 }
 
 Image read(const fs::path& file) {

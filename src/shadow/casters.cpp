@@ -25,7 +25,7 @@ public:
         caster.emits_as = clipped(instance.emits_as);
         caster.own_share = own_share(caster.emits_as);
         caster.alpha_mode = material.alpha_mode;
-        caster.alpha_cutoff = material.alpha_cutoff;
+        caster.alpha_cutoff = material.least_opaque_alpha();
         caster.first_triangle = static_cast<int>(all_.caster_of.size());
         if (material.alpha_mode != AlphaMode::opaque) {
             caster.first_corner = static_cast<int>(all_.alpha_corners.size());
