@@ -1,9 +1,9 @@
-// Directions of vectors that may have none.
-
-// v at unit length, even where its square leaves the range of floats; `other` where v is zero or not finite.
-vec3 unit_or(vec3 v, vec3 other) {
-    float size = max(abs(v.x), max(abs(v.y), abs(v.z)));
-    return size > 0.0 && size < 1e38 ? normalize(v / size) : other;
+// v at length 1, whatever its length is; `otherwise` where v is zero or not finite. The square of a length leaves the
+// range of floats long before the length does, so v is brought to a middling length first.
+vec3 unit_or(vec3 v, vec3 otherwise) {
+    float largest = max(abs(v.x), max(abs(v.y), abs(v.z)));
+    bool has_direction = largest >= 1.18e-38 && largest <= 3.4e38; // the range of normal floats
+    return has_direction ? normalize(v / largest) : otherwise;
 }
 
 // The half vector h between wi and wo; n where the two are opposite, at the horizon, where every h is as good.

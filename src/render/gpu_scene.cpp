@@ -1,16 +1,18 @@
 #include "render/gpu_scene.hpp"
 
 #include "core/error.hpp"
+#include "gl/context.hpp"
 #include "render/gpu_texture.hpp"
 #include "render/light_table.hpp"
+#include "scene/transform.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <deque>
 #include <future>
-#include <glm/gtc/matrix_inverse.hpp>
-#include <optional>
 #include <set>
+#include <thread>
 #include <tuple>
 #include <utility>
 
@@ -32,14 +34,12 @@ GLsizeiptr upload_blocks(const gl::Buffer& buffer, const std::vector<BlockType>&
     return static_cast<GLsizeiptr>(stride);
 }
 
-bool mirrors(const mat4& m) { return glm::determinant(mat3(m)) < 0.0f; }
-
 ObjectBlock packed_object(const scene::Instance& instance, std::size_t first_triangle, std::size_t object,
                           int material) {
     const mat4& m = instance.world_from_object;
     return {m,
-            mat4(glm::inverseTranspose(mat3(m))),
-            vec4(mirrors(m) ? -1.0f : 1.0f, 0.0f, 0.0f, 0.0f),
+            mat4(scene::normal_transform(m)),
+            vec4(scene::mirrors(m) ? -1.0f : 1.0f, 0.0f, 0.0f, 0.0f),
             static_cast<std::int32_t>(first_triangle),
             static_cast<std::int32_t>(object),
             material};
@@ -78,22 +78,29 @@ MaterialBlock packed_material(const scene::Material& m, const scene::Scene& scen
 struct ImageUse {
     int image = 0;
     scene::ColorSpace color_space = scene::ColorSpace::linear;
+    TexelNeeds needs;
 
     bool operator==(const ImageUse&) const = default;
 };
 
+/// For each texture, whether a material compares its alpha with a cutoff.
+std::vector<bool> alpha_is_compared(const scene::Scene& scene) {
+    std::vector<bool> is_compared(scene.textures.size(), false);
+    for (const scene::Material& material : scene.materials)
+        if (material.alpha_mode == scene::AlphaMode::mask && material.base_color_texture.is_present())
+            is_compared[static_cast<std::size_t>(material.base_color_texture.texture)] = true;
+    return is_compared;
+}
+
+/// An image in the form that the GPU stores.
 struct ReadyImage {
-    std::optional<scene::TextureImage> rounded; // where the image cannot be uploaded as it is
+    TexelFormat format = TexelFormat::unorm8;
     std::vector<MipLevel> levels;
 };
 
-ReadyImage make_ready(const scene::TextureImage& image, scene::ColorSpace color_space) {
-    ReadyImage ready;
-    if (color_space == scene::ColorSpace::srgb
-        && std::holds_alternative<std::vector<std::uint16_t>>(image.texels))
-        ready.rounded = displayable(image);
-    ready.levels = mip_chain(ready.rounded ? *ready.rounded : image, color_space);
-    return ready;
+ReadyImage make_ready(const scene::TextureImage& image, const ImageUse& use) {
+    const TexelFormat format = texel_format(image, use.color_space, use.needs);
+    return {format, mip_chain(image, use.color_space, format)};
 }
 
 vec3 center_of(const scene::Mesh& mesh, const mat4& world_from_object) {
@@ -137,10 +144,14 @@ void GpuScene::cast_shadows(const scene::Scene& scene, std::span<const scene::Li
 }
 
 void GpuScene::upload_textures(const scene::Scene& scene) {
+    const bool driver_is_inexact =
+        gl::is_software_renderer(reinterpret_cast<const char*>(glGetString(GL_RENDERER)));
+    const std::vector<bool> is_compared = alpha_is_compared(scene);
     std::vector<ImageUse> uses;
     std::vector<scene::Sampler> made;
-    for (const scene::Texture& texture : scene.textures) {
-        const ImageUse use{texture.image, texture.color_space};
+    for (std::size_t i = 0; i < scene.textures.size(); ++i) {
+        const scene::Texture& texture = scene.textures[i];
+        const ImageUse use{texture.image, texture.color_space, {driver_is_inexact, is_compared[i]}};
         const auto image = std::find(uses.begin(), uses.end(), use);
         image_of_texture_.push_back(static_cast<int>(image - uses.begin()));
         if (image == uses.end()) uses.push_back(use);
@@ -151,16 +162,16 @@ void GpuScene::upload_textures(const scene::Scene& scene) {
             samplers_.push_back(sampler_object(texture.sampler));
         }
     }
-    // The threads halve the images, this one hands them to GL as they come.
-    std::vector<std::future<ReadyImage>> ready;
-    ready.reserve(uses.size());
-    for (const ImageUse& use : uses)
-        ready.push_back(
-            std::async(std::launch::async, make_ready, std::cref(scene.images[use.image]), use.color_space));
-    for (std::size_t i = 0; i < uses.size(); ++i) {
-        const ReadyImage image = ready[i].get();
-        images_.push_back(upload(image.rounded ? *image.rounded : scene.images[uses[i].image],
-                                 uses[i].color_space, image.levels));
+    // Threads convert and halve the images, a few ahead of the upload: all at once would take their memory at once.
+    const std::size_t max_ahead = std::max(2u, std::thread::hardware_concurrency());
+    std::deque<std::future<ReadyImage>> ready;
+    for (std::size_t i = 0, begun = 0; i < uses.size(); ++i) {
+        for (; begun < uses.size() && begun < i + max_ahead; ++begun)
+            ready.push_back(std::async(std::launch::async, make_ready,
+                                       std::cref(scene.images[uses[begun].image]), uses[begun]));
+        const ReadyImage image = ready.front().get();
+        ready.pop_front();
+        images_.push_back(upload(scene.images[uses[i].image].name, image.format, image.levels));
     }
     for (const scene::MeasuredBrdf& measured : scene.measured) measured_.push_back(upload(measured));
 }
@@ -227,7 +238,7 @@ void GpuScene::list_draws(const scene::Scene& scene, std::span<const scene::Ligh
         draw.material = mesh.material;
         draw.features = shading_features(scene, mesh, lit);
         require_texture_units(draw.features, scene.materials[mesh.material].name, texture_units);
-        draw.mirrors = mirrors(instance.world_from_object);
+        draw.mirrors = scene::mirrors(instance.world_from_object);
         draw.is_double_sided = scene.materials[mesh.material].is_double_sided;
         if (draw.features.is_blended) {
             draw.center = center_of(mesh, instance.world_from_object);

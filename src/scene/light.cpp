@@ -30,4 +30,15 @@ float MeshLight::area() const {
     return 0.5f * doubled;
 }
 
+bool passes_back_faces(const Light& light) {
+    return std::visit(
+        [](const auto& any) {
+            if constexpr (requires { any.passes_back_faces; })
+                return any.passes_back_faces;
+            else
+                return false;
+        },
+        light);
+}
+
 } // namespace sr::scene

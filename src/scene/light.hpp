@@ -68,6 +68,7 @@ struct RectangleLight {
     bool is_two_sided = false;
     bool is_visible = true; // false: it lights the scene but the camera does not see it
     EmissionMap map{};
+    bool passes_back_faces = false; // see passes_back_faces() below
 
     float area() const { return 4.0f * glm::length(glm::cross(half_u, half_v)); } // [m²]
     vec3 normal() const { return vec3(glm::normalize(glm::cross(glm::dvec3(half_u), glm::dvec3(half_v)))); }
@@ -144,5 +145,10 @@ struct MeshLight {
 
 using Light = std::variant<PointLight, SpotLight, DirectionalLight, RectangleLight, DiskLight, SphereLight,
                            TubeLight, PolygonLight, MeshLight>;
+
+/// Whether a single-sided face that the light meets from behind casts no shadow of it. So it is for lights
+/// that stand in for the surroundings of a model: what the camera looks through, they shine through. Other
+/// lights are blocked by both sides of every face. A kind of light says so by a member of this name.
+bool passes_back_faces(const Light& light);
 
 } // namespace sr::scene

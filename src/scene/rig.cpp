@@ -40,6 +40,7 @@ std::vector<RectangleLight> studio_rig(const Bounds& subject, const Camera& came
         // promised.
         light.L = vec3(softbox.E * softbox.distance * softbox.distance / (softbox.edge * softbox.edge));
         light.is_visible = false;
+        light.passes_back_faces = true;
         lights.push_back(light);
     }
     return lights;
