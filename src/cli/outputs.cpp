@@ -1,5 +1,7 @@
 #include "cli/outputs.hpp"
 
+#include "image/half.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

@@ -2,12 +2,12 @@
 
 #include "core/error.hpp"
 #include "image/codec.hpp"
+#include "image/half.hpp"
 #include "image/webp.hpp"
 #include "image/whole_file.hpp"
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
 #include <fmt/format.h>
 #include <string_view>
 
@@ -29,20 +29,7 @@ Format format_of(const fs::path& file) {
     throw Error({file.string()}, what, "use .exr, .hdr, .png, .jpg or .jpeg");
 }
 
-constexpr float largest_half = 65504.0f; // IEEE 754 binary16
-
-Image within_half(Image image) {
-    for (float& value : image.pixels)
-        if (std::abs(value) > largest_half) value = std::copysign(largest_half, value); // what is no number stays so
-    return image;
-}
-
 } // namespace
-
-std::size_t half_overflow_count(const Image& image) {
-    return static_cast<std::size_t>(
-        std::ranges::count_if(image.pixels, [](float value) { return std::abs(value) > largest_half; }));
-}
 
 std::future<void> preload() {
     return std::async(std::launch::async, [] { codec(); });

@@ -18,11 +18,8 @@ namespace sr::image {
 [[nodiscard]] std::future<void> preload();
 
 /// How an .exr stores its values; the other formats have but one way each. `half` ends at 65504: larger values
-/// are stored as that (half_overflow_count() tells how many there are), those below 3e-8 as 0.
+/// are stored as that (half.hpp tells how many there are), those below 3e-8 as 0.
 enum class SampleType { half, floating, integer8 };
-
-/// How many values of the image are beyond ±65504, the largest that a half holds.
-std::size_t half_overflow_count(const Image& image);
 
 /// Writes an image whole or not at all (a temporary file beside it, then a rename). The extension chooses the
 /// format: .exr and .hdr take linear values; .png and .jpg take values already encoded for display, in 0..1.

@@ -2,6 +2,7 @@
 
 #include "image/srgb.hpp"
 #include "render/sampling.hpp"
+#include "scene/alpha.hpp"
 
 #include <cmath>
 #include <glm/gtc/packing.hpp>

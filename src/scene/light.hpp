@@ -71,7 +71,7 @@ struct RectangleLight {
     bool passes_back_faces = false; // see passes_back_faces() below
 
     float area() const { return 4.0f * glm::length(glm::cross(half_u, half_v)); } // [m²]
-    vec3 normal() const { return vec3(glm::normalize(glm::cross(glm::dvec3(half_u), glm::dvec3(half_v)))); }
+    vec3 normal() const { return glm::normalize(glm::cross(half_u, half_v)); }
 };
 
 /// A disk or an ellipse: the points center + s*half_u + t*half_v for s² + t² <= 1. Front as a rectangle's.
@@ -86,7 +86,7 @@ struct DiskLight {
     EmissionMap map{};
 
     float area() const { return pi * glm::length(glm::cross(half_u, half_v)); } // [m²]
-    vec3 normal() const { return vec3(glm::normalize(glm::cross(glm::dvec3(half_u), glm::dvec3(half_v)))); }
+    vec3 normal() const { return glm::normalize(glm::cross(half_u, half_v)); }
 };
 
 /// Emits the radiance L outwards.

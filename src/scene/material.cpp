@@ -1,7 +1,6 @@
 #include "scene/material.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace sr::scene {
@@ -46,13 +45,6 @@ int tangent_texcoord(const Material& m) {
     for (const TextureSlot* slot : {&m.normal_texture, &m.clearcoat_normal_texture, &m.anisotropy_texture})
         if (slot->is_present()) return slot->texcoord;
     return 0;
-}
-
-vec2 texel_place(vec2 uv, int width, int height) {
-    constexpr float farthest = 1.6e7f;
-    const vec2 at = uv * vec2(width, height);
-    const bool is_near = std::abs(at.x) < farthest && std::abs(at.y) < farthest;
-    return (is_near ? at : vec2(0.0f)) - 0.5f;
 }
 
 int wrapped(int i, int size, Wrap wrap) {

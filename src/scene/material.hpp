@@ -27,11 +27,6 @@ enum class Wrap { repeat, mirrored_repeat, clamp_to_edge };
 /// The texel of a row of `size` that index `i` stands for, within the row or beyond it.
 int wrapped(int i, int size, Wrap wrap);
 
-/// Where uv lies among the middles of width × height texels, told in texels. Coordinates that are no numbers, or
-/// so far out (2^24 texels) that the next float is a texel away, count as 0.
-/// Mirror: shaders/base/texel_wrap.glsl.
-vec2 texel_place(vec2 uv, int width, int height);
-
 enum class Filter { nearest, linear };
 /// Which mip levels minification reads.
 enum class Mipmap { none, nearest, linear };
@@ -167,10 +162,6 @@ struct Material {
     bool is_double_sided = false;
     bool is_unlit = false; // KHR_materials_unlit: L_o is the base colour [cd/m²], no light touches it
 
-    /// The least alpha that alphaMode MASK shows, for all who compare. The cutoff itself is opaque (glTF 2.0,
-    /// section 3.9.3), also where an alpha that equals it was rounded: interpolation, texel conversion and the
-    /// product with factors stay within 2^-15 of it.
-    float least_opaque_alpha() const { return alpha_cutoff * (1.0f - 1.0f / 32768.0f); }
     /// Whether the GGX lobe is wider along one direction; then meshes need tangents.
     bool is_anisotropic() const {
         return model == Model::metallic_roughness ? anisotropy > 0.0f

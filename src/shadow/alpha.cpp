@@ -1,5 +1,7 @@
 #include "shadow/alpha.hpp"
 
+#include "scene/alpha.hpp"
+
 #include <algorithm>
 #include <cmath>
 
