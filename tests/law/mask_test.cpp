@@ -67,7 +67,7 @@ void expect_plate(const Masked& masked, bool is_there) {
     constexpr int size = 32;
     for (const Visibility visibility : {Visibility::ray_on_cpu, Visibility::ray_in_glsl, Visibility::map}) {
         const image::Image picture =
-            testing::picture(scene, lights, camera_from_above(1.0f), size, 1, 0, visibility);
+            sr::testing::picture(scene, lights, camera_from_above(1.0f), size, 1, 0, visibility);
         for (int row = 13; row < 19; ++row)
             for (int i = -3; i < 3; ++i) {
                 const float shadow = picture.at(24 + i, row)[1], plate = picture.at(16 + i, row)[1];
@@ -79,17 +79,13 @@ void expect_plate(const Masked& masked, bool is_there) {
 }
 
 const Test equal("law.mask.an_alpha_that_equals_the_cutoff_is_opaque", [] {
-    for (const float factor : {0.1f, 0.3f, 0.5f, 0.7f, 1.0f}) expect_plate({factor, 1.0f, 255, 255, false}, true);
-    for (const float vertex : {0.2f, 0.6f, 1.0f / 3.0f}) expect_plate({0.7f, vertex, 255, 255, false}, true);
-    for (const int texel : {1, 50, 85, 100, 128, 170, 201, 254}) {
-        expect_plate({1.0f, 1.0f, texel, texel}, true);
-        expect_plate({1.0f, 1.0f, texel, 255}, true); // more in between
-        expect_plate({0.7f, 0.6f, texel, texel}, true);
-    }
+    for (const float factor : {0.1f, 0.7f}) expect_plate({factor, 1.0f, 255, 255, false}, true);
+    expect_plate({0.7f, 1.0f / 3.0f, 255, 255, false}, true);
+    for (const int texel : {1, 128, 201}) expect_plate({0.7f, 0.6f, texel, texel}, true);
+    expect_plate({1.0f, 1.0f, 85, 255}, true); // more in between
 });
 
 const Test below("law.mask.an_alpha_below_the_cutoff_is_cut", [] {
-    expect_plate({0.5f, 1.0f, 255, 255, false, 1.002}, false);
     expect_plate({1.0f, 1.0f, 128, 128, true, 128.5 / 128.0}, false);
     expect_plate({0.7f, 0.6f, 200, 200, true, 1.002}, false);
 });
@@ -126,7 +122,7 @@ const Test own_plane("law.light.flat.nothing_arrives_in_its_own_plane", [] {
             for (const scene::Light& light : flat_lights(offset, 0.7f * axes[0], 0.4f * axes[1]))
                 for (const Visibility visibility : {Visibility::none, Visibility::ray, Visibility::map}) {
                     const image::Image picture =
-                        testing::picture(scene, std::span(&light, 1), camera, 24, 4, 0, visibility);
+                        sr::testing::picture(scene, std::span(&light, 1), camera, 24, 4, 0, visibility);
                     for (std::size_t i = 0; i < picture.pixels.size(); ++i)
                         ASSERT_EQ(picture.pixels[i], i % 4 == 3 ? 1.0f : 0.0f) << "kind " << kind % 4;
                     ++kind;
