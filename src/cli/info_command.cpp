@@ -1,5 +1,6 @@
 #include "cli/commands.hpp"
 #include "cli/light_description.hpp"
+#include "cli/version.hpp"
 #include "gl/context.hpp"
 #include "gltf/extensions.hpp"
 #include "gltf/load.hpp"
@@ -37,8 +38,8 @@ ordered_json backends_json() {
 }
 
 void print_backends(const ordered_json& backends) {
-    fmt::print("Steradian {}\n\nOpenGL backends, in the order in which --backend auto tries them:\n",
-               STERADIAN_VERSION);
+    fmt::print("{}\n\nOpenGL backends, in the order in which --backend auto tries them:\n",
+               name_and_version());
     for (const auto& entry : backends) {
         if (entry["works"])
             fmt::print("  {:<8} {}\n           OpenGL {}, GLSL {} ({})\n", entry["name"].get<std::string>(),
