@@ -155,7 +155,8 @@ void add_info_command(CLI::App& app) {
                     "--json | jq .lights");
     command->callback([arguments] {
         const bool is_scene = !arguments->scene.empty();
-        const ordered_json json = is_scene ? scene_json(arguments->scene, arguments->is_strict) : backends_json();
+        const ordered_json json =
+            is_scene ? scene_json(arguments->scene, arguments->is_strict) : backends_json();
         if (arguments->json)
             fmt::print("{}\n", json.dump(2, ' ', false, ordered_json::error_handler_t::replace));
         else if (is_scene)

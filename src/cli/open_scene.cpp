@@ -61,8 +61,11 @@ scene::Bounds extent_of(Opened& opened, const RenderCommand& command) {
 
 Opened open(const RenderCommand& command) {
     PhaseTimes times;
-    Opened opened{
-        gltf::Asset(command.scene, {command.scene_index, command.variant, command.is_strict}), {}, {}, {}, {}};
+    Opened opened{gltf::Asset(command.scene, {command.scene_index, command.variant, command.is_strict}),
+                  {},
+                  {},
+                  {},
+                  {}};
     if (command.frames || command.at) opened.animations = opened.asset.animations_named(command.animation);
     if (command.frames) opened.frames = frames_of(opened.asset, opened.animations, command);
     opened.scene = gltf::scene_of(opened.asset, {{}, command.at, command.animation, {}});

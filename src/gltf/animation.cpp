@@ -57,8 +57,7 @@ struct ChannelPlace {
 void read_channel(Document& document, const ChannelPlace& place, Animation& to, Warnings& warnings) {
     const AnimationSource& source = document.animations[place.animation];
     const AnimationSource::Channel& channel = source.channels[place.channel];
-    const std::string pointer =
-        fmt::format("/animations/{}/channels/{}", place.animation, place.channel);
+    const std::string pointer = fmt::format("/animations/{}/channels/{}", place.animation, place.channel);
     if (channel.sampler >= source.samplers.size())
         document.fail(fmt::format("{}/sampler is {}, and there are {}", pointer, channel.sampler,
                                   source.samplers.size()),

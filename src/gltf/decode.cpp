@@ -32,7 +32,10 @@ scene::TextureImage decoded(const Document& document, int source) {
 } // namespace
 
 Decoding::Decoding(const Document& document, std::vector<int> sources)
-    : document_(document), sources_(std::move(sources)), images_(sources_.size()), errors_(sources_.size()),
+    : document_(document),
+      sources_(std::move(sources)),
+      images_(sources_.size()),
+      errors_(sources_.size()),
       failures_(sources_.size()) {
     const std::size_t cores = std::max(1u, std::thread::hardware_concurrency());
     for (std::size_t i = 0; i < std::min(cores, sources_.size()); ++i)

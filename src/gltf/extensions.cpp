@@ -12,17 +12,24 @@
 namespace sr::gltf {
 namespace {
 
-constexpr std::array<std::string_view, 18> supported{
-    "EXT_lights_area",         "EXT_lights_ies",
-    "EXT_mesh_gpu_instancing", "KHR_animation_pointer",
-    "KHR_lights_punctual",     "KHR_materials_anisotropy",
-    "KHR_materials_clearcoat", "KHR_materials_emissive_strength",
-    "KHR_materials_ior",       "KHR_materials_iridescence",
-    "KHR_materials_sheen",     "KHR_materials_specular",
-    "KHR_materials_pbrSpecularGlossiness",
-    "KHR_materials_unlit",     "KHR_materials_variants",
-    "KHR_mesh_quantization",   "KHR_node_visibility",
-    "KHR_texture_transform"};
+constexpr std::array<std::string_view, 18> supported{"EXT_lights_area",
+                                                     "EXT_lights_ies",
+                                                     "EXT_mesh_gpu_instancing",
+                                                     "KHR_animation_pointer",
+                                                     "KHR_lights_punctual",
+                                                     "KHR_materials_anisotropy",
+                                                     "KHR_materials_clearcoat",
+                                                     "KHR_materials_emissive_strength",
+                                                     "KHR_materials_ior",
+                                                     "KHR_materials_iridescence",
+                                                     "KHR_materials_sheen",
+                                                     "KHR_materials_specular",
+                                                     "KHR_materials_pbrSpecularGlossiness",
+                                                     "KHR_materials_unlit",
+                                                     "KHR_materials_variants",
+                                                     "KHR_mesh_quantization",
+                                                     "KHR_node_visibility",
+                                                     "KHR_texture_transform"};
 
 std::string_view remedy_for(const std::vector<std::string>& missing) {
     const auto any_ends_with = [&](std::string_view end) {
@@ -36,7 +43,8 @@ std::string_view remedy_for(const std::vector<std::string>& missing) {
 } // namespace
 
 bool is_supported(std::string_view extension) {
-    if (extension == "EXT_meshopt_compression" || extension == "KHR_meshopt_compression") return reads_meshopt();
+    if (extension == "EXT_meshopt_compression" || extension == "KHR_meshopt_compression")
+        return reads_meshopt();
     if (extension == "KHR_draco_mesh_compression") return reads_draco();
     if (extension == "EXT_texture_webp") return image::decodes_webp();
     return std::find(supported.begin(), supported.end(), extension) != supported.end();

@@ -60,8 +60,8 @@ const std::pair<int, scene::IesLuminaire>& LightTable::luminaire(int index, cons
         file = read_uri(uri, document_.folder, {document_.name, pointer + "/uri"});
     }
     const std::string_view text(reinterpret_cast<const char*>(file.data()), file.size());
-    const auto entry =
-        luminaires_.emplace(index, std::pair(static_cast<int>(profiles_.size()), scene::read_ies(text, name)));
+    const auto entry = luminaires_.emplace(
+        index, std::pair(static_cast<int>(profiles_.size()), scene::read_ies(text, name)));
     profiles_.push_back(entry.first->second.second.profile);
     return entry.first->second;
 }
@@ -106,8 +106,7 @@ void LightTable::append_ies(const PlacedNode& placed, Warnings& warnings) {
         const bool is_determined = quantity == scene::Quantity::flux && flux > 0.0;
         return is_determined ? std::optional(value / flux) : std::nullopt;
     };
-    light.I = emitted(document_, statement, in_scene * tint, conversion,
-                      title, ies_takes);
+    light.I = emitted(document_, statement, in_scene * tint, conversion, title, ies_takes);
     lights_.emplace_back(std::move(light));
 }
 

@@ -71,7 +71,8 @@ Cone cone_of(const Document& document, const tinygltf::SpotLight& spot, const st
     constexpr double rounding = 1e-6; // of a pi/2 that was printed
     const double inner = spot.innerConeAngle, outer = spot.outerConeAngle;
     if (!(outer > 0.0))
-        document.fail(fmt::format("{} has the outerConeAngle {}", title, outer), "give one above 0, up to pi/2");
+        document.fail(fmt::format("{} has the outerConeAngle {}", title, outer),
+                      "give one above 0, up to pi/2");
     const Cone cone{std::clamp(inner, 0.0, std::min(outer, right_angle)), std::min(outer, right_angle)};
     if (inner >= 0.0 && inner < outer && outer <= right_angle + rounding) return cone;
     const std::string angles =
@@ -79,8 +80,9 @@ Cone cone_of(const Document& document, const tinygltf::SpotLight& spot, const st
     if (inner >= outer)
         warnings.add(angles, "inner < outer is required: its edge is hard");
     else
-        warnings.add(angles, fmt::format("0 <= inner < outer <= pi/2 is required: taken for {:.6g} and {:.6g}",
-                                         cone.inner, cone.outer));
+        warnings.add(angles,
+                     fmt::format("0 <= inner < outer <= pi/2 is required: taken for {:.6g} and {:.6g}",
+                                 cone.inner, cone.outer));
     return cone;
 }
 
@@ -102,11 +104,8 @@ struct PunctualSource {
 PunctualSource source_of(const Document& document, const PlacedNode& placed, const tinygltf::Light& from,
                          const std::string& title, Warnings& warnings) {
     const dvec3 color = from.color.empty() ? dvec3(1.0) : dvec3(from.color[0], from.color[1], from.color[2]);
-    PunctualSource source{from,
-                          emitted_color(document, color, from.intensity, title),
-                          range_of(document, from, title),
-                          {},
-                          {}};
+    PunctualSource source{
+        from, emitted_color(document, color, from.intensity, title), range_of(document, from, title), {}, {}};
     if (from.type == "spot") source.cone = cone_of(document, from.spot, title, warnings);
     if (from.type != "point") source.aim = frame_of(document, placed, title);
     return source;
@@ -240,9 +239,9 @@ std::string light_title(std::string_view extension, int index, std::string_view 
 LightFrame frame_of(const Document& document, const PlacedNode& placed, const std::string& title) {
     const dvec3 x(placed.world_from_node[0]), y(placed.world_from_node[1]), back(placed.world_from_node[2]);
     if (!(glm::length(back) > 0.0))
-        document.fail(fmt::format("{} at /nodes/{} is scaled to nothing and so points nowhere", title,
-                                  placed.node),
-                      "give its node a scale that is not zero");
+        document.fail(
+            fmt::format("{} at /nodes/{} is scaled to nothing and so points nowhere", title, placed.node),
+            "give its node a scale that is not zero");
     LightFrame frame;
     frame.position = dvec3(placed.world_from_node[3]);
     frame.front = -glm::normalize(back);
@@ -256,7 +255,8 @@ LightFrame frame_of(const Document& document, const PlacedNode& placed, const st
 
 LightFrame sided_frame_of(const Document& document, const PlacedNode& placed, const std::string& title) {
     const LightFrame frame = frame_of(document, placed, title);
-    const bool is_flat = !(glm::length(frame.u) > 0.0) || !(glm::length(dvec3(placed.world_from_node[0])) > 0.0);
+    const bool is_flat =
+        !(glm::length(frame.u) > 0.0) || !(glm::length(dvec3(placed.world_from_node[0])) > 0.0);
     if (is_flat)
         document.fail(fmt::format("{} at /nodes/{} is scaled to nothing", title, placed.node),
                       "give its node a scale that is not zero");

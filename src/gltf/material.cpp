@@ -71,10 +71,10 @@ MaterialTable::MaterialTable(const Document& document, MeasuredTable& measured, 
 int MaterialTable::material(int gltf_material) {
     const auto [number, is_new] = number_of_.try_emplace(gltf_material, static_cast<int>(materials_.size()));
     if (is_new)
-        materials_.push_back(gltf_material < 0
-                                 ? scene::Material{}
-                                 : read(document_.model.materials[static_cast<std::size_t>(gltf_material)],
-                                        gltf_material));
+        materials_.push_back(
+            gltf_material < 0
+                ? scene::Material{}
+                : read(document_.model.materials[static_cast<std::size_t>(gltf_material)], gltf_material));
     return number->second;
 }
 
@@ -107,10 +107,11 @@ scene::TextureSlot MaterialTable::slot(int texture, int texcoord, const tinygltf
     }
     const std::optional<int> set = texcoord_set(texcoord);
     if (!set) {
-        warnings_.add(fmt::format("a material reads three sets of texture coordinates, and two are supported: "
-                                  "TEXCOORD_{}, TEXCOORD_{} and TEXCOORD_{}",
-                                  *sets_[0], *sets_[1], texcoord),
-                      "the material is shown without the texture of the third");
+        warnings_.add(
+            fmt::format("a material reads three sets of texture coordinates, and two are supported: "
+                        "TEXCOORD_{}, TEXCOORD_{} and TEXCOORD_{}",
+                        *sets_[0], *sets_[1], texcoord),
+            "the material is shown without the texture of the third");
         return {};
     }
     slot.texcoord = *set;
@@ -220,8 +221,8 @@ void MaterialTable::read_metallic_roughness(const tinygltf::Material& from, scen
     read_specular(from, to);
 }
 
-// A dielectric of infinite ior, whose F0 is the specular colour, as KHR_materials_ior has it; the glossiness and
-// what F0 takes from the diffuse colour are shaders/surface/'s.
+// A dielectric of infinite ior, whose F0 is the specular colour, as KHR_materials_ior has it; the glossiness
+// and what F0 takes from the diffuse colour are shaders/surface/'s.
 void MaterialTable::read_specular_glossiness(const tinygltf::Material& from, const Value& stated,
                                              scene::Material& to) {
     to.is_specular_glossiness = true;
@@ -229,9 +230,8 @@ void MaterialTable::read_specular_glossiness(const tinygltf::Material& from, con
     to.ior = 0.0f;
     const vec3 specular = three_in(stated, "specularFactor", vec3(1.0f));
     for (int i = 0; i < 4; ++i) {
-        const double diffuse = stated.Has("diffuseFactor")
-                                   ? stated.Get("diffuseFactor").Get(i).GetNumberAsDouble()
-                                   : 1.0;
+        const double diffuse =
+            stated.Has("diffuseFactor") ? stated.Get("diffuseFactor").Get(i).GetNumberAsDouble() : 1.0;
         to.base_color[i] = fraction(diffuse, "diffuseFactor", from.name);
         if (i < 3) to.specular_color[i] = fraction(double{specular[i]}, "specularFactor", from.name);
     }
@@ -247,7 +247,8 @@ scene::Material MaterialTable::read(const tinygltf::Material& from, int number) 
     to.name = from.name;
     sets_ = {};
     to.is_unlit = extension(from.extensions, "KHR_materials_unlit") != nullptr;
-    // Where a material has both, the extension asks to be preferred to metallic-roughness; unlit prefers the latter.
+    // Where a material has both, the extension asks to be preferred to metallic-roughness; unlit prefers the
+    // latter.
     const Value* glossy = extension(from.extensions, "KHR_materials_pbrSpecularGlossiness");
     const Value* stated = steradian_in(from.extras);
     const bool names_brdf = stated && stated->Has("brdf");

@@ -62,7 +62,7 @@ private:
     TextureTable textures_;
     std::vector<scene::Material> materials_;
     std::map<int, int> number_of_;
-    std::map<int, StatedFlux> fluxes_; // by number
+    std::map<int, StatedFlux> fluxes_;       // by number
     std::array<std::optional<int>, 2> sets_; // of texture coordinates that the material at hand reads
 };
 

@@ -1,5 +1,5 @@
-// EXT_meshopt_compression and KHR_meshopt_compression, by Kapoulkine's meshoptimizer. Their bitstreams are the
-// same, but for what KHR adds: version 1 of the attribute codec, and the filter COLOR.
+// EXT_meshopt_compression and KHR_meshopt_compression, by Kapoulkine's meshoptimizer. Their bitstreams are
+// the same, but for what KHR adds: version 1 of the attribute codec, and the filter COLOR.
 #include "gltf/compression.hpp"
 
 #include <fmt/format.h>
@@ -71,7 +71,8 @@ void decode(const Document& document, const Packed& p, Bytes from, std::vector<s
 std::vector<std::uint8_t> unpacked(const Document& document, const Packed& p, const std::string& pointer) {
     const auto& [buffer, fault] = document.buffers[static_cast<std::size_t>(p.buffer)];
     if (fault) throw *fault;
-    if (p.filter == "COLOR") document.fail(pointer + " has the filter COLOR, which is not read", export_for_ext);
+    if (p.filter == "COLOR")
+        document.fail(pointer + " has the filter COLOR, which is not read", export_for_ext);
     if (!buffer || p.offset > buffer->size() || p.length > buffer->size() - p.offset)
         document.fail(fmt::format("{} ends at byte {} of /buffers/{}, which has {}", pointer,
                                   p.offset + p.length, p.buffer, buffer ? buffer->size() : 0),

@@ -12,7 +12,8 @@ struct MotionRules {
     Rule whole{.kind = Kind::whole, .largest = 0x7FFFFFFF}; // where tinygltf stores an int
     Rule buffer{.kind = Kind::index, .pool = "/buffers"};
     Rule packed_mode{.kind = Kind::text, .words = {"ATTRIBUTES", "TRIANGLES", "INDICES"}};
-    Rule packed_filter{.kind = Kind::text, .words = {"NONE", "OCTAHEDRAL", "QUATERNION", "EXPONENTIAL", "COLOR"}};
+    Rule packed_filter{.kind = Kind::text,
+                       .words = {"NONE", "OCTAHEDRAL", "QUATERNION", "EXPONENTIAL", "COLOR"}};
     Rule accessor{.kind = Kind::index, .pool = "/accessors"};
     Rule view{.kind = Kind::index, .pool = "/bufferViews"};
     Rule node_index{.kind = Kind::index, .pool = "/nodes"};

@@ -46,8 +46,7 @@ constexpr std::string_view without_lamp = "that lamp is off";
 const Rule buffer_index = index_into("/buffers");
 const Rule view_index = index_into("/bufferViews");
 const Rule accessor_index = index_into("/accessors");
-const Rule sampler_index =
-    thing(index_into("/samplers"), "the texture is read with the default sampler");
+const Rule sampler_index = thing(index_into("/samplers"), "the texture is read with the default sampler");
 const Rule texture_index = index_into("/textures");
 const Rule material_index = index_into("/materials");
 const Rule mesh_index = index_into("/meshes");
@@ -62,9 +61,9 @@ const Rule node_indices = list_of(node_index);
 
 // --- bytes
 const Rule buffer = record({{"uri", &text}, {"byteLength", &whole, true}, {"name", &text}});
-const Rule image = thing(
-    record({{"uri", &text}, {"bufferView", &view_index}, {"mimeType", &text}, {"name", &text}}),
-    "materials are shown without textures of it", "{}");
+const Rule image =
+    thing(record({{"uri", &text}, {"bufferView", &view_index}, {"mimeType", &text}, {"name", &text}}),
+          "materials are shown without textures of it", "{}");
 const Rule buffer_view = record({{"buffer", &buffer_index, true},
                                  {"byteOffset", &whole},
                                  {"byteLength", &whole, true},
@@ -197,13 +196,13 @@ const Rule perspective =
 const Rule orthographic = record(
     {{"xmag", &number, true}, {"ymag", &number, true}, {"znear", &number, true}, {"zfar", &number, true}});
 const Rule camera_type = one_of({"perspective", "orthographic"});
-const Rule camera = thing(record({{"type", &camera_type, true},
-                                  {"perspective", &perspective},
-                                  {"orthographic", &orthographic},
-                                  {"name", &text},
-                                  {"extensions", &object}}),
-                          "that camera is left out",
-                          R"({"type": "perspective", "perspective": {"yfov": 1, "znear": 1}})");
+const Rule camera =
+    thing(record({{"type", &camera_type, true},
+                  {"perspective", &perspective},
+                  {"orthographic", &orthographic},
+                  {"name", &text},
+                  {"extensions", &object}}),
+          "that camera is left out", R"({"type": "perspective", "perspective": {"yfov": 1, "znear": 1}})");
 const Rule spot = record({{"innerConeAngle", &number}, {"outerConeAngle", &number}});
 const Rule punctual_type = one_of({"point", "spot", "directional"});
 const Rule punctual_light = thing(record({{"type", &punctual_type, true},

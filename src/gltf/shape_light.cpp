@@ -57,11 +57,7 @@ class Maker {
 public:
     Maker(const Document& document, const PlacedNode& placed, const Value& stated, const std::string& title,
           const LightFrame& frame)
-        : document_(document),
-          placed_(placed),
-          stated_(stated),
-          title_(title),
-          frame_(frame) {}
+        : document_(document), placed_(placed), stated_(stated), title_(title), frame_(frame) {}
 
     template<class Flat>
     Flat flat(float half_width, float half_height) const {

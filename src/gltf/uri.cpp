@@ -142,7 +142,8 @@ fs::path contained(std::string_view uri, const fs::path& folder, const UriPlace&
              "copy that file into the folder and name it there");
     const std::vector<fs::path> files = files_named(uri, folder);
     std::error_code ignored;
-    const auto found = std::ranges::find_if(files, [&](const fs::path& file) { return fs::exists(file, ignored); });
+    const auto found =
+        std::ranges::find_if(files, [&](const fs::path& file) { return fs::exists(file, ignored); });
     return found == files.end() ? files.front() : *found;
 }
 

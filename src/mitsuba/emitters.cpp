@@ -2,6 +2,7 @@
 
 #include "mitsuba/capsule.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -38,8 +38,8 @@ struct SpotLight {
     bool is_visible = true;
 };
 
-/// The falloff of a spot as saturate(scale · cosθ + offset)², θ from its axis (KHR_lights_punctual, "Inner and
-/// Outer Cone Angles"). A hard edge is a ramp of a millionth in cosθ, inside the outer angle.
+/// The falloff of a spot as saturate(scale · cosθ + offset)², θ from its axis (KHR_lights_punctual, "Inner
+/// and Outer Cone Angles"). A hard edge is a ramp of a millionth in cosθ, inside the outer angle.
 struct ConeFalloff {
     float scale = 0.0f;
     float offset = 0.0f;

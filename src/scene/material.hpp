@@ -157,8 +157,9 @@ struct Material {
     ComplexIor conductor;
     int measured = -1; // merl: index into Scene::measured
 
-    /// KHR_materials_pbrSpecularGlossiness: the base colour is the diffuse one, `specular_color` is F0 with the
-    /// glossiness (1 - roughness) in its texture's alpha, and F0 takes its largest channel from the diffuse.
+    /// KHR_materials_pbrSpecularGlossiness: the base colour is the diffuse one, `specular_color` is F0 with
+    /// the glossiness (1 - roughness) in its texture's alpha, and F0 takes its largest channel from the
+    /// diffuse.
     bool is_specular_glossiness = false;
 
     /// Which TEXCOORD_n of the file the meshes' first and second set of texture coordinates are.

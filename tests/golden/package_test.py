@@ -34,7 +34,7 @@ def main():
     prefix, ours = scratch / "prefix", scratch / "build"
     run(cmake, "--install", build, "--prefix", prefix)
     check_install(cmake, prefix, scratch / "no_language")
-    run(cmake, "-S", source / "examples/golden/cmake", "-B", ours, f"-DCMAKE_PREFIX_PATH={prefix}")
+    run(cmake, "-G", "Ninja", "-S", source / "examples/golden/cmake", "-B", ours, f"-DCMAKE_PREFIX_PATH={prefix}")
     run(Path(cmake).with_name("ctest"), "--test-dir", ours, "--output-on-failure", "--no-tests=error", "-L", "pictures")
     assert (ours / "golden/golden.example/report.html").is_file()
     if importlib.util.find_spec("pytest") is None:

@@ -119,10 +119,9 @@ const Test broken("unit.gltf.animation.what_is_wrong_with_a_sampler_is_said", []
     const json target{{"node", 0}, {"path", "scale"}};
     MadeGltf few = MadeGltf::triangle();
     animate(few, target, {1, 1, 1}, "VEC3");
-    EXPECT_NE(
-        loss_of(few).find("/animations/0/samplers/0 has 3 numbers in its output, and 2 keys of what it "
-                           "moves have 6"),
-        std::string::npos);
+    EXPECT_NE(loss_of(few).find("/animations/0/samplers/0 has 3 numbers in its output, and 2 keys of what it "
+                                "moves have 6"),
+              std::string::npos);
     MadeGltf backwards = MadeGltf::triangle();
     animate(backwards, target, {1, 1, 1, 1, 1, 1}, "VEC3");
     backwards.root["animations"][0]["samplers"][0]["input"] = backwards.floats({2, 1}, "SCALAR");
@@ -135,14 +134,15 @@ const Test broken("unit.gltf.animation.what_is_wrong_with_a_sampler_is_said", []
               std::string::npos);
     MadeGltf unknown = MadeGltf::triangle();
     animate(unknown, pointer("/materials/0/doubleSided"), {0, 1}, "SCALAR");
-    EXPECT_TRUE(
-        warns_once(load(unknown), R"(/animations/0/channels/0 moves "/materials/0/doubleSided": that stays as it is)"));
+    EXPECT_TRUE(warns_once(
+        load(unknown), R"(/animations/0/channels/0 moves "/materials/0/doubleSided": that stays as it is)"));
 });
 
 const Test no_target("unit.gltf.animation.a_channel_without_a_target_is_ignored", [] {
     MadeGltf made = MadeGltf::triangle();
     animate(made, {{"path", "translation"}}, {0, 0, 0, 2, 4, 6}, "VEC3");
-    EXPECT_NE(loss_of(made, at(0.5)).find("/animations/0/channels/0/target names no node"), std::string::npos);
+    EXPECT_NE(loss_of(made, at(0.5)).find("/animations/0/channels/0/target names no node"),
+              std::string::npos);
     EXPECT_EQ(load(made, at(2)).scene.instances.at(0).world_from_object, mat4(1.0f));
     EXPECT_NE(error_of(made, at(3.5)).find("ends at 3 s"), std::string::npos); // it still has its length
     made.root["animations"][0]["channels"][0]["target"]["node"] = 9;

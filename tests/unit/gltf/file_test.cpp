@@ -149,13 +149,25 @@ const Test references("unit.gltf.file.uris_are_read_as_rfc_3986_says", [] {
         std::filesystem::remove(folder / file);
         return error;
     };
-    for (const auto& [uri, file] : std::vector<std::pair<std::string, std::string>>{
-             {"sub/../x.bin", "x.bin"},     {"./x.bin", "x.bin"},           {"in/./../in/x.bin", "in/x.bin"},
-             {"sub/%2e%2e/x.bin", "x.bin"}, {"x%2Ebin", "x.bin"},           {"a%20b.bin", "a b.bin"},
-             {"a b.bin", "a b.bin"},        {"50%off.bin", "50%off.bin"},   {"50%25off.bin", "50%off.bin"},
-             {"50%ad.bin", "50%ad.bin"},    {"C#.bin", "C#.bin"},           {"x.bin?v=2", "x.bin"},
-             {"x.bin#part", "x.bin"},       {"what?.bin", "what?.bin"},     {"in\\x.bin", "in/x.bin"},
-             {"%C3%A9.bin", "\u00e9.bin"}, {"\u00e9.bin", "\u00e9.bin"}, {"100%", "100%"}})
+    for (const auto& [uri, file] :
+         std::vector<std::pair<std::string, std::string>>{{"sub/../x.bin", "x.bin"},
+                                                          {"./x.bin", "x.bin"},
+                                                          {"in/./../in/x.bin", "in/x.bin"},
+                                                          {"sub/%2e%2e/x.bin", "x.bin"},
+                                                          {"x%2Ebin", "x.bin"},
+                                                          {"a%20b.bin", "a b.bin"},
+                                                          {"a b.bin", "a b.bin"},
+                                                          {"50%off.bin", "50%off.bin"},
+                                                          {"50%25off.bin", "50%off.bin"},
+                                                          {"50%ad.bin", "50%ad.bin"},
+                                                          {"C#.bin", "C#.bin"},
+                                                          {"x.bin?v=2", "x.bin"},
+                                                          {"x.bin#part", "x.bin"},
+                                                          {"what?.bin", "what?.bin"},
+                                                          {"in\\x.bin", "in/x.bin"},
+                                                          {"%C3%A9.bin", "\u00e9.bin"},
+                                                          {"\u00e9.bin", "\u00e9.bin"},
+                                                          {"100%", "100%"}})
         EXPECT_EQ(error_with(uri, file), "") << uri;
     EXPECT_NE(error_with("sub/../../x.bin", "x.bin").find("leaves the folder"), std::string::npos);
     EXPECT_NE(error_with("C:\\x.bin", "x.bin").find("no file beside"), std::string::npos);
@@ -165,8 +177,7 @@ const Test references("unit.gltf.file.uris_are_read_as_rfc_3986_says", [] {
 const Test data_case("unit.gltf.file.the_scheme_of_a_data_uri_has_any_case", [] {
     MadeGltf made = MadeGltf::triangle();
     for (const char* head : {"DATA:application/octet-stream;base64,", "Data:;BASE64,", "data:;Base64,"}) {
-        made.root["buffers"] =
-            json::array({{{"byteLength", 36}, {"uri", head + base64(made.bytes)}}});
+        made.root["buffers"] = json::array({{{"byteLength", 36}, {"uri", head + base64(made.bytes)}}});
         EXPECT_EQ(error_of(made), "") << head;
     }
 });
@@ -177,9 +188,10 @@ const Test strict("unit.gltf.file.strict_makes_any_warning_an_error", [] {
     gltf::LoadOptions options;
     EXPECT_EQ(error_of(made, options), "");
     options.is_strict = true;
-    EXPECT_EQ(error_of(made, options),
-              "made.gltf: it uses what is not supported yet, \"A_a\": correct it, or leave out --strict (then: "
-              "shown without, which may look different)");
+    EXPECT_EQ(
+        error_of(made, options),
+        "made.gltf: it uses what is not supported yet, \"A_a\": correct it, or leave out --strict (then: "
+        "shown without, which may look different)");
 });
 
 const Test many("unit.gltf.file.many_warnings_are_summed_up", [] {

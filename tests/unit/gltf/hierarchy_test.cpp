@@ -93,7 +93,8 @@ const Test scenes("unit.gltf.node.the_scene_can_be_chosen", [] {
 
 MadeGltf with_camera(const json& camera) {
     MadeGltf made = with_nodes(
-        json::parse(R"([{"name": "node", "camera": 0, "mesh": 0, "translation": [1, 2, 3], "scale": [2, 3, -4]}])"),
+        json::parse(
+            R"([{"name": "node", "camera": 0, "mesh": 0, "translation": [1, 2, 3], "scale": [2, 3, -4]}])"),
         {0});
     made.root["cameras"] = json::array({camera});
     return made;
@@ -153,7 +154,8 @@ const Test bad_cameras("unit.gltf.camera.bad_projections_cost_the_camera", [] {
             R"({"type": "orthographic", "orthographic": {"xmag": 0, "ymag": 1, "znear": 0, "zfar": 1}})")
             .find("xmag"),
         std::string::npos);
-    EXPECT_NE(error_with(R"({"type": "perspective"})").find("/cameras/0 has no perspective"), std::string::npos);
+    EXPECT_NE(error_with(R"({"type": "perspective"})").find("/cameras/0 has no perspective"),
+              std::string::npos);
     EXPECT_NE(error_with(R"({"type": "fisheye"})").find("must be one of perspective, orthographic"),
               std::string::npos);
 });

@@ -1,5 +1,6 @@
 #include "loading.hpp"
 
+#include <algorithm>
 #include <limits>
 
 using namespace sr;
@@ -71,8 +72,9 @@ const Test bad_lights("unit.gltf.light.bad_ones_are_off_and_named", [] {
     EXPECT_NE(loss_of(punctual(R"({"type": "point", "range": -2})")).find("range"), std::string::npos);
     EXPECT_NE(loss_of(punctual(R"({"type": "laser"})")).find("must be one of point, spot, directional"),
               std::string::npos);
-    EXPECT_NE(loss_of(punctual(R"({"type": "spot", "spot": {"outerConeAngle": 0}})")).find("outerConeAngle 0"),
-              std::string::npos);
+    EXPECT_NE(
+        loss_of(punctual(R"({"type": "spot", "spot": {"outerConeAngle": 0}})")).find("outerConeAngle 0"),
+        std::string::npos);
     EXPECT_TRUE(load(punctual(R"({"type": "laser"})")).scene.lights.empty());
     EXPECT_EQ(load(punctual(R"({"type": "spot"})")).scene.lights.size(), 1u); // both angles have defaults
 });
@@ -88,8 +90,10 @@ const Test cones("unit.gltf.light.angles_out_of_order_make_a_hard_edge", [] {
          {Case{R"({"innerConeAngle": 0.5, "outerConeAngle": 0.5})", 0.5f, 0.5f, "its edge is hard"},
           Case{R"({"innerConeAngle": 0.6, "outerConeAngle": 0.5})", 0.5f, 0.5f, "its edge is hard"},
           Case{R"({"innerConeAngle": -0.1})", 0.0f, pi / 4, "taken for 0 and 0.785398"},
-          Case{R"({"innerConeAngle": 0.1, "outerConeAngle": 2})", 0.1f, pi / 2, "taken for 0.1 and 1.5708"}}) {
-        const MadeGltf made = punctual((std::string(R"({"type": "spot", "spot": )") + c.angles + "}").c_str());
+          Case{R"({"innerConeAngle": 0.1, "outerConeAngle": 2})", 0.1f, pi / 2,
+               "taken for 0.1 and 1.5708"}}) {
+        const MadeGltf made =
+            punctual((std::string(R"({"type": "spot", "spot": )") + c.angles + "}").c_str());
         EXPECT_NE(loss_of(made).find("has the cone angles"), std::string::npos);
         const gltf::Loaded loaded = load(made);
         EXPECT_TRUE(warns_once(loaded, c.meaning)) << loaded.warnings.at(0);

@@ -64,7 +64,8 @@ inline std::string loss_of(const MadeGltf& made, gltf::LoadOptions options = {})
     const std::string what = error.substr(0, end == std::string::npos ? error.rfind(": ") : end);
     EXPECT_TRUE(!what.empty() && !loaded.warnings.empty()
                 && loaded.warnings[0].find(what) != std::string::npos)
-        << error << "\n" << ::testing::PrintToString(loaded.warnings);
+        << error << "\n"
+        << ::testing::PrintToString(loaded.warnings);
     EXPECT_FALSE(loaded.scene.meshes.empty()); // the picture is still there
     return error;
 }

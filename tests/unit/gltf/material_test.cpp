@@ -151,7 +151,8 @@ const Test transform("unit.gltf.material.texture_transform", [] {
 });
 
 const Test high_sets("unit.gltf.material.any_two_sets_of_texture_coordinates_are_read", [] {
-    MadeGltf made = with_material(R"({"emissiveTexture": {"index": 0, "texCoord": 3}, "emissiveFactor": [1, 1, 1],
+    MadeGltf made =
+        with_material(R"({"emissiveTexture": {"index": 0, "texCoord": 3}, "emissiveFactor": [1, 1, 1],
         "normalTexture": {"index": 1, "texCoord": 1, "extensions": {"KHR_texture_transform": {"texCoord": 2}}}})");
     made.attributes()["TEXCOORD_2"] = made.floats({2, 1, 1, 1, 2, 2}, "VEC2");
     made.attributes()["TEXCOORD_3"] = made.floats({3, 1, 1, 1, 3, 3}, "VEC2");
@@ -220,9 +221,14 @@ const Test lost_images("unit.gltf.material.a_lost_image_leaves_the_factors", [] 
     MadeGltf made = with_material(R"({"emissiveFactor": [1, 1, 1], "emissiveTexture": {"index": 1},
         "normalTexture": {"index": 1}, "pbrMetallicRoughness": {"baseColorFactor": [0.5, 1, 1, 1],
         "baseColorTexture": {"index": 1}, "metallicRoughnessTexture": {"index": 0}, "metallicFactor": 0.25}})");
-    const std::vector<json> broken{{{"uri", "no.png"}}, {{"uri", "data:image/png;base64,iVBORw0KGgo="}},
-                                   {{"uri", 5}}, {{"bufferView", 77}}, "picture", nullptr,
-                                   {{"uri", "data:image/png;base64,AAAA"}}, {{"uri", "http://a/b.png"}}};
+    const std::vector<json> broken{{{"uri", "no.png"}},
+                                   {{"uri", "data:image/png;base64,iVBORw0KGgo="}},
+                                   {{"uri", 5}},
+                                   {{"bufferView", 77}},
+                                   "picture",
+                                   nullptr,
+                                   {{"uri", "data:image/png;base64,AAAA"}},
+                                   {{"uri", "http://a/b.png"}}};
     for (const json& image : broken) {
         SCOPED_TRACE(image.dump());
         made.root["images"][0] = image;
@@ -278,8 +284,9 @@ const Test lost_buffer("unit.gltf.material.a_buffer_that_is_not_there_costs_what
 const Test ktx("unit.gltf.material.what_is_ktx2_alone_names_the_conversion", [] {
     MadeGltf made = with_material(R"({"emissiveFactor": [1, 1, 1], "emissiveTexture": {"index": 0}})");
     made.root["textures"][0] = {{"extensions", {{"KHR_texture_basisu", {{"source", 1}}}}}};
-    EXPECT_TRUE(warns_once(load(made), "/textures/0 has no image in a supported format: the material is shown "
-                                       "without it; convert its textures to PNG: gltf-transform ktxdecompress"));
+    EXPECT_TRUE(warns_once(load(made),
+                           "/textures/0 has no image in a supported format: the material is shown "
+                           "without it; convert its textures to PNG: gltf-transform ktxdecompress"));
     made.root["textures"][0]["source"] = 0;
     EXPECT_EQ(load(made).scene.images.at(0).name, "first"); // what stands beside it
     made.root["extensionsRequired"] = {"KHR_texture_basisu"};
@@ -303,7 +310,8 @@ const Test glossy("unit.gltf.material.specular_glossiness_goes_before_metallic_r
     EXPECT_FALSE(m.metallic_roughness_texture.is_present());
     EXPECT_EQ(m.base_color_texture.texcoord, 1);
     EXPECT_TRUE(m.specular_color_texture.is_present());
-    EXPECT_EQ(loaded.scene.textures.at(m.specular_color_texture.texture).color_space, scene::ColorSpace::srgb);
+    EXPECT_EQ(loaded.scene.textures.at(m.specular_color_texture.texture).color_space,
+              scene::ColorSpace::srgb);
     MadeGltf unlit = with_material(text);
     unlit.root["materials"][0]["extensions"]["KHR_materials_unlit"] = json::object();
     EXPECT_EQ(load(unlit).scene.materials.at(0).base_color, vec4(1, 0, 0, 1));
