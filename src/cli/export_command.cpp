@@ -1,5 +1,6 @@
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
+#include "cli/render_options.hpp"
 #include "gltf/load.hpp"
 #include "mitsuba/write.hpp"
 #include "scene/emitters.hpp"
@@ -86,6 +87,7 @@ void add_export_command(CLI::App& app) {
     command->add_option("--rig", options->rig, "what lights a file without any light")
         ->check(CLI::IsMember({"studio", "none"}))
         ->capture_default_str();
+    command->add_flag("--strict", options->moment.is_strict, strict_help);
     command->footer("Examples:\n"
                     "  steradian export scene.glb --to mitsuba scene_for_mitsuba --size 640x360\n"
                     "  python scene_for_mitsuba/render.py -o truth.exr --spp 1024    (pip install mitsuba)\n"

@@ -1,5 +1,6 @@
 #include "scene/rig.hpp"
 
+#include <algorithm>
 #include <array>
 
 namespace sr::scene {
