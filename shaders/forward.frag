@@ -8,9 +8,11 @@
 
 out vec4 film; // L_o [cd/m²] times coverage, and coverage
 
+const float most_radiance = 1e30; // so that the film's sum over frames is a float, whatever a file states
+
 void main() {
     Surface x = surface_at_fragment();
     vec3 wo = direction_to_viewer();
     vec3 L_o = is_unlit ? x.base_color : emitted(x) + reflected(x, wo);
-    film = vec4(L_o * x.coverage, x.coverage);
+    film = vec4(min(L_o, vec3(most_radiance)) * x.coverage, x.coverage);
 }

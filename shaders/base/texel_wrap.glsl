@@ -6,3 +6,11 @@ int wrapped(int i, int size, int wrap) {
     int m = i - period * int(floor(float(i) / float(period)));
     return m < size ? m : 2 * size - 1 - m;
 }
+
+// Where uv lies among the texels' middles, told in texels. Coordinates that are no numbers, or so far out that the next float is
+// more than a texel away, count as 0.
+vec2 texel_place(vec2 uv, ivec2 size) {
+    vec2 at = uv * vec2(size);
+    bool is_near = abs(at.x) < 1.6e7 && abs(at.y) < 1.6e7; // 2^24
+    return (is_near ? at : vec2(0.0)) - 0.5;
+}

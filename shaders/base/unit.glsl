@@ -5,3 +5,9 @@ vec3 unit_or(vec3 v, vec3 otherwise) {
     bool has_direction = largest >= 1.18e-38 && largest <= 3.4e38; // the range of normal floats
     return has_direction ? normalize(v / largest) : otherwise;
 }
+
+// The half vector h between wi and wo; n where the two are opposite, at the horizon, where every h is as good.
+vec3 half_vector(vec3 wi, vec3 wo, vec3 n) {
+    vec3 h = wi + wo;
+    return dot(h, h) > 0.0 ? normalize(h) : n;
+}

@@ -4,10 +4,11 @@
 //
 // Blinn 1977. The factor makes ρ_s the albedo at normal incidence, the largest there is (Giesen 2009, "Phong and
 // Blinn-Phong normalization factors"). p: h drawn as the power of its cosine, then dω_h/dω_i (Walter et al. 2007, Eq. 14).
+#include "base/unit.glsl"
 #include "brdf/phong.glsl"
 
 float blinn_power(vec3 n, vec3 wi, vec3 wo, float exponent) {
-    return power_of_cosine(n, normalize(wi + wo), exponent);
+    return power_of_cosine(n, half_vector(wi, wo, n), exponent);
 }
 
 float f_blinn_phong(vec3 n, vec3 wi, vec3 wo, float exponent) {
@@ -21,6 +22,7 @@ vec3 sample_blinn_phong(vec3 n, vec3 wo, float exponent, vec2 u) {
 }
 
 float p_blinn_phong(vec3 n, vec3 wi, vec3 wo, float exponent) {
-    vec3 h = normalize(wi + wo);
-    return (exponent + 1.0) / (2.0 * pi) * blinn_power(n, wi, wo, exponent) / (4.0 * dot(wo, h));
+    vec3 h = half_vector(wi, wo, n);
+    float cos_h = dot(wo, h);
+    return cos_h > 0.0 ? (exponent + 1.0) / (2.0 * pi) * power_of_cosine(n, h, exponent) / (4.0 * cos_h) : 0.0;
 }

@@ -5,6 +5,7 @@
 // Conty Estevez & Kulla 2017, Eq. 2 (D), section 2 and table 1 (Λ, fitted). Limits: 0 < α <= 1. The fit of Λ ends at 3e7,
 // where the true one grows without bound, so cosines below 1e-4 count as that.
 #include "base/constants.glsl"
+#include "base/unit.glsl"
 
 float D_charlie(float cos_h, float alpha) {
     float sin2 = max(1.0 - cos_h * cos_h, 0.0);
@@ -26,5 +27,5 @@ float f_charlie(vec3 n, vec3 wi, vec3 wo, float alpha) {
     float cos_i = clamp(dot(n, wi), 1e-4, 1.0); // a cosine rounded to above 1 has no power of 1 - c
     float cos_o = clamp(dot(n, wo), 1e-4, 1.0);
     float shadowing = 1.0 + lambda_charlie(cos_i, alpha) + lambda_charlie(cos_o, alpha);
-    return D_charlie(dot(n, normalize(wi + wo)), alpha) / (shadowing * 4.0 * cos_i * cos_o);
+    return D_charlie(dot(n, half_vector(wi, wo, n)), alpha) / (shadowing * 4.0 * cos_i * cos_o);
 }

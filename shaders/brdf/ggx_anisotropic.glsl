@@ -7,6 +7,7 @@
 // D: Burley 2012, Eq. 13 with γ = 2. V: height-correlated Smith, Heitz 2014, Eq. 86 and 99, divided by 4 cos_i cos_o. p: the normals
 // that wo sees, Heitz 2018, Eq. 2 and 17, drawn after Dupuy & Benyoub 2023, Listing 3. α_t = α_b is ggx.glsl.
 #include "base/constants.glsl"
+#include "base/unit.glsl"
 
 // Directions in the frame of a surface: w * frame is local.
 mat3 anisotropic_frame(vec3 n, vec3 t) { return mat3(t, cross(n, t), n); }
@@ -34,5 +35,5 @@ vec3 sample_ggx_anisotropic(mat3 frame, vec3 wo, vec2 alphas, vec2 u) {
 float p_ggx_anisotropic(mat3 frame, vec3 wi, vec3 wo, vec2 alphas) {
     vec3 o = wo * frame;
     o.z = max(o.z, 0.0);
-    return D_ggx_anisotropic(normalize(wi + wo) * frame, alphas) / (2.0 * (o.z + length(vec3(alphas * o.xy, o.z))));
+    return D_ggx_anisotropic(half_vector(wi, wo, frame[2]) * frame, alphas) / (2.0 * (o.z + length(vec3(alphas * o.xy, o.z))));
 }

@@ -5,6 +5,7 @@
 // Density: Heitz 2018, Eq. 2 and 17, with G1 = 2 cos_o / (cos_o + √(…)) divided out. Sampling: Dupuy & Benyoub 2023,
 // Listing 3 (spherical caps). Limit: wi may come out below the horizon, where f_r is zero.
 #include "base/frame_around.glsl"
+#include "base/unit.glsl"
 #include "brdf/ggx.glsl"
 
 vec3 sample_ggx(vec3 n, vec3 wo, float alpha, vec2 u) {
@@ -22,5 +23,5 @@ vec3 sample_ggx(vec3 n, vec3 wo, float alpha, vec2 u) {
 float p_ggx(vec3 n, vec3 wi, vec3 wo, float alpha) {
     float cos_o = max(dot(n, wo), 0.0);
     float a2 = alpha * alpha;
-    return D_ggx(n, normalize(wi + wo), alpha) / (2.0 * (cos_o + sqrt(a2 + (1.0 - a2) * cos_o * cos_o)));
+    return D_ggx(n, half_vector(wi, wo, n), alpha) / (2.0 * (cos_o + sqrt(a2 + (1.0 - a2) * cos_o * cos_o)));
 }

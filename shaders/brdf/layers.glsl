@@ -8,6 +8,7 @@
 // the extension has it, so that a coated material is not reciprocal. KHR_materials_sheen, "Albedo-scaling technique" (both
 // directions, so that this layer is). There f_charlie is not divided; but below a roughness of 0.26 the fitted Λ sends back more than
 // arrives at grazing (E up to 18), and E = 1 is where that ends.
+#include "base/unit.glsl"
 #include "brdf/albedo_table.glsl"
 #include "brdf/charlie.glsl"
 #include "brdf/coat.glsl"
@@ -33,7 +34,7 @@ vec3 under_coat(Surface x, vec3 below, vec3 wi, vec3 wo) {
     float weight = coat_weight(x, wo);
     if (cos_i <= 0.0 || cos_base <= 0.0) return below * (1.0 - weight);
     float cos_o = max(dot(x.clearcoat_n, wo), 0.0);
-    float DV = D_ggx(x.clearcoat_n, normalize(wi + wo), x.clearcoat_alpha) * V_smith_ggx(cos_i, cos_o, x.clearcoat_alpha);
+    float DV = D_ggx(x.clearcoat_n, half_vector(wi, wo, x.clearcoat_n), x.clearcoat_alpha) * V_smith_ggx(cos_i, cos_o, x.clearcoat_alpha);
     return mix(below, vec3(DV * cos_i / cos_base), weight);
 }
 

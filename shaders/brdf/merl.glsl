@@ -7,12 +7,13 @@
 #include "base/angle.glsl"
 #include "base/constants.glsl"
 #include "base/frame_around.glsl"
+#include "base/unit.glsl"
 
 uniform sampler3D measured_brdf; // 180 φ_d × 90 θ_d × 90 θ_h
 
 // (φ_d, θ_d, θ_h) in cells.
 vec3 merl_place(vec3 n, vec3 wi, vec3 wo) {
-    vec3 h = normalize(wi + wo);
+    vec3 h = half_vector(wi, wo, n);
     vec3 across = cross(n, h); // what h turns around when it is brought to n
     float sin_h = length(across);
     float theta_h = angle_of(vec2(dot(n, h), sin_h));

@@ -9,6 +9,7 @@
 // straight through (surface/glass.glsl); δ: what goes to the other side (diffuse_transmission.glsl). For materials that are half metal the
 // appendix's closing simplification (B.3.5) weighs the diffuse part with the blended F instead; the definition above is
 // used. Unless it is asked for, no energy is compensated: rough metals lose what bounces twice.
+#include "base/unit.glsl"
 #include "brdf/diffuse_transmission.glsl"
 #include "brdf/energy_compensation.glsl"
 #include "brdf/fresnel.glsl"
@@ -26,12 +27,12 @@ vec3 F_of(Surface x, vec3 F0, float cos_h) {
 Lobes metallic_roughness_lobes(Surface x, vec3 wi, vec3 wo) {
     float cos_i = dot(x.n, wi);
     if (has_diffuse_transmission && cos_i < 0.0) {
-        vec3 F_below = x.specular * F_of(x, x.F0_dielectric, dot(wo, normalize(reflect(wi, x.n) + wo)));
+        vec3 F_below = x.specular * F_of(x, x.F0_dielectric, dot(wo, half_vector(reflect(wi, x.n), wo, x.n)));
         return Lobes((1.0 - largest(F_below)) * f_transmitted(x), vec3(0.0));
     }
     if (cos_i <= 0.0) return Lobes(vec3(0.0), vec3(0.0));
 
-    vec3 h = normalize(wi + wo);
+    vec3 h = half_vector(wi, wo, x.n);
     float cos_h = dot(wo, h);
     vec3 F = x.specular * F_of(x, x.F0_dielectric, cos_h);
     vec3 F_metal = F_of(x, x.base_color, cos_h);

@@ -65,7 +65,7 @@ int points_of_a_lobe(int parts) { return (analytic_points == 0 ? 8 : analytic_po
 Sum sum_over_outline(WarpedLobe lobe, Light light, int part, int parts, Surface x, vec3 wo) {
     Outline outline = outline_of(light, part, x.position, lobe.warp.warped_from_world);
     VisibleOutline v = visible_part(outline);
-    if (v.E <= 0.0) return Sum(vec3(0.0), 0.0, 0.0);
+    if (!(v.E > 0.0)) return Sum(vec3(0.0), 0.0, 0.0);
     vec3 mean = analytic_points == 0 ? mean_ratio(v.center, lobe, light, part, x, wo) : vec3(0.0);
     vec3 sum = vec3(0.0);
     float weights = 0.0;

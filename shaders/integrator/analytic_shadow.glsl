@@ -15,7 +15,7 @@ struct Chosen {
 void choose_in_outline(WarpedLobe lobe, Light light, int part, int parts, Surface x, vec3 wo, inout Chosen chosen) {
     Outline outline = outline_of(light, part, x.position, lobe.warp.warped_from_world);
     VisibleOutline v = visible_part(outline);
-    if (v.E <= 0.0) return;
+    if (!(v.E > 0.0)) return;
     vec3 mean = analytic_points == 0 ? mean_ratio(v.center, lobe, light, part, x, wo) : vec3(0.0);
     for (int k = 0; k <= outline.count; ++k) {
         Arc arc = arc_of(outline, v, k);

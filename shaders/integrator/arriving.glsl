@@ -24,7 +24,9 @@ float solid_angle_of(int k, LightSample light) {
     if (light.p > 0.0) return 1.0 / light.p;
     Light from = light_at(k);
     if (from.kind != mesh_light || from.quantity == vec3(0.0)) return 0.0;
-    return dot(light.Li_over_p, from.quantity) / dot(from.quantity, from.quantity); // untextured: L_e / p over L_e
+    vec3 L = from.quantity; // untextured: L_e / p over L_e, by the channel that has most
+    int channel = L.r >= max(L.g, L.b) ? 0 : L.g >= L.b ? 1 : 2;
+    return light.Li_over_p[channel] / L[channel];
 }
 
 float luminance(vec3 color) { return dot(color, vec3(0.2126, 0.7152, 0.0722)); } // Rec. 709

@@ -43,7 +43,7 @@ vec3 reflected(Surface x, vec3 wo) {
 
         LightSample along = no_light;
         if (samples_brdf) along = light_along(k, x.position, w_brdf);
-        if (along.p > 0.0) { // the point came with density p_brdf, so that is what the integrand is over
+        if (along.p > 0.0 && p_brdf > 0.0) { // the point came with density p_brdf, so that is what the integrand is over
             float odds = along.p / p_brdf;
             float weight_over_p = 1.0 / (odds + 1.0 / odds); // power_heuristic(p_brdf, along.p) * odds
             L += weight_over_p * integrand_over_p(x, along, wo, k, along_brdf);

@@ -20,7 +20,7 @@ float p_disk(Light light, vec3 to_center, vec2 rim) {
 
 LightSample sample_disk(Light light, vec3 x, vec2 u) {
     vec3 to_center = light.position - x;
-    if (!faces(light, to_center)) return no_light;
+    if (!faces(light, x, to_center)) return no_light;
     vec2 rim = vec2(cos(2.0 * pi * u.x), sin(2.0 * pi * u.x));
     vec3 e = rim.x * light.half_u + rim.y * light.half_v;
     vec3 b = to_center + e;
@@ -40,7 +40,7 @@ LightSample disk_along(Light light, vec3 x, vec3 wi) {
     float d = distance_to_plane(light, to_center, wi);
     vec2 st = plane_coordinates(light, d * wi - to_center);
     float q2 = dot(st, st);
-    if (d <= 0.0 || q2 > 1.0 || !faces(light, to_center)) return no_light;
+    if (!(d > 0.0 && q2 <= 1.0) || !faces(light, x, to_center)) return no_light;
     vec2 rim = q2 > 0.0 ? st * inversesqrt(q2) : vec2(1.0, 0.0);
     return light_sample(wi, d, light.quantity * emission_at(light, st), p_disk(light, to_center, rim));
 }

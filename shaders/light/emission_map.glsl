@@ -14,7 +14,7 @@ vec3 emission_map(int map, vec2 uv) {
     int height = int(place.z);
     int wrap_u = int(place.w) & 3;
     int wrap_v = int(place.w) >> 2;
-    vec2 at = uv * place.yz - 0.5;
+    vec2 at = texel_place(uv, ivec2(width, height));
     ivec2 corner = ivec2(floor(at));
     vec2 f = at - floor(at);
     int x0 = wrapped(corner.x, width, wrap_u);

@@ -1,8 +1,17 @@
 // What flat emitters share: a plane with a front, met by a ray.
 #include "interface/lights.glsl"
 
-// Whether x, to which the emitter's plane is at `to_plane`, is on a side to which the emitter emits.
-bool faces(Light light, vec3 to_plane) { return dot(light.direction, to_plane) < 0.0 || light.is_two_sided; }
+// Whether a flat emitter shines on x. `front` is the normal of its front, of any length; `to_plane` leads from x to a point of
+// its plane. An emitter sends nothing to points of its own plane. Rounding leaves these off the plane by some units in the last
+// place of their coordinates, so points nearer than 2^-18 (32 units) of those count as on it.
+bool shines_on(vec3 front, vec3 x, vec3 to_plane, bool is_two_sided) {
+    vec3 size = abs(x) + abs(to_plane);
+    float rounding = 3.8e-6 * max(size.x, max(size.y, size.z)) * length(front);
+    float height = -dot(front, to_plane);
+    return (is_two_sided ? abs(height) : height) > rounding;
+}
+
+bool faces(Light light, vec3 x, vec3 to_plane) { return shines_on(light.direction, x, to_plane, light.is_two_sided); }
 
 // The coordinates (s, t) of the point q of the emitter's plane, told from the centre: q = s half_u + t half_v.
 vec2 plane_coordinates(Light light, vec3 q) {

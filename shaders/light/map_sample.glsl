@@ -14,11 +14,10 @@
 
 LightSample flat_from_point(Light light, MapPoint y, vec3 x) {
     vec3 to_light = y.position - x;
+    if (!shines_on(y.normal, x, to_light, light.is_two_sided)) return no_light;
     float d = length(to_light);
     vec3 wi = to_light / d;
-    float cos_y = -dot(y.normal, wi);
-    if (light.is_two_sided) cos_y = abs(cos_y);
-    if (!(cos_y > 0.0)) return no_light;
+    float cos_y = abs(dot(y.normal, wi));
     vec3 L_e = light.quantity * emission_map(light.map, y.uv);
     return light_sample(wi, d, L_e, d * d / (y.extent * cos_y));
 }

@@ -7,6 +7,7 @@
 // Limit: a direction of the BRDF's choice does not find them (that takes a ray cast), so glossy surfaces under meshes
 // are noisier than under other emitters. u.x serves twice; 2^24 / n strata are left for the point.
 #include "light/emission_map.glsl"
+#include "light/flat.glsl"
 #include "light/light_sample.glsl"
 #include "light/triangle.glsl"
 
@@ -38,7 +39,7 @@ LightSample sample_mesh(Light light, vec3 x, vec2 u) {
     vec3 ac = third.xyz - x - a;
     vec3 normal = cross(ab, ac); // 2 A long
     float height = dot(a, normal);
-    if (height == 0.0 || (height > 0.0 && !light.is_two_sided)) return no_light;
+    if (!shines_on(normal, x, a, light.is_two_sided)) return no_light;
 
     float solid_angle = triangle_solid_angle(a, a + ab, a + ac, normal);
     vec2 barycentric = sample_area(u);

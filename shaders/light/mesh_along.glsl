@@ -12,11 +12,11 @@ LightSample mesh_along(Light light, vec3 x, vec3 wi) {
         vec3 ab = texelFetch(light_table, first + 1).xyz - x - a;
         vec3 ac = texelFetch(light_table, first + 2).xyz - x - a;
         vec3 normal = cross(ab, ac);
+        if (!shines_on(normal, x, a, light.is_two_sided)) continue;
         float facing = dot(normal, wi); // negative: its front
-        if (facing == 0.0 || (facing > 0.0 && !light.is_two_sided)) continue;
         float d = dot(normal, a) / facing;
         vec2 at = vec2(dot(wi, cross(ac, a)), dot(wi, cross(a, ab))) / facing;
-        if (d <= 0.0 || d >= nearest.distance || at.x < 0.0 || at.y < 0.0 || at.x + at.y > 1.0) continue;
+        if (!(d > 0.0 && d < nearest.distance && at.x >= 0.0 && at.y >= 0.0 && at.x + at.y <= 1.0)) continue;
         vec3 L_e = light.quantity;
         if (has_emission_maps && light.map >= 0) {
             vec4 uv_ab = texelFetch(light_table, first + 3);

@@ -1,6 +1,7 @@
 // The outline of an emitter as x sees it, through a linear map: a closed convex loop of straight and round pieces,
 // counter-clockwise as seen from x. Absent (count = 0) where x is behind or inside the emitter.
 #include "interface/lights.glsl"
+#include "light/flat.glsl"
 #include "light/horizon.glsl"
 
 struct Outline {
@@ -58,16 +59,10 @@ Piece piece_at(Outline outline, int k) {
     return straight_piece(corner, edge);
 }
 
-// Whether x is on a flat emitter's bright side. `front` is the normal there, to_corner leads from x to any point of it.
-bool shines_on(vec3 front, vec3 to_corner, bool is_two_sided) {
-    float towards = dot(front, to_corner);
-    return is_two_sided ? towards != 0.0 : towards < 0.0;
-}
-
 Outline rectangle_outline(Light light, vec3 x, mat3 warp) {
     Outline o = empty_outline(x, warp);
     vec3 c = light.position - x;
-    if (!shines_on(light.direction, c, light.is_two_sided)) return o;
+    if (!faces(light, x, c)) return o;
     o.count = 4;
     vec3 u = light.half_u;
     vec3 v = dot(light.direction, c) < 0.0 ? -light.half_v : light.half_v; // the front is seen the other way round
@@ -82,7 +77,7 @@ Outline rectangle_outline(Light light, vec3 x, mat3 warp) {
 Outline polygon_outline(int first_texel, int count, vec3 front, bool is_two_sided, vec3 x, mat3 warp) {
     Outline o = empty_outline(x, warp);
     vec3 to_corner = texelFetch(light_table, first_texel).xyz - x;
-    if (!shines_on(front, to_corner, is_two_sided)) return o;
+    if (!shines_on(front, x, to_corner, is_two_sided)) return o;
     o.count = count;
     o.first_texel = first_texel;
     o.is_reversed = dot(front, to_corner) < 0.0;

@@ -66,7 +66,7 @@ Outline round_outline(Light light, vec3 x, mat3 warp) {
         other = sphere_circle(p1, light.radius);
         ellipse = sphere_circle(has_two_ends || along >= 0.5 ? p2 : p1, light.radius);
     } else if (has_disk_lights && light.kind == disk_light) {
-        is_seen = shines_on(light.direction, c, light.is_two_sided);
+        is_seen = faces(light, x, c);
         ellipse = Ellipse(c, light.half_u, light.half_v);
     } else if (has_sphere_lights && light.kind == sphere_light) {
         is_seen = length(c) > light.radius;

@@ -26,13 +26,13 @@ float polygon_solid_angle(Light light, vec3 x) {
 
 LightSample polygon_point(Light light, vec3 to_center, vec3 wi, float solid_angle) {
     float d = distance_to_plane(light, to_center, wi);
-    if (!(d > 0.0 && solid_angle > 0.0)) return no_light;
+    if (!(solid_angle > 0.0)) return no_light;
     return light_sample(wi, d, light.quantity, 1.0 / solid_angle);
 }
 
 LightSample sample_polygon(Light light, vec3 x, vec2 u) {
     vec3 to_center = light.position - x;
-    if (!faces(light, to_center)) return no_light;
+    if (!faces(light, x, to_center)) return no_light;
     float total = polygon_solid_angle(light, x);
     float rest = u.x * total;
     float share = 0.0;
@@ -51,7 +51,7 @@ LightSample sample_polygon(Light light, vec3 x, vec2 u) {
 
 LightSample polygon_along(Light light, vec3 x, vec3 wi) {
     vec3 to_center = light.position - x;
-    if (!faces(light, to_center) || dot(light.direction, wi) * dot(light.direction, to_center) <= 0.0) return no_light;
+    if (!faces(light, x, to_center) || !(dot(light.direction, wi) * dot(light.direction, to_center) > 0.0)) return no_light;
     float side = sign(dot(light.direction, wi)); // seen from the back the corners go round the other way
     vec3 a = polygon_corner(light, light.count - 1, x);
     for (int i = 0; i < light.count; ++i) {

@@ -62,7 +62,7 @@ float p_rectangle(Light light, SphericalRectangle r, float distance) {
 
 LightSample sample_rectangle(Light light, vec3 x, vec2 u) {
     vec3 to_center = light.position - x;
-    if (!faces(light, to_center)) return no_light;
+    if (!faces(light, x, to_center)) return no_light;
     SphericalRectangle r = spherical_rectangle(light, to_center);
     vec2 place = r.solid_angle >= least_solid_angle ? sample_spherical_rectangle(r, u) : mix(r.low, r.high, u);
     vec2 st = 2.0 * (place - r.low) / (r.high - r.low) - 1.0;
@@ -76,7 +76,7 @@ LightSample rectangle_along(Light light, vec3 x, vec3 wi) {
     vec3 to_center = light.position - x;
     float d = distance_to_plane(light, to_center, wi);
     vec2 st = plane_coordinates(light, d * wi - to_center);
-    if (d <= 0.0 || max(abs(st.x), abs(st.y)) > 1.0 || !faces(light, to_center)) return no_light;
+    if (!(d > 0.0 && abs(st.x) <= 1.0 && abs(st.y) <= 1.0) || !faces(light, x, to_center)) return no_light;
     float p = p_rectangle(light, spherical_rectangle(light, to_center), d);
     return light_sample(wi, d, light.quantity * emission_at(light, st), p);
 }

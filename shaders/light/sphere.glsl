@@ -22,7 +22,7 @@ LightSample sphere_point(Light light, vec3 to_center, vec3 wi, float p) {
 LightSample sample_sphere(Light light, vec3 x, vec2 u) {
     vec3 to_center = light.position - x;
     float sin2 = light.radius * light.radius / dot(to_center, to_center);
-    if (sin2 >= 1.0) return no_light;
+    if (!(sin2 < 1.0)) return no_light;
     float height = one_minus_cos(sin2);
     return sphere_point(light, to_center, sample_cone(normalize(to_center), height, u), p_cone(height));
 }
@@ -33,6 +33,6 @@ LightSample sphere_along(Light light, vec3 x, vec3 wi) {
     float r2 = light.radius * light.radius;
     float middle = dot(wi, to_center);
     vec3 off = to_center - middle * wi;
-    if (r2 >= d2 || middle <= 0.0 || dot(off, off) > r2) return no_light;
+    if (!(r2 < d2 && middle > 0.0 && dot(off, off) <= r2)) return no_light;
     return sphere_point(light, to_center, wi, p_cone(one_minus_cos(r2 / d2)));
 }

@@ -25,6 +25,6 @@ LightSample sample_sun(Light light, vec2 u) {
 LightSample sun_along(Light light, vec3 wi) {
     vec3 off = wi + light.direction; // from the centre of the disk: a chord of length 2 sin(θ/2)
     float height = sun_height(light);
-    if (dot(off, off) > 2.0 * height) return no_light;
+    if (!(dot(off, off) <= 2.0 * height)) return no_light;
     return light_sample(wi, infinitely_far, sun_radiance(light), p_cone(height));
 }

@@ -67,7 +67,7 @@ VisibleOutline visible_part(Outline outline) {
         v.E += 0.5 * v.closing.to;
         middle += middle_and_length(v.closing);
     }
-    v.E = any ? max(v.E, 0.0) : 0.0;
+    v.E = any && v.E > 0.0 ? min(v.E, pi) : 0.0; // an emitter too small for floats has no E either
     if (any) v.center = normalize(middle.xyz);
     v.girth = middle.w;
     return v;

@@ -15,7 +15,7 @@ float alpha_of(float roughness) { return max(roughness * roughness, smallest_alp
 
 // wo: the unit direction from x to the viewer.
 vec3 direction_to_viewer() {
-    return eye.w == 0.0 ? eye.xyz : normalize(eye.xyz - vertex_position);
+    return eye.w == 0.0 ? eye.xyz : unit_or(eye.xyz - vertex_position, vec3(0.0, 0.0, 1.0));
 }
 
 // KHR_materials_anisotropy: along t the width grows, across it stays.

@@ -7,7 +7,9 @@ vec2 uv(int slot) {
     vec4 row_u = uv_row_u[slot];
     vec4 row_v = uv_row_v[slot];
     vec3 set = vec3(row_u.w == 0.0 ? vertex_uv0 : vertex_uv1, 1.0);
-    return vec2(dot(row_u.xyz, set), dot(row_v.xyz, set));
+    vec2 at = vec2(dot(row_u.xyz, set), dot(row_v.xyz, set));
+    bool is_near = abs(at.x) < 1.6e7 && abs(at.y) < 1.6e7; // 2^24; beyond, floats have no fractions that a sampler could read
+    return is_near ? at : vec2(0.0);
 }
 
 vec4 base_color() {

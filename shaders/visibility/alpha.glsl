@@ -4,7 +4,7 @@
 
 // Bilinear in the full-size texture that begins at texel `first`.
 float map_value(int first, ivec2 size, int wrap_u, int wrap_v, vec2 uv) {
-    vec2 at = uv * vec2(size) - 0.5;
+    vec2 at = texel_place(uv, size);
     ivec2 corner = ivec2(floor(at));
     vec2 f = at - floor(at);
     int x0 = wrapped(corner.x, size.x, wrap_u);

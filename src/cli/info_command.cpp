@@ -118,8 +118,14 @@ ordered_json scene_json(const std::string& file, bool is_strict) {
                       {"extensions", extensions_json(loaded.contents)},
                       {"warnings", loaded.warnings}};
     if (!bounds.is_empty())
-        json["bounds [m]"] = {{"min", {bounds.min.x, bounds.min.y, bounds.min.z}},
-                              {"max", {bounds.max.x, bounds.max.y, bounds.max.z}}};
+    {
+        const auto place = [&](vec3 p) { // in the file's world
+            if (s.origin == glm::dvec3(0.0)) return ordered_json{p.x, p.y, p.z};
+            const glm::dvec3 world = s.origin + glm::dvec3(p);
+            return ordered_json{world.x, world.y, world.z};
+        };
+        json["bounds [m]"] = {{"min", place(bounds.min)}, {"max", place(bounds.max)}};
+    }
     return json;
 }
 

@@ -58,13 +58,13 @@ public:
     }
     ordered_json operator()(const scene::SphereLight& l) const {
         ordered_json json = area("sphere", l);
-        json["center [m]"] = list(l.center);
+        json["center [m]"] = place(l.center);
         json["radius [m]"] = l.radius;
         return json;
     }
     ordered_json operator()(const scene::TubeLight& l) const {
         ordered_json json = area("tube", l);
-        json["center [m]"] = list(l.center);
+        json["center [m]"] = place(l.center);
         json["axis [m]"] = list(2.0f * l.half_axis);
         json["radius [m]"] = l.radius;
         return json;
@@ -113,18 +113,25 @@ private:
     template<class Flat>
     ordered_json flat(const char* kind, const Flat& l) const {
         ordered_json json = sided(kind, l);
-        json["center [m]"] = list(l.center);
+        json["center [m]"] = place(l.center);
         json["normal"] = list(l.normal());
         if (l.map.is_present()) json["texture"] = l.map.texture;
         return json;
     }
 
     template<class Punctual>
-    static ordered_json with_place(ordered_json json, const Punctual& l) {
-        json["position [m]"] = list(l.position);
+    ordered_json with_place(ordered_json json, const Punctual& l) const {
+        json["position [m]"] = place(l.position);
         if (l.radius > 0.0f) json["radius [m]"] = l.radius;
         if (std::isfinite(l.range)) json["range [m]"] = l.range;
         return json;
+    }
+
+    /// A place in the file's world.
+    ordered_json place(vec3 p) const {
+        if (scene_.origin == glm::dvec3(0.0)) return list(p);
+        const glm::dvec3 world = scene_.origin + glm::dvec3(p);
+        return {world.x, world.y, world.z};
     }
 
     const scene::Scene& scene_;

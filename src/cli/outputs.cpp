@@ -1,5 +1,7 @@
 #include "cli/outputs.hpp"
 
+#include "image/half.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -82,13 +84,28 @@ void remark_on(const image::Image& film, const RenderCommand& command, const sce
 
 bool holds_layers(const std::string& output) { return output.ends_with(".exr") || output.ends_with(".EXR"); }
 
+namespace {
+
+void warn_of_half_overflow(const image::Image& image, const std::string& output) {
+    const std::size_t count = image::half_overflow_count(image);
+    if (count == 0) return;
+    const bool is_one = count == 1;
+    fmt::print(stderr, "{}: {} value{} beyond 65504, the largest of --exr-type half, {} stored as that: "
+                       "--exr-type float holds {}\n",
+               output, count, is_one ? "" : "s", is_one ? "is" : "are", is_one ? "it" : "them");
+}
+
+} // namespace
+
 std::optional<float> write_outputs(const Picture& picture, const RenderCommand& command) {
     const image::Image& film = picture.film;
     std::optional<float> ev100;
     for (const std::string& output : command.outputs) {
         if (image::is_scene_referred(output)) {
-            image::write(picture.layers && holds_layers(output) ? *picture.layers : film, output,
-                         command.exr_type);
+            const image::Image& written = picture.layers && holds_layers(output) ? *picture.layers : film;
+            if (command.exr_type == image::SampleType::half && holds_layers(output))
+                warn_of_half_overflow(written, output);
+            image::write(written, output, command.exr_type);
             continue;
         }
         if (command.view && command.view->kind != ViewKind::light) {

@@ -63,6 +63,13 @@ std::string name_of(const scene::Light& light) {
 
 ordered_json triple(vec3 v) { return {v.x, v.y, v.z}; }
 
+/// A point in the file's world.
+ordered_json place(vec3 p, const scene::Scene& scene) {
+    if (scene.origin == glm::dvec3(0.0)) return triple(p);
+    const glm::dvec3 world = scene.origin + glm::dvec3(p);
+    return {world.x, world.y, world.z};
+}
+
 /// "L [cd/m^2]", in the scene's units.
 std::string with_unit(const char* symbol, scene::Quantity quantity, const OpenScene& open) {
     return fmt::format("{} [{}]", symbol, scene::name_of({quantity, open.stage.scene.units}));
@@ -94,7 +101,7 @@ ordered_json as_json(const ProbeCommand& command, const OpenScene& open, const r
             {"camera", open.stage.camera.name},
             {"samples", command.rendering.stop.samples},
             {"seed", command.rendering.seed},
-            {"x [m]", triple(terms.x)},
+            {"x [m]", place(terms.x, open.stage.scene)},
             {"n", triple(terms.n)},
             {"wo", triple(terms.wo)},
             {"coverage", terms.coverage},
@@ -124,8 +131,11 @@ void print(const ProbeCommand& command, const OpenScene& open, const render::Pix
     fmt::print("pixel {},{} of {}x{}, camera '{}', {} samples, seed {}\n\n", command.pixel.column,
                command.pixel.row, open.size.width, open.size.height, open.stage.camera.name,
                command.rendering.stop.samples, command.rendering.seed);
-    fmt::print("  x   {} m\n  n   {}\n  wo  {}\n\n", cells(terms.x, 11), cells(terms.n, 11),
-               cells(terms.wo, 11));
+    const glm::dvec3 x = open.stage.scene.origin + glm::dvec3(terms.x);
+    const bool is_far = open.stage.scene.origin != glm::dvec3(0.0); // more digits than four
+    fmt::print("  x   {} m\n  n   {}\n  wo  {}\n\n",
+               is_far ? fmt::format("{:>15.10g}{:>15.10g}{:>15.10g}", x.x, x.y, x.z) : cells(terms.x, 11),
+               cells(terms.n, 11), cells(terms.wo, 11));
     fmt::print("  L_o = L_e + Σ E f_r; directions, cosθ, V and f_r are means over the light; f_r and E as "
                "luminance\n\n");
     fmt::print("    {:<18}{:<12}{:>9} {:>21}{:>8}{:>8}{:>11}{:>10}{:>33}\n", "light", "shape", "Ω [sr]", "wi",

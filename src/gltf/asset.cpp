@@ -44,6 +44,8 @@ public:
         mesh_count_ = scene_.meshes.size();
         scene_.images = decoding.images(warnings_, lost_images_);
         arrange(scene_, materials_);
+        origin_ = scene::fitting_origin(scene_);
+        if (origin_ != glm::dvec3(0.0)) arrange(scene_, materials_);
         list_contents();
         contents_.light_nodes = light_nodes_;
         contents_.material_numbers = materials_.numbers();
@@ -76,7 +78,9 @@ public:
 private:
     /// Everything that moves: instances, the shapes of meshes, lights, cameras.
     void arrange(scene::Scene& scene, const MaterialTable& materials) {
-        const std::vector<PlacedNode> placed = placed_nodes(document_, scene_index_);
+        std::vector<PlacedNode> placed = placed_nodes(document_, scene_index_);
+        for (PlacedNode& node : placed) node.world_from_node[3] -= glm::dvec4(origin_, 0.0);
+        scene.origin = origin_;
         const std::vector<bool> is_visible = drawn_.pose(placed, scene);
         materials.share_fluxes(scene); // a lamp that is switched off keeps its radiance
         drop_lost_textures(scene);
@@ -157,6 +161,7 @@ private:
     scene::Scene scene_;        // until it is given away
     std::set<int> lost_images_; // those of the scene that could not be decoded
     std::size_t mesh_count_ = 0;
+    glm::dvec3 origin_{0.0}; // fits the scene at rest and stays, so that cameras may be kept from moment to moment
     bool is_given_ = false;
 };
 

@@ -2,6 +2,7 @@
 
 #include "gltf/text.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace sr::gltf {
@@ -22,6 +23,8 @@ mat4 orthonormalised(const Document& document, const PlacedNode& placed) {
     return {glm::vec4(x, 0.0f), glm::vec4(glm::cross(z, x), 0.0f), glm::vec4(z, 0.0f),
             glm::vec4(placed.world_from_node[3])};
 }
+
+constexpr float widest_yfov = 3.1415f; // the tangent of its half is still a small number
 
 class Claims {
 public:
@@ -45,7 +48,7 @@ scene::Perspective perspective(const tinygltf::PerspectiveCamera& from, const Cl
     claim(from.aspectRatio >= 0.0, "aspectRatio", from.aspectRatio, "positive");
     claim(from.zfar == 0.0 || from.zfar > from.znear, "zfar", from.zfar, "beyond znear");
     scene::Perspective to;
-    to.yfov = static_cast<float>(from.yfov);
+    to.yfov = std::min(static_cast<float>(from.yfov), widest_yfov);
     to.znear = static_cast<float>(from.znear);
     if (from.aspectRatio > 0.0) to.aspect_ratio = static_cast<float>(from.aspectRatio);
     if (from.zfar > 0.0) to.zfar = static_cast<float>(from.zfar);

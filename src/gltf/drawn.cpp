@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <glm/gtc/matrix_transform.hpp>
 
 namespace sr::gltf {
 namespace {
@@ -27,6 +28,19 @@ const std::vector<double>& weights_of(const Document& document, const tinygltf::
 
 const dmat4 mirror{glm::dvec4(-1.0, 0.0, 0.0, 0.0), glm::dvec4(0.0, 1.0, 0.0, 0.0),
                    glm::dvec4(0.0, 0.0, 1.0, 0.0), glm::dvec4(0.0, 0.0, 0.0, 1.0)};
+
+/// Tells the positions of a mesh whose vertices stand far out from its middle, so that a turn or a scale of its node
+/// does not round them once more. @return that middle
+glm::dvec3 moved_to_middle(scene::Mesh& mesh) {
+    scene::Scene alone;
+    alone.meshes.push_back({});
+    alone.meshes[0].positions = mesh.positions;
+    alone.instances.emplace_back();
+    const glm::dvec3 middle = scene::fitting_origin(alone);
+    if (middle != glm::dvec3(0.0))
+        for (vec3& position : mesh.positions) position = vec3(glm::dvec3(position) - middle);
+    return middle;
+}
 
 bool mirrors(const std::vector<dmat4>& joints) { return glm::determinant(glm::dmat3(joints[0])) < 0.0; }
 
@@ -76,6 +90,8 @@ std::vector<DrawnMeshes::Part> DrawnMeshes::parts_of(int mesh, MaterialTable& ma
         made->material = number;
         Deformation deformation = deformation_of(document_, place, *made, material, warnings);
         Part part;
+        const bool keeps_shape = deformation.targets.empty() && deformation.influences.per_vertex == 0;
+        if (keeps_shape) part.middle = moved_to_middle(*made);
         if (!deformation.targets.empty() || deformation.influences.per_vertex > 0)
             part.deformation = std::make_shared<const Deformation>(std::move(deformation));
         part.rest = std::make_shared<const scene::Mesh>(static_cast<scene::Mesh&&>(*std::move(made)));
@@ -98,6 +114,8 @@ void DrawnMeshes::add(std::size_t placed, const PlacedNode& node, Part& part, sc
         require_joints(drawn.skin, *part.deformation);
     else
         drawn.node_from_instance = instances_of(document_, node.node);
+    for (dmat4& node_from_instance : drawn.node_from_instance)
+        node_from_instance = glm::translate(node_from_instance, part.middle);
     if (drawn.deformation || part.mesh < 0) {
         drawn.mesh = static_cast<int>(scene.meshes.size());
         scene.meshes.push_back(*part.rest);

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <glm/gtc/constants.hpp>
+#include <limits>
 
 namespace sr::gltf {
 namespace {
@@ -23,9 +25,10 @@ vec2 two_in(const Value& object, const std::string& key, vec2 fallback) {
 // counter-clockwise as seen on the image, whose v goes down. (The extension's example, "the lower left
 // quadrant rotated clockwise by 90°", holds for this sign only.)
 mat3 uv_transform(const Value& transform) {
-    const vec2 offset = two_in(transform, "offset", vec2(0.0f));
-    const vec2 scale = two_in(transform, "scale", vec2(1.0f));
-    const auto angle = static_cast<float>(number_in(transform, "rotation", 0.0));
+    constexpr float far = 1e9f; // beyond, nothing is left of a coordinate's fraction; within, no product overflows
+    const vec2 offset = glm::clamp(two_in(transform, "offset", vec2(0.0f)), -far, far);
+    const vec2 scale = glm::clamp(two_in(transform, "scale", vec2(1.0f)), -far, far);
+    const auto angle = static_cast<float>(within_a_turn(number_in(transform, "rotation", 0.0)));
     const float c = std::cos(angle);
     const float s = std::sin(angle);
     return {vec3(c * scale.x, -s * scale.x, 0.0f), vec3(s * scale.y, c * scale.y, 0.0f), vec3(offset, 1.0f)};
@@ -46,12 +49,20 @@ vec3 three_in(const Value& object, const std::string& key, vec3 fallback) {
     return fallback;
 }
 
-vec3 not_negative(const Document& document, vec3 value, const char* factor, const std::string& material) {
-    if (!(value.x >= 0.0f && value.y >= 0.0f && value.z >= 0.0f))
-        document.fail(fmt::format("material {}: {} is {} {} {}", in_quotes(material), factor, value.x,
-                                  value.y, value.z),
-                      "give zero or more");
+double within_a_turn(double angle) { return std::remainder(angle, 2.0 * glm::pi<double>()); }
+
+vec3 within(const Document& document, vec3 value, float most, const char* factor, const std::string& material,
+            const char* remedy) {
+    for (int i = 0; i < 3; ++i)
+        if (!(value[i] >= 0.0f && value[i] <= most))
+            document.fail(fmt::format("material {}: {} is {} {} {}", in_quotes(material), factor, value.x,
+                                      value.y, value.z),
+                          remedy);
     return value;
+}
+
+vec3 not_negative(const Document& document, vec3 value, const char* factor, const std::string& material) {
+    return within(document, value, std::numeric_limits<float>::max(), factor, material, "give zero or more");
 }
 
 MaterialTable::MaterialTable(const Document& document, MeasuredTable& measured, Warnings& warnings)
@@ -73,11 +84,17 @@ std::vector<int> MaterialTable::numbers() const {
     return numbers;
 }
 
-float MaterialTable::fraction(double value, const char* factor, const std::string& material) {
-    if (value >= 0.0 && value <= 1.0) return static_cast<float>(value);
-    warnings_.add(fmt::format("material {}: {} is {}, outside 0 to 1", in_quotes(material), factor, value),
+float MaterialTable::clamped(double value, double least, double most, const char* factor,
+                             const std::string& material) {
+    if (value >= least && value <= most) return static_cast<float>(value);
+    warnings_.add(fmt::format("material {}: {} is {}, outside {} to {}", in_quotes(material), factor, value,
+                              least, most),
                   "it is clamped");
-    return static_cast<float>(std::clamp(value, 0.0, 1.0));
+    return static_cast<float>(std::clamp(value, least, most));
+}
+
+float MaterialTable::fraction(double value, const char* factor, const std::string& material) {
+    return clamped(value, 0.0, 1.0, factor, material);
 }
 
 scene::TextureSlot MaterialTable::slot(int texture, int texcoord, const tinygltf::ExtensionMap& extensions,
@@ -198,7 +215,7 @@ void MaterialTable::read_metallic_roughness(const tinygltf::Material& from, scen
     to.metallic_roughness_texture = slot_of(pbr.metallicRoughnessTexture, ColorSpace::linear);
     if (const Value* ior = extension(from.extensions, "KHR_materials_ior"))
         to.ior = static_cast<float>(number_in(*ior, "ior", 1.5));
-    if (to.ior != 0.0f && !(to.ior >= 1.0f))
+    if (to.ior != 0.0f && !(to.ior >= 1.0f && std::isfinite(to.ior)))
         document_.fail(fmt::format("material {}: ior is {}", in_quotes(from.name), to.ior),
                        "give 0, or 1 and more");
     read_specular(from, to);
@@ -244,7 +261,8 @@ scene::Material MaterialTable::read(const tinygltf::Material& from, int number) 
         return slot(info.index, info.texCoord, info.extensions, color_space);
     };
     to.normal_texture = slot_of(from.normalTexture, ColorSpace::linear);
-    to.normal_scale = static_cast<float>(from.normalTexture.scale);
+    to.normal_scale =
+        clamped(from.normalTexture.scale, -steepest_map, steepest_map, "normalTexture/scale", from.name);
     to.emission_texture = slot_of(from.emissiveTexture, ColorSpace::srgb);
 
     // Where the map is lost, nothing of it is emitted: a surface that glows all over would light the scene.

@@ -56,7 +56,9 @@ private:
                             scene::ColorSpace color_space);
     /// Which of the two sets of a mesh is TEXCOORD_n for the material at hand; absent where both are taken.
     std::optional<int> texcoord_set(int n);
-    float fraction(double value, const char* factor, const std::string& material);
+    /// The value, or with a warning the nearest of [least, most].
+    float clamped(double value, double least, double most, const char* factor, const std::string& material);
+    float fraction(double value, const char* factor, const std::string& material); // 0 to 1
 
     const Document& document_;
     MeasuredTable& measured_;
@@ -71,7 +73,17 @@ private:
 /// Three numbers of an extension's object, which the rules (rules.cpp) have counted.
 vec3 three_in(const tinygltf::Value& object, const std::string& key, vec3 fallback);
 
-/// @throws Error unless all components are zero or more
+/// The same angle [rad] within half a turn of 0, so that a float keeps its digits.
+double within_a_turn(double angle);
+
+/// The steepest that a normal map is made by its scale: beyond, only the direction of its slope is left.
+inline constexpr double steepest_map = 1e6;
+
+/// @throws Error unless all components are 0 to `most`; `remedy` says what is allowed
+vec3 within(const Document& document, vec3 value, float most, const char* factor, const std::string& material,
+            const char* remedy);
+
+/// @throws Error unless all components are zero or more, and floats
 vec3 not_negative(const Document& document, vec3 value, const char* factor, const std::string& material);
 
 } // namespace sr::gltf

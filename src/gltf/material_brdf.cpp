@@ -39,16 +39,20 @@ void check_properties(const Document& document, const Value& stated, std::option
     }
 }
 
+/// Far around those of all materials; within, the fourth powers of Fresnel's equations are floats.
+bool is_index(double n, double k) { return n >= 0.999e-3 && n <= 1e3 && k >= 0.0 && k <= 1e3; }
+constexpr const char* index_remedy = "give n from 0.001 to 1000 and k from 0 to 1000";
+
 scene::IorSpectrum spectrum_in(const Document& document, const Value& list, const std::string& title) {
     scene::IorSpectrum spectrum;
     for (int i = 0; i < static_cast<int>(list.ArrayLen()); ++i) {
         const Value& point = list.Get(i);
         spectrum.push_back({point.Get(0).GetNumberAsDouble(), point.Get(1).GetNumberAsDouble(),
                             point.Get(2).GetNumberAsDouble()});
-        if (!(spectrum.back().n > 0.0 && spectrum.back().k >= 0.0))
+        if (!is_index(spectrum.back().n, spectrum.back().k))
             document.fail(fmt::format("{}: ior_spectrum has n = {} and k = {}", title, spectrum.back().n,
                                       spectrum.back().k),
-                          "give n above zero and k of zero or more");
+                          index_remedy);
         if (i > 0 && !(spectrum.back().wavelength > spectrum[spectrum.size() - 2].wavelength))
             document.fail(fmt::format("{}: the wavelengths of ior_spectrum do not ascend", title),
                           "sort its points [nm, n, k]");
@@ -69,9 +73,9 @@ scene::ComplexIor ior_in(const Document& document, const Value& stated, const st
     const Value& complex = stated.Get("complex_ior");
     const scene::ComplexIor ior{three_in(complex, "n", vec3(1.0f)), three_in(complex, "k", vec3(0.0f))};
     for (int i = 0; i < 3; ++i)
-        if (!(ior.n[i] > 0.0f && ior.k[i] >= 0.0f))
+        if (!is_index(ior.n[i], ior.k[i]))
             document.fail(fmt::format("{}: complex_ior is {} + {}i", title, ior.n[i], ior.k[i]),
-                          "give n above zero and k of zero or more");
+                          index_remedy);
     return ior;
 }
 
@@ -93,8 +97,8 @@ void MaterialTable::read_brdf(const tinygltf::Material& from, scene::Material& t
         to.exponent = static_cast<float>(number_in(*stated, "exponent", 32.0));
         if (!(to.exponent >= 0.0f && to.exponent <= 1e6f))
             document_.fail(fmt::format("{}: exponent is {}", title, to.exponent), "give one from 0 to 1e6");
-        to.specular_color = not_negative(document_, three_in(*stated, "specular_color", vec3(0.04f)),
-                                         "specular_color", from.name);
+        to.specular_color = within(document_, three_in(*stated, "specular_color", vec3(0.04f)), 1.0f,
+                                   "specular_color", from.name, "give 0 to 1");
         for (int i = 0; i < 3; ++i)
             if (to.base_color[i] + to.specular_color[i] > 1.0f)
                 return warnings_.add(

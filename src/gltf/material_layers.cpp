@@ -15,7 +15,8 @@ void MaterialTable::read_anisotropy(const tinygltf::Material& from, scene::Mater
     if (!anisotropy) return;
     to.anisotropy =
         fraction(number_in(*anisotropy, "anisotropyStrength", 0.0), "anisotropyStrength", from.name);
-    to.anisotropy_rotation = static_cast<float>(number_in(*anisotropy, "anisotropyRotation", 0.0));
+    to.anisotropy_rotation =
+        static_cast<float>(within_a_turn(number_in(*anisotropy, "anisotropyRotation", 0.0)));
     if (anisotropy->Has("anisotropyTexture"))
         to.anisotropy_texture = slot(anisotropy->Get("anisotropyTexture"), ColorSpace::linear);
 }
@@ -33,7 +34,8 @@ void MaterialTable::read_clearcoat(const tinygltf::Material& from, scene::Materi
     if (!coat->Has("clearcoatNormalTexture")) return;
     const Value& normal = coat->Get("clearcoatNormalTexture");
     to.clearcoat_normal_texture = slot(normal, ColorSpace::linear);
-    to.clearcoat_normal_scale = static_cast<float>(number_in(normal, "scale", 1.0));
+    to.clearcoat_normal_scale = clamped(number_in(normal, "scale", 1.0), -steepest_map, steepest_map,
+                                        "clearcoatNormalTexture/scale", from.name);
 }
 
 void MaterialTable::read_sheen(const tinygltf::Material& from, scene::Material& to) {
@@ -58,13 +60,15 @@ void MaterialTable::read_iridescence(const tinygltf::Material& from, scene::Mate
     to.film_ior = static_cast<float>(number_in(*film, "iridescenceIor", 1.3));
     to.least_film_thickness = static_cast<float>(number_in(*film, "iridescenceThicknessMinimum", 100.0));
     to.largest_film_thickness = static_cast<float>(number_in(*film, "iridescenceThicknessMaximum", 400.0));
-    if (!(to.film_ior >= 1.0f))
+    constexpr float largest_ior = 1000.0f, thickest = 1e9f; // [nm]: a metre is no film, and within, phases are floats
+    if (!(to.film_ior >= 1.0f && to.film_ior <= largest_ior))
         document_.fail(fmt::format("material {}: iridescenceIor is {}", in_quotes(from.name), to.film_ior),
-                       "give 1 or more");
-    if (!(to.least_film_thickness >= 0.0f && to.largest_film_thickness >= 0.0f))
-        document_.fail(fmt::format("material {}: its film is {} to {} nm thick", in_quotes(from.name),
-                                   to.least_film_thickness, to.largest_film_thickness),
-                       "give zero or more");
+                       fmt::format("give 1 to {}", largest_ior));
+    for (const float thickness : {to.least_film_thickness, to.largest_film_thickness})
+        if (!(thickness >= 0.0f && thickness <= thickest))
+            document_.fail(fmt::format("material {}: its film is {} to {} nm thick", in_quotes(from.name),
+                                       to.least_film_thickness, to.largest_film_thickness),
+                           fmt::format("give 0 to {}", thickest));
     if (film->Has("iridescenceTexture"))
         to.iridescence_texture = slot(film->Get("iridescenceTexture"), ColorSpace::linear);
     if (film->Has("iridescenceThicknessTexture"))

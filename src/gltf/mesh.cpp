@@ -78,10 +78,15 @@ void read_surface(const Document& document, const tinygltf::Primitive& primitive
     const std::size_t count = mesh.positions.size();
     if (const auto color = attribute(document, primitive.attributes, "COLOR_0", count, place))
         mesh.colors = colors(document, *color);
-    for (const vec4 color : mesh.colors)
+    std::size_t clamped = 0; // the specification, section 3.7.2.1: within 0 and 1
+    for (vec4& color : mesh.colors) {
         if (!is_finite(vec3(color)) || !std::isfinite(color.w))
             document.fail(fmt::format("{}/attributes/COLOR_0 is not finite", place.pointer()),
                           "export the file again");
+        const vec4 inside = glm::clamp(color, 0.0f, 1.0f);
+        if (inside != color) ++clamped, color = inside;
+    }
+    warnings.add("a vertex colour is outside 0 to 1", "it is clamped", clamped);
     for (int set = 0; set < 2; ++set) {
         const std::string name =
             fmt::format("TEXCOORD_{}", material.texcoord_sets[static_cast<std::size_t>(set)]);

@@ -2,6 +2,7 @@
 
 #include "core/error.hpp"
 #include "image/codec.hpp"
+#include "image/half.hpp"
 #include "image/webp.hpp"
 #include "image/whole_file.hpp"
 
@@ -44,7 +45,9 @@ void write(const Image& image, const fs::path& file, SampleType type) {
     const std::size_t samples = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height)
                                 * static_cast<std::size_t>(image.channels);
     require(samples > 0 && image.pixels.size() == samples, "an image has as many samples as its size says");
-    write_whole(file, codec().encode(image, format, type, file.string()));
+    const bool is_half = format == Format::exr && type == SampleType::half;
+    const bool is_clamped = is_half && half_overflow_count(image) > 0;
+    write_whole(file, codec().encode(is_clamped ? within_half(image) : image, format, type, file.string()));
 }
 
 Image read(const fs::path& file) {

@@ -2,6 +2,7 @@
 
 #include "image/srgb.hpp"
 #include "render/sampling.hpp"
+#include "scene/alpha.hpp"
 
 #include <cmath>
 #include <glm/gtc/packing.hpp>
@@ -69,8 +70,9 @@ vec3 EmissionMaps::measured_mean(const scene::Scene& scene, int index, const std
     static const std::array points = points_of_triangle();
     vec3 sum(0.0f);
     for (const vec2 b : points) {
-        const vec2 at =
-            (uv[0] + b.x * (uv[1] - uv[0]) + b.y * (uv[2] - uv[0])) * vec2(place.width, place.height);
+        const vec2 at = scene::texel_place(uv[0] + b.x * (uv[1] - uv[0]) + b.y * (uv[2] - uv[0]), place.width,
+                                           place.height)
+                        + 0.5f;
         const int x = scene::wrapped(static_cast<int>(std::floor(at.x)), place.width, sampler.wrap_u);
         const int y = scene::wrapped(static_cast<int>(std::floor(at.y)), place.height, sampler.wrap_v);
         sum +=

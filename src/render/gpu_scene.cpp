@@ -4,6 +4,7 @@
 #include "gl/context.hpp"
 #include "render/gpu_texture.hpp"
 #include "render/light_table.hpp"
+#include "scene/alpha.hpp"
 #include "scene/transform.hpp"
 
 #include <algorithm>
@@ -65,7 +66,7 @@ MaterialBlock packed_material(const scene::Material& m, const scene::Scene& scen
     block.metallic_factor = m.metallic;
     block.roughness_factor = m.roughness;
     block.normal_scale = m.normal_scale;
-    block.alpha_cutoff = m.alpha_cutoff;
+    block.alpha_cutoff = scene::least_opaque_alpha(m);
     const float r = (m.ior - 1.0f) / (m.ior + 1.0f);
     block.F0_from_ior = m.ior == 0.0f ? 1.0f : r * r; // KHR_materials_ior: 0 stands for infinity
     const auto slots = scene::texture_slots(m);

@@ -26,12 +26,19 @@ enum Kind {
 
 using Texels = std::array<vec4, texels_per_light>;
 
-float inverse_range(float range) { return std::isfinite(range) ? 1.0f / range : 0.0f; }
+float inverse_range(float range) { return std::isfinite(range) ? std::min(1.0f / range, 1e30f) : 0.0f; }
+
+/// Keeps products of a quantity within float range, whatever the file states: L and E end where
+/// shaders/light/light_sample.glsl bounds a sample, I at 1e30 cd.
+vec3 in_range(vec3 quantity, Kind kind) {
+    constexpr float most_light = 1e15f, most_intensity = 1e30f;
+    return glm::min(quantity, vec3(kind == point_light || kind == spot_light ? most_intensity : most_light));
+}
 
 Texels blank(vec3 position, Kind kind, vec3 quantity) {
     Texels t{};
     t[0] = vec4(position, kind);
-    t[2] = vec4(quantity, 0.0f);
+    t[2] = vec4(in_range(quantity, kind), 0.0f);
     t[3].w = 1.0f; // no cone: saturate(cos * 0 + 1)
     t[5].w = -1.0f;
     t[6].x = -1.0f;
@@ -117,7 +124,7 @@ private:
     static Texels round(Texels t, float radius) {
         if (!(radius > 0.0f)) return t;
         t[0].w = sphere_light;
-        t[2] = vec4(vec3(t[2]) / (pi * radius * radius), t[2].w);
+        t[2] = vec4(in_range(vec3(t[2]) / std::max(pi * radius * radius, 1e-38f), sphere_light), t[2].w);
         t[5].x = radius;
         return t;
     }
@@ -147,7 +154,7 @@ private:
         // 64 points may miss what shines in a dark triangle: none may be left out altogether.
         for (std::size_t i = 0; i < power.size(); ++i) {
             const auto& c = light.triangles[i].corners;
-            const double area = 0.5 * glm::length(glm::cross(c[1] - c[0], c[2] - c[0]));
+            const double area = 0.5 * glm::length(glm::cross(glm::dvec3(c[1] - c[0]), glm::dvec3(c[2] - c[0])));
             power[i] = area * std::max(power[i], 0.01 * brightest + 1e-6);
         }
         const std::vector<AliasEntry> table = alias_table(power);

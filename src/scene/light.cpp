@@ -7,10 +7,10 @@ namespace sr::scene {
 namespace {
 
 /// Twice the vector area: twice the area long, along the normal.
-vec3 doubled_vector_area(const std::vector<vec3>& corners) {
-    vec3 sum(0.0f);
+glm::dvec3 doubled_vector_area(const std::vector<vec3>& corners) {
+    glm::dvec3 sum(0.0);
     for (std::size_t i = 2; i < corners.size(); ++i)
-        sum += glm::cross(corners[i - 1] - corners[0], corners[i] - corners[0]);
+        sum += glm::cross(glm::dvec3(corners[i - 1] - corners[0]), glm::dvec3(corners[i] - corners[0]));
     return sum;
 }
 
@@ -23,9 +23,9 @@ ConeFalloff cone_falloff(const SpotLight& light) {
     return {static_cast<float>(scale), static_cast<float>(-cos_outer * scale)};
 }
 
-float PolygonLight::area() const { return 0.5f * glm::length(doubled_vector_area(corners)); }
+float PolygonLight::area() const { return static_cast<float>(0.5 * glm::length(doubled_vector_area(corners))); }
 
-vec3 PolygonLight::normal() const { return glm::normalize(doubled_vector_area(corners)); }
+vec3 PolygonLight::normal() const { return vec3(glm::normalize(doubled_vector_area(corners))); }
 
 vec3 PolygonLight::center() const {
     vec3 sum(0.0f);

@@ -21,43 +21,51 @@ std::string_view trimmed(std::string_view text) {
     return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
 }
 
-float number_in(std::string_view key, std::string_view text) {
+template<class Float>
+Float number_in(std::string_view key, std::string_view text) {
     const std::string_view digits = trimmed(text);
-    float value = 0.0f;
+    Float value = 0;
     const auto [end, failure] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
     if (failure != std::errc{} || end != digits.data() + digits.size() || !std::isfinite(value))
         refuse(fmt::format("{} has '{}', which is no number", key, text));
     return value;
 }
 
-vec3 point_in(std::string_view key, std::string_view text) {
-    vec3 point(0.0f);
+template<class Float>
+glm::vec<3, Float> point_in(std::string_view key, std::string_view text) {
+    glm::vec<3, Float> point(0);
     for (int i = 0; i < 3; ++i) {
         const auto comma = text.find(',');
         if ((comma == std::string_view::npos) != (i == 2)) refuse(fmt::format("{} takes three numbers", key));
-        point[i] = number_in(key, text.substr(0, comma));
+        point[i] = number_in<Float>(key, text.substr(0, comma));
         text.remove_prefix(i == 2 ? text.size() : comma + 1);
     }
     return point;
 }
 
+/// A point of the file's world as the scene has it.
+vec3 place_in(std::string_view key, std::string_view text, glm::dvec3 origin) {
+    if (origin == glm::dvec3(0.0)) return point_in<float>(key, text);
+    return vec3(point_in<double>(key, text) - origin);
+}
+
 void take(LookAt& view, std::string_view key, std::string_view value) {
     if (key == "eye")
-        view.eye = point_in(key, value);
+        view.eye = place_in(key, value, view.origin);
     else if (key == "target")
-        view.target = point_in(key, value);
+        view.target = place_in(key, value, view.origin);
     else if (key == "up")
-        view.up = point_in(key, value);
+        view.up = point_in<float>(key, value);
     else if (key == "fov")
-        view.yfov = glm::radians(number_in(key, value));
+        view.yfov = glm::radians(number_in<float>(key, value));
     else if (key == "yfov")
-        view.yfov = number_in(key, value);
+        view.yfov = number_in<float>(key, value);
     else if (key == "ymag")
-        view.ymag = number_in(key, value);
+        view.ymag = number_in<float>(key, value);
     else if (key == "near")
-        view.znear = number_in(key, value);
+        view.znear = number_in<float>(key, value);
     else if (key == "far")
-        view.zfar = number_in(key, value);
+        view.zfar = number_in<float>(key, value);
     else
         refuse(fmt::format("there is no '{}'", key));
 }
@@ -75,6 +83,12 @@ void check(const LookAt& view) {
 }
 
 std::string text_of(vec3 v) { return fmt::format("{},{},{}", v.x, v.y, v.z); }
+
+std::string text_of_place(vec3 v, glm::dvec3 origin) {
+    if (origin == glm::dvec3(0.0)) return text_of(v);
+    const glm::dvec3 world = origin + glm::dvec3(v);
+    return fmt::format("{},{},{}", world.x, world.y, world.z);
+}
 
 } // namespace
 
@@ -118,8 +132,9 @@ bool is_look_at(std::string_view text) {
     return text.find("eye=") != std::string_view::npos || text.find("target=") != std::string_view::npos;
 }
 
-LookAt parsed_look_at(std::string_view text) {
+LookAt parsed_look_at(std::string_view text, glm::dvec3 origin) {
     LookAt view;
+    view.origin = origin;
     bool has_eye = false, has_target = false;
     while (!trimmed(text).empty()) {
         const std::string_view part = trimmed(text.substr(0, text.find(';')));
@@ -137,7 +152,8 @@ LookAt parsed_look_at(std::string_view text) {
 }
 
 std::string text_of(const LookAt& view) {
-    std::string text = fmt::format("eye={};target={}", text_of(view.eye), text_of(view.target));
+    std::string text = fmt::format("eye={};target={}", text_of_place(view.eye, view.origin),
+                                   text_of_place(view.target, view.origin));
     if (view.up != vec3(0.0f, 1.0f, 0.0f)) text += ";up=" + text_of(view.up);
     text += view.ymag ? fmt::format(";ymag={}", *view.ymag) : fmt::format(";yfov={}", view.yfov);
     if (view.znear) text += fmt::format(";near={}", *view.znear);

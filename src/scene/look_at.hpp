@@ -14,6 +14,8 @@ struct LookAt {
     float yfov = 0.8f;                // full vertical angle [rad], glTF's yfov
     std::optional<float> ymag;        // half the height of an orthographic picture [m]; absent: perspective
     std::optional<float> znear, zfar; // [m]; absent: chosen by the scene's bounds
+    /// Scene::origin, which eye and target are told from. Texts are told in the file's world.
+    glm::dvec3 origin{0.0};
 
     bool operator==(const LookAt&) const = default;
 };
@@ -35,9 +37,9 @@ Camera camera_at(const LookAt& view, const Bounds& bounds, float aspect_ratio);
 bool is_look_at(std::string_view text);
 
 /// Reads "eye=X,Y,Z;target=X,Y,Z" with, if wanted, up=X,Y,Z (0,1,0), fov=DEGREES or yfov=RADIANS, ymag=METRES
-/// (orthographic), near=METRES, far=METRES.
+/// (orthographic), near=METRES, far=METRES. `origin` is Scene::origin.
 /// @throws Error that says which part is wrong
-LookAt parsed_look_at(std::string_view text);
+LookAt parsed_look_at(std::string_view text, glm::dvec3 origin = glm::dvec3(0.0));
 
 /// What parsed_look_at() reads back exactly.
 std::string text_of(const LookAt& view);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -18,6 +19,41 @@ Bounds bounds_of(const Scene& scene) {
         for (vec3 position : scene.meshes[instance.mesh].positions)
             bounds.extend(vec3(instance.world_from_object * vec4(position, 1.0f)));
     return bounds;
+}
+
+namespace {
+
+float median(std::vector<float> values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+} // namespace
+
+glm::dvec3 fitting_origin(const Scene& scene) {
+    std::array<std::vector<float>, 3> centers;
+    std::vector<float> radii;
+    for (const Instance& instance : scene.instances) {
+        Bounds bounds;
+        for (const vec3 position : scene.meshes[instance.mesh].positions)
+            bounds.extend(vec3(instance.world_from_object * vec4(position, 1.0f)));
+        if (bounds.is_empty() || !std::isfinite(bounds.radius())) continue;
+        for (int axis = 0; axis < 3; ++axis) centers[axis].push_back(bounds.center()[axis]);
+        radii.push_back(bounds.radius());
+    }
+    if (radii.empty()) return glm::dvec3(0.0);
+    const vec3 center(median(centers[0]), median(centers[1]), median(centers[2]));
+    std::vector<float> distances;
+    for (std::size_t i = 0; i < radii.size(); ++i)
+        distances.push_back(glm::distance(vec3(centers[0][i], centers[1][i], centers[2][i]), center));
+    const float size = std::max(median(radii), median(distances));
+    constexpr float near = 8.0f; // sizes: within, a float's step is a millionth of the size at most
+    if (!(glm::length(center) > near * size)) return glm::dvec3(0.0);
+    // Multiples of the size, or of what keeps 22 of a float's 24 bits where that is more.
+    const double farthest = std::max({std::abs(center.x), std::abs(center.y), std::abs(center.z)});
+    const double step = std::exp2(std::ceil(std::log2(std::max(double{size}, farthest * 0x1p-22))));
+    return glm::round(glm::dvec3(center) / step) * step;
 }
 
 std::size_t triangle_count(const Scene& scene) {

@@ -1,6 +1,7 @@
 #include "shadow/alpha.hpp"
 
 #include "image/srgb.hpp"
+#include "scene/alpha.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +20,7 @@ std::uint16_t linear(std::uint16_t code) {
 } // namespace
 
 float map_alpha(const AlphaMap& map, const std::vector<std::uint16_t>& texels, vec2 uv) {
-    const vec2 at = uv * vec2(map.width, map.height) - 0.5f;
+    const vec2 at = scene::texel_place(uv, map.width, map.height);
     const vec2 corner = glm::floor(at);
     const vec2 f = at - corner;
     const int column = static_cast<int>(corner.x), row = static_cast<int>(corner.y);

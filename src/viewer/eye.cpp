@@ -58,8 +58,21 @@ void set_lens(Viewpoint& view, float yfov) {
 
 } // namespace
 
-Eye::Eye(NamedCamera start, scene::Bounds bounds, float aspect_ratio)
-    : camera_(std::move(start)), bounds_(bounds), aspect_ratio_(aspect_ratio), view_(as_viewpoint()) {}
+Eye::Eye(NamedCamera start, scene::Bounds bounds, float aspect_ratio, glm::dvec3 origin)
+    : camera_(std::move(start)),
+      bounds_(bounds),
+      aspect_ratio_(aspect_ratio),
+      origin_(origin),
+      view_(as_viewpoint()) {}
+
+void Eye::set_origin(glm::dvec3 origin) {
+    const vec3 shift(origin_ - origin);
+    if (shift == vec3(0.0f)) return;
+    origin_ = origin;
+    Viewpoint view = view_;
+    view.pivot += shift;
+    move_to(view);
+}
 
 Viewpoint Eye::as_viewpoint() const {
     return viewpoint_of(camera_.camera, aspect_ratio_, bounds_.is_empty() ? vec3(0.0f) : bounds_.center());
@@ -75,7 +88,7 @@ void Eye::set_aspect_ratio(float aspect_ratio) { aspect_ratio_ = aspect_ratio; }
 void Eye::set_bounds(const scene::Bounds& bounds) {
     bounds_ = bounds;
     if (scene::is_look_at(camera_.argument))
-        camera_.camera = scene::camera_at(scene::parsed_look_at(camera_.argument), bounds_, aspect_ratio_);
+        camera_.camera = scene::camera_at(scene::parsed_look_at(camera_.argument, origin_), bounds_, aspect_ratio_);
 }
 
 void Eye::follow(const std::vector<scene::Camera>& cameras) {
@@ -89,7 +102,8 @@ void Eye::follow(const std::vector<scene::Camera>& cameras) {
 
 void Eye::move_to(const Viewpoint& view) {
     view_ = view;
-    const scene::LookAt words = look_at(view);
+    scene::LookAt words = look_at(view);
+    words.origin = origin_;
     camera_ = {scene::camera_at(words, bounds_, aspect_ratio_), scene::text_of(words)};
 }
 

@@ -16,14 +16,17 @@ struct NamedCamera {
 
 class Eye {
 public:
-    /// `bounds` are the scene's, which near and far planes and framing go by.
-    Eye(NamedCamera start, scene::Bounds bounds, float aspect_ratio);
+    /// `bounds` are the scene's, which near and far planes and framing go by; `origin` is Scene::origin.
+    Eye(NamedCamera start, scene::Bounds bounds, float aspect_ratio, glm::dvec3 origin = glm::dvec3(0.0));
 
     /// Takes a camera over as it is.
     void take(NamedCamera camera);
     void set_aspect_ratio(float aspect_ratio);
     float aspect_ratio() const { return aspect_ratio_; }
     const scene::Bounds& bounds() const { return bounds_; }
+    glm::dvec3 origin() const { return origin_; }
+    /// The scene is told from elsewhere now: the camera stays where it is in the file's world.
+    void set_origin(glm::dvec3 origin);
     /// A free camera's near and far planes follow.
     void set_bounds(const scene::Bounds& bounds);
     /// The file has its cameras elsewhere now: one of them that is in use is followed, and one that framed
@@ -47,6 +50,7 @@ private:
     NamedCamera camera_;
     scene::Bounds bounds_;
     float aspect_ratio_;
+    glm::dvec3 origin_;
     Viewpoint view_;
 };
 

@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
+#include <glm/gtc/matrix_transform.hpp>
 
 namespace sr::viewer {
 namespace {
@@ -103,7 +104,7 @@ public:
         const std::size_t node =
             append_node(json(), {{"name", "view"},
                                  {"camera", json()["cameras"].size() - 1},
-                                 {"matrix", matrix_json(glm::dmat4(view.world_from_camera))}});
+                                 {"matrix", matrix_json(in_file(glm::dmat4(view.world_from_camera)))}});
         add_root(json(), node, loaded_.scene_index, true);
     }
 
@@ -111,6 +112,19 @@ public:
 
 private:
     ordered_json& json() { return gltf_.json; }
+
+    // The scene is told from Scene::origin, the file from its own.
+    glm::dmat4 in_file(const glm::dmat4& placed) const {
+        return glm::translate(glm::dmat4(1.0), scene_.origin) * placed;
+    }
+    glm::dmat4 motion_in_file(const glm::dmat4& motion) const {
+        return in_file(glm::translate(motion, -scene_.origin));
+    }
+    ordered_json place_in_file(vec3 place) const {
+        if (scene_.origin == glm::dvec3(0.0)) return numbers_of(place);
+        const glm::dvec3 p = scene_.origin + glm::dvec3(place);
+        return {p.x, p.y, p.z};
+    }
 
     /// @throws Error if the node carries another light, which would have to say something else
     std::size_t node_of(int number) const {
@@ -132,7 +146,7 @@ private:
         if (is_restated)
             state(json()["nodes"][node]["extras"]["steradian"], now_.lights[i], now_.lights_on[i], scene_);
         if (now_.resized[i]) resize(node, now_.lights[i], now_.moved[i]);
-        if (has_moved) move(node, glm::dmat4(now_.moved[i]));
+        if (has_moved) move(node, motion_in_file(glm::dmat4(now_.moved[i])));
     }
 
     /// States a light's sizes at its node, which will have moved by `by`: sizes scale by the largest of its
@@ -199,16 +213,16 @@ private:
         ordered_json node{{"name", std::visit([](const auto& l) { return l.name; }, light)}};
         ordered_json steradian;
         if (const auto* flat = std::get_if<scene::RectangleLight>(&light)) {
-            node["matrix"] = matrix_json(frame_of(flat->center, flat->half_u, flat->half_v));
+            node["matrix"] = matrix_json(in_file(frame_of(flat->center, flat->half_u, flat->half_v)));
             steradian = {{"shape", "rectangle"},
                          {"width", 2.0f * glm::length(flat->half_u)},
                          {"height", 2.0f * glm::length(flat->half_v)}};
             if (!flat->is_visible) steradian["visible"] = false;
         } else if (const auto* sphere = std::get_if<scene::SphereLight>(&light)) {
-            node["translation"] = numbers_of(sphere->center);
+            node["translation"] = place_in_file(sphere->center);
             steradian = {{"shape", "sphere"}, {"radius", sphere->radius}};
         } else {
-            node["translation"] = numbers_of(std::get<scene::PointLight>(light).position);
+            node["translation"] = place_in_file(std::get<scene::PointLight>(light).position);
             ordered_json& lights = json()["extensions"]["KHR_lights_punctual"]["lights"];
             lights.push_back({{"type", "point"}, {"intensity", 1.0}});
             node["extensions"]["KHR_lights_punctual"]["light"] = lights.size() - 1;

@@ -111,9 +111,10 @@ void Session::take_loaded() {
 void Session::show(LoadedScene scene) {
     const bool is_same_file = show_ && show_->scene().file == scene.file;
     const float aspect = static_cast<float>(width_) / static_cast<float>(height_);
-    Eye eye(named_camera(scene.stage, options_.camera), scene.bounds, aspect);
+    Eye eye(named_camera(scene.stage, options_.camera), scene.bounds, aspect, scene.stage.scene.origin);
     if (is_same_file && scene::is_look_at(eye_->argument())) { // a free camera stays where it is
         eye = *eye_;
+        eye.set_origin(scene.stage.scene.origin);
         eye.set_bounds(scene.bounds);
     }
     if (!show_) {

@@ -182,7 +182,7 @@ void Session::paste_view() {
     if (const auto quote = text.find('\''); quote != std::string::npos)
         text = text.substr(quote + 1, text.find('\'', quote + 1) - quote - 1);
     try {
-        const scene::LookAt view = scene::parsed_look_at(text);
+        const scene::LookAt view = scene::parsed_look_at(text, eye_->origin());
         eye_->take({scene::camera_at(view, eye_->bounds(), eye_->aspect_ratio()), scene::text_of(view)});
         move_camera();
     } catch (const Error& error) {

@@ -8,7 +8,7 @@ vec3 F_mean_of(Surface x);
 
 Lobes model_lobes(Surface x, vec3 wi, vec3 wo) {
     if (dot(x.n, wi) <= 0.0) return Lobes(vec3(0.0), vec3(0.0));
-    vec3 h = normalize(wi + wo);
+    vec3 h = half_vector(wi, wo, x.n);
     vec3 back = has_energy_compensation ? f_compensation(x, wi, wo, F_mean_of(x)) : vec3(0.0);
     return Lobes(back, F_metal_of(x, dot(wo, h)) * D_V(x, h, wi, wo));
 }

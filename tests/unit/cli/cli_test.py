@@ -3,7 +3,9 @@
 
 usage: cli_test.py STERADIAN SCENES_FOLDER TEST_NAME     (TEST_NAME is a method of CommandLine below)
 """
+import base64
 import json
+import struct
 import subprocess
 import sys
 import tempfile
@@ -214,6 +216,37 @@ class CommandLine(unittest.TestCase):
         self.assertIn("no light reaches", dark.stderr)
         lit = run("render", scene, "-o", self.folder / "a.png", "--size", "32x32", "--samples", "1", "--camera", "auto")
         self.assertEqual(len(lit.stderr.strip().splitlines()), 1, lit.stderr)  # only that the rig is in use
+
+    def lit_plate(self, lux):
+        """A white Lambert plate that a directional light meets head on: it reads lux / pi."""
+        data = base64.b64encode(struct.pack("<12f6H", -1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0, 0, 1, 2, 0, 2, 3)).decode()
+        file = self.folder / "plate.gltf"
+        file.write_text(json.dumps({
+            "asset": {"version": "2.0"}, "scenes": [{"nodes": [0, 1, 2]}],
+            "nodes": [{"mesh": 0}, {"camera": 0, "translation": [0, 0, 2]},
+                      {"extensions": {"KHR_lights_punctual": {"light": 0}}}],
+            "cameras": [{"type": "orthographic", "orthographic": {"xmag": 0.5, "ymag": 0.5, "znear": 0.1, "zfar": 9}}],
+            "extensionsUsed": ["KHR_lights_punctual"],
+            "extensions": {"KHR_lights_punctual": {"lights": [{"type": "directional", "intensity": lux}]}},
+            "materials": [{"extras": {"steradian": {"brdf": "lambert"}}}],
+            "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1, "material": 0}]}],
+            "accessors": [{"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3", "min": [-1, -1, 0],
+                           "max": [1, 1, 0]},
+                          {"bufferView": 1, "componentType": 5123, "count": 6, "type": "SCALAR"}],
+            "bufferViews": [{"buffer": 0, "byteLength": 48}, {"buffer": 0, "byteOffset": 48, "byteLength": 12}],
+            "buffers": [{"byteLength": 60, "uri": "data:application/octet-stream;base64," + data}]}))
+        return file
+
+    def test_half_ends_at_65504_and_says_so(self):
+        for lux, stored, lines in ((1e6, 65504, 1), (1e5, 1e5 / 3.14159265, 0), (1e-12, 0, 0)):
+            out, full = self.folder / "half.exr", self.folder / "float.exr"
+            result = run("render", self.lit_plate(lux), "-o", out, "--size", "4x4", "--samples", "1", "--exr-type", "half")
+            self.assertEqual(result.returncode, 0, result.stderr)
+            self.assertEqual(result.stderr.count("65504"), lines, result.stderr)
+            run("render", self.lit_plate(stored * 3.14159265), "-o", full, "--size", "4x4", "--samples", "1")
+            if stored > 0:
+                same = run("compare", out, full)
+                self.assertEqual(same.returncode, 0, same.stdout + same.stderr)
 
     def test_info_lists_backends_and_scenes(self):
         backends = json.loads(run("info", "--json").stdout)
