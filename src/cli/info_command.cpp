@@ -117,8 +117,7 @@ ordered_json scene_json(const std::string& file, bool is_strict) {
                       {"variants", loaded.contents.variants},
                       {"extensions", extensions_json(loaded.contents)},
                       {"warnings", loaded.warnings}};
-    if (!bounds.is_empty())
-    {
+    if (!bounds.is_empty()) {
         const auto place = [&](vec3 p) { // in the file's world
             if (s.origin == glm::dvec3(0.0)) return ordered_json{p.x, p.y, p.z};
             const glm::dvec3 world = s.origin + glm::dvec3(p);

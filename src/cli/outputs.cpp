@@ -90,8 +90,9 @@ void warn_of_half_overflow(const image::Image& image, const std::string& output)
     const std::size_t count = image::half_overflow_count(image);
     if (count == 0) return;
     const bool is_one = count == 1;
-    fmt::print(stderr, "{}: {} value{} beyond 65504, the largest of --exr-type half, {} stored as that: "
-                       "--exr-type float holds {}\n",
+    fmt::print(stderr,
+               "{}: {} value{} beyond 65504, the largest of --exr-type half, {} stored as that: "
+               "--exr-type float holds {}\n",
                output, count, is_one ? "" : "s", is_one ? "is" : "are", is_one ? "it" : "them");
 }
 

@@ -161,7 +161,8 @@ private:
     scene::Scene scene_;        // until it is given away
     std::set<int> lost_images_; // those of the scene that could not be decoded
     std::size_t mesh_count_ = 0;
-    glm::dvec3 origin_{0.0}; // fits the scene at rest and stays, so that cameras may be kept from moment to moment
+    glm::dvec3 origin_{
+        0.0}; // fits the scene at rest and stays, so that cameras may be kept from moment to moment
     bool is_given_ = false;
 };
 

@@ -29,8 +29,8 @@ const std::vector<double>& weights_of(const Document& document, const tinygltf::
 const dmat4 mirror{glm::dvec4(-1.0, 0.0, 0.0, 0.0), glm::dvec4(0.0, 1.0, 0.0, 0.0),
                    glm::dvec4(0.0, 0.0, 1.0, 0.0), glm::dvec4(0.0, 0.0, 0.0, 1.0)};
 
-/// Tells the positions of a mesh whose vertices stand far out from its middle, so that a turn or a scale of its node
-/// does not round them once more. @return that middle
+/// Tells the positions of a mesh whose vertices stand far out from its middle, so that a turn or a scale of
+/// its node does not round them once more. @return that middle
 glm::dvec3 moved_to_middle(scene::Mesh& mesh) {
     scene::Scene alone;
     alone.meshes.push_back({});

@@ -33,7 +33,7 @@ public:
 private:
     /// A primitive as a mesh at rest, and what moves it, if anything can.
     struct Part {
-        int mesh = -1; // in the scene, for nodes that do not deform it; negative: not there
+        int mesh = -1;          // in the scene, for nodes that do not deform it; negative: not there
         glm::dvec3 middle{0.0}; // of a mesh whose vertices stand far out: what its positions are told from
         std::shared_ptr<const scene::Mesh> rest;
         std::shared_ptr<const Deformation> deformation;

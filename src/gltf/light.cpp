@@ -126,7 +126,8 @@ scene::Light directional(const Document& document, const PunctualSource& source,
         return scene::sun_irradiance_from(quantity, value, light.angular_radius);
     };
     light.E = emitted(document, extras.statement(), source.own, conversion, title, sun_takes);
-    if (light.angular_radius < 1e-6f) light.angular_radius = 0.0f; // as good as none, and its sine's square a float
+    if (light.angular_radius < 1e-6f)
+        light.angular_radius = 0.0f; // as good as none, and its sine's square a float
     return light;
 }
 

@@ -25,7 +25,8 @@ vec2 two_in(const Value& object, const std::string& key, vec2 fallback) {
 // counter-clockwise as seen on the image, whose v goes down. (The extension's example, "the lower left
 // quadrant rotated clockwise by 90°", holds for this sign only.)
 mat3 uv_transform(const Value& transform) {
-    constexpr float far = 1e9f; // beyond, nothing is left of a coordinate's fraction; within, no product overflows
+    constexpr float far =
+        1e9f; // beyond, nothing is left of a coordinate's fraction; within, no product overflows
     const vec2 offset = glm::clamp(two_in(transform, "offset", vec2(0.0f)), -far, far);
     const vec2 scale = glm::clamp(two_in(transform, "scale", vec2(1.0f)), -far, far);
     const auto angle = static_cast<float>(within_a_turn(number_in(transform, "rotation", 0.0)));

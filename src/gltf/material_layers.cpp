@@ -60,7 +60,8 @@ void MaterialTable::read_iridescence(const tinygltf::Material& from, scene::Mate
     to.film_ior = static_cast<float>(number_in(*film, "iridescenceIor", 1.3));
     to.least_film_thickness = static_cast<float>(number_in(*film, "iridescenceThicknessMinimum", 100.0));
     to.largest_film_thickness = static_cast<float>(number_in(*film, "iridescenceThicknessMaximum", 400.0));
-    constexpr float largest_ior = 1000.0f, thickest = 1e9f; // [nm]: a metre is no film, and within, phases are floats
+    constexpr float largest_ior = 1000.0f,
+                    thickest = 1e9f; // [nm]: a metre is no film, and within, phases are floats
     if (!(to.film_ior >= 1.0f && to.film_ior <= largest_ior))
         document_.fail(fmt::format("material {}: iridescenceIor is {}", in_quotes(from.name), to.film_ior),
                        fmt::format("give 1 to {}", largest_ior));

@@ -146,8 +146,7 @@ const Rule iridescence = record({{"iridescenceFactor", &number},
                                  {"iridescenceThicknessMinimum", &number},
                                  {"iridescenceThicknessMaximum", &number},
                                  {"iridescenceThicknessTexture", &texture_info}});
-const Rule transmission =
-    record({{"transmissionFactor", &number}, {"transmissionTexture", &texture_info}});
+const Rule transmission = record({{"transmissionFactor", &number}, {"transmissionTexture", &texture_info}});
 const Rule volume = record({{"thicknessFactor", &number},
                             {"thicknessTexture", &texture_info},
                             {"attenuationDistance", &number},

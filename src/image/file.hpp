@@ -17,8 +17,8 @@ namespace sr::image {
 /// thread; its get() throws Error where they would.
 [[nodiscard]] std::future<void> preload();
 
-/// How an .exr stores its values; the other formats have but one way each. `half` ends at 65504: larger values
-/// are stored as that (half.hpp tells how many there are), those below 3e-8 as 0.
+/// How an .exr stores its values; the other formats have but one way each. `half` ends at 65504: larger
+/// values are stored as that (half.hpp tells how many there are), those below 3e-8 as 0.
 enum class SampleType { half, floating, integer8 };
 
 /// Writes an image whole or not at all (a temporary file beside it, then a rename). The extension chooses the

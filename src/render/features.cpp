@@ -160,7 +160,8 @@ bool Features::is_analytic() const {
     switch (model) {
     case scene::Model::metallic_roughness:
     case scene::Model::ggx:
-    case scene::Model::conductor: return !has_anisotropy && !has_clearcoat && !has_sheen && !has_diffuse_transmission;
+    case scene::Model::conductor:
+        return !has_anisotropy && !has_clearcoat && !has_sheen && !has_diffuse_transmission;
     case scene::Model::lambert:
     case scene::Model::oren_nayar: return true;
     case scene::Model::mirror:

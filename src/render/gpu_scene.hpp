@@ -46,7 +46,7 @@ public:
     int rays_per_light() const { return rays_per_light_; } // that a point of a surface sends
     /// What casts shadows; null if nothing does.
     const Occluders* occluders() const { return occluders_.get(); }
-    const std::vector<Draw>& opaque_draws() const { return opaque_; }   // opaque and masked, by program
+    const std::vector<Draw>& opaque_draws() const { return opaque_; } // opaque and masked, by program
     /// What lets through a part of what is behind: blended, or of glass; in the scene's order.
     const std::vector<Draw>& blended_draws() const { return blended_; }
 

@@ -154,7 +154,8 @@ private:
         // 64 points may miss what shines in a dark triangle: none may be left out altogether.
         for (std::size_t i = 0; i < power.size(); ++i) {
             const auto& c = light.triangles[i].corners;
-            const double area = 0.5 * glm::length(glm::cross(glm::dvec3(c[1] - c[0]), glm::dvec3(c[2] - c[0])));
+            const double area =
+                0.5 * glm::length(glm::cross(glm::dvec3(c[1] - c[0]), glm::dvec3(c[2] - c[0])));
             power[i] = area * std::max(power[i], 0.01 * brightest + 1e-6);
         }
         const std::vector<AliasEntry> table = alias_table(power);

@@ -23,8 +23,8 @@ void record_pass(const GpuScene& scene, ShaderLibrary& shaders, int attachments)
 void forward_pass(const Target& frame, const GpuScene& scene, ShaderLibrary& shaders,
                   const std::string& shader, VisibilityTerm visibility);
 
-/// The fragment shader that draws this in the place of `shader`: glass multiplies what is behind it by a colour,
-/// which takes glass.frag instead of forward.frag.
+/// The fragment shader that draws this in the place of `shader`: glass multiplies what is behind it by a
+/// colour, which takes glass.frag instead of forward.frag.
 const std::string& fragment_of(const Draw& draw, const std::string& shader);
 
 /// Blends the transparent instances over what is behind them, the farthest first; of double-sided ones the

@@ -58,7 +58,7 @@ private:
     gl::Buffer block_{"rays"};
     BufferTexture answers_{"the answered rays", GL_R32F};
     BufferTexture tinted_answers_{"the answered rays", GL_RGB32F}; // where V has a colour
-    std::vector<vec4> receivers_; // of the band
+    std::vector<vec4> receivers_;                                  // of the band
     std::vector<vec4> rays_;
     std::vector<float> values_; // one an answer, three where V has a colour
     Planes planes_;

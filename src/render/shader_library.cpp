@@ -10,14 +10,24 @@ namespace sr::render {
 namespace {
 
 /// Sampler names by texture unit, the order of scene::Slot.
-constexpr std::array<const char*, slot_count> sampler_names{
-    "base_color_texture",       "metallic_roughness_texture", "normal_texture",
-    "emission_texture",         "specular_texture",           "specular_color_texture",
-    "anisotropy_texture",       "clearcoat_texture",          "clearcoat_roughness_texture",
-    "clearcoat_normal_texture", "sheen_color_texture",        "sheen_roughness_texture",
-    "iridescence_texture",      "film_thickness_texture",     "transmission_texture",
-    "thickness_texture",        "diffuse_transmission_texture",
-    "diffuse_transmission_color_texture"};
+constexpr std::array<const char*, slot_count> sampler_names{"base_color_texture",
+                                                            "metallic_roughness_texture",
+                                                            "normal_texture",
+                                                            "emission_texture",
+                                                            "specular_texture",
+                                                            "specular_color_texture",
+                                                            "anisotropy_texture",
+                                                            "clearcoat_texture",
+                                                            "clearcoat_roughness_texture",
+                                                            "clearcoat_normal_texture",
+                                                            "sheen_color_texture",
+                                                            "sheen_roughness_texture",
+                                                            "iridescence_texture",
+                                                            "film_thickness_texture",
+                                                            "transmission_texture",
+                                                            "thickness_texture",
+                                                            "diffuse_transmission_texture",
+                                                            "diffuse_transmission_color_texture"};
 
 /// What stands for a file as long as the user's own roots do not have it.
 glsl::Root specialised(const Features& features, VisibilityTerm visibility) {

@@ -1,20 +1,22 @@
 #pragma once
-// Which alpha is opaque, and which texels a texture coordinate reads: for all who compare, so that they agree.
+// Which alpha is opaque, and which texels a texture coordinate reads: for all who compare, so that they
+// agree.
 #include "scene/material.hpp"
 
 #include <cmath>
 
 namespace sr::scene {
 
-/// The least alpha that alphaMode MASK shows. The cutoff itself is opaque (glTF 2.0, section 3.9.4), also where an
-/// alpha that equals it was rounded: most where texels are half floats, by 2^-11 of the value. That is
-/// less than an eighth of a step of 8 bits.
+/// The least alpha that alphaMode MASK shows. The cutoff itself is opaque (glTF 2.0, section 3.9.4), also
+/// where an alpha that equals it was rounded: most where texels are half floats, by 2^-11 of the value. That
+/// is less than an eighth of a step of 8 bits.
 inline float least_opaque_alpha(const Material& material) {
     return material.alpha_cutoff * (1.0f - 1.0f / 2000.0f);
 }
 
-/// Where uv lies among the middles of width × height texels, told in texels. Coordinates that are no numbers, or so far
-/// out (2^24 texels) that the next float is a texel away, count as 0. Mirror: shaders/base/texel_wrap.glsl.
+/// Where uv lies among the middles of width × height texels, told in texels. Coordinates that are no numbers,
+/// or so far out (2^24 texels) that the next float is a texel away, count as 0. Mirror:
+/// shaders/base/texel_wrap.glsl.
 inline vec2 texel_place(vec2 uv, int width, int height) {
     constexpr float farthest = 1.6e7f;
     const vec2 at = uv * vec2(width, height);

@@ -23,7 +23,9 @@ ConeFalloff cone_falloff(const SpotLight& light) {
     return {static_cast<float>(scale), static_cast<float>(-cos_outer * scale)};
 }
 
-float PolygonLight::area() const { return static_cast<float>(0.5 * glm::length(doubled_vector_area(corners))); }
+float PolygonLight::area() const {
+    return static_cast<float>(0.5 * glm::length(doubled_vector_area(corners)));
+}
 
 vec3 PolygonLight::normal() const { return vec3(glm::normalize(doubled_vector_area(corners))); }
 

@@ -32,12 +32,23 @@ namespace {
 
 template<class AnySlot, class AnyMaterial>
 std::array<AnySlot*, slot_count> slots_of(AnyMaterial& m) {
-    return {&m.base_color_texture,       &m.metallic_roughness_texture, &m.normal_texture,
-            &m.emission_texture,         &m.specular_texture,           &m.specular_color_texture,
-            &m.anisotropy_texture,       &m.clearcoat_texture,          &m.clearcoat_roughness_texture,
-            &m.clearcoat_normal_texture, &m.sheen_color_texture,        &m.sheen_roughness_texture,
-            &m.iridescence_texture,      &m.film_thickness_texture,     &m.transmission_texture,
-            &m.thickness_texture,        &m.diffuse_transmission_texture,
+    return {&m.base_color_texture,
+            &m.metallic_roughness_texture,
+            &m.normal_texture,
+            &m.emission_texture,
+            &m.specular_texture,
+            &m.specular_color_texture,
+            &m.anisotropy_texture,
+            &m.clearcoat_texture,
+            &m.clearcoat_roughness_texture,
+            &m.clearcoat_normal_texture,
+            &m.sheen_color_texture,
+            &m.sheen_roughness_texture,
+            &m.iridescence_texture,
+            &m.film_thickness_texture,
+            &m.transmission_texture,
+            &m.thickness_texture,
+            &m.diffuse_transmission_texture,
             &m.diffuse_transmission_color_texture};
 }
 

@@ -195,8 +195,8 @@ struct Material {
     bool has_sheen() const { return sheen_color.x > 0.0f || sheen_color.y > 0.0f || sheen_color.z > 0.0f; }
     /// Whether light goes straight through: glass. Metal lets none through.
     bool is_transmissive() const {
-        return model == Model::metallic_roughness && !is_specular_glossiness && !is_unlit && transmission > 0.0f
-               && (metallic < 1.0f || metallic_roughness_texture.is_present());
+        return model == Model::metallic_roughness && !is_specular_glossiness && !is_unlit
+               && transmission > 0.0f && (metallic < 1.0f || metallic_roughness_texture.is_present());
     }
     /// Whether light from behind is scattered to the front, as by a leaf.
     bool transmits_diffusely() const {

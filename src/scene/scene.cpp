@@ -66,7 +66,8 @@ bool is_closed(const Mesh& mesh) {
     std::map<std::array<float, 3>, int> places;
     std::vector<int> place_of; // of each vertex
     for (const vec3 p : mesh.positions)
-        place_of.push_back(places.try_emplace({p.x, p.y, p.z}, static_cast<int>(places.size())).first->second);
+        place_of.push_back(
+            places.try_emplace({p.x, p.y, p.z}, static_cast<int>(places.size())).first->second);
     std::map<std::pair<int, int>, int> balance; // of each edge: in its sense less in the other
     for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3)
         for (std::size_t k = 0; k < 3; ++k) {

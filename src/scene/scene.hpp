@@ -45,8 +45,8 @@ struct Instance {
 };
 
 struct Scene {
-    /// Where in the file's world the coordinates of this scene are zero [m]. Instances, lights and cameras are told
-    /// from here, so that what stands far out keeps its digits; what people read and write adds it.
+    /// Where in the file's world the coordinates of this scene are zero [m]. Instances, lights and cameras
+    /// are told from here, so that what stands far out keeps its digits; what people read and write adds it.
     glm::dvec3 origin{0.0};
     std::vector<TextureImage> images;
     std::vector<Texture> textures;
@@ -75,8 +75,8 @@ struct Bounds {
 /// The box around all vertices of all instances.
 Bounds bounds_of(const Scene& scene);
 
-/// An origin near the middle of most instances; zero for a scene that stands near its own. A float's rounding is
-/// then small against the scene. Each coordinate is a multiple of a power of two that floats hold exactly.
+/// An origin near the middle of most instances; zero for a scene that stands near its own. A float's rounding
+/// is then small against the scene. Each coordinate is a multiple of a power of two that floats hold exactly.
 glm::dvec3 fitting_origin(const Scene& scene);
 
 std::size_t triangle_count(const Scene& scene);

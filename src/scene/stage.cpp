@@ -40,7 +40,8 @@ Camera chosen_camera(const Scene& scene, const std::string& file, const StageOpt
                    ? framing_camera(corners_of(*options.extent), options.aspect_ratio)
                    : framing_camera(scene, options.aspect_ratio);
     if (wanted.empty()) return scene.cameras.front();
-    if (is_look_at(wanted)) return camera_at(parsed_look_at(wanted, scene.origin), bounds_of(scene), options.aspect_ratio);
+    if (is_look_at(wanted))
+        return camera_at(parsed_look_at(wanted, scene.origin), bounds_of(scene), options.aspect_ratio);
     for (const Camera& camera : scene.cameras)
         if (camera.name == wanted) return camera;
     std::size_t index = 0;

@@ -99,8 +99,7 @@ private:
         glass.F0 = std::max({F0.x, F0.y, F0.z});
         glass.specular = m.specular;
         glass.clearcoat = m.clearcoat;
-        glass.optical_depth =
-            scene::attenuation_coefficient(m) * (m.thickness * scene::length_scale(world));
+        glass.optical_depth = scene::attenuation_coefficient(m) * (m.thickness * scene::length_scale(world));
         glass.front = scene::mirrors(world) ? -1.0f : 1.0f;
         glass.is_body = scene::is_body_of_glass(mesh, m);
         const std::array slots{&m.base_color_texture, &m.transmission_texture, &m.thickness_texture,

@@ -21,10 +21,9 @@ struct Caster {
     float front = 0.0f;
     int alpha_map = -1; // index into Casters::alpha_maps; negative: none
     int first_triangle = 0;
-    int first_corner =
-        -1; // of its first triangle in Casters::alpha_corners, of glass in glass_corners; negative: it is opaque
-            // throughout
-    int glass = -1; // index into Casters::glass; negative: it is none
+    int first_corner = -1; // of its first triangle in Casters::alpha_corners, of glass in glass_corners;
+                           // negative: it is opaque throughout
+    int glass = -1;        // index into Casters::glass; negative: it is none
 
     /// Blocks everything that meets it.
     bool is_plain() const { return emits_as.is_empty() && first_corner < 0 && front == 0.0f; }
@@ -65,7 +64,8 @@ Casters casters_of(const scene::Scene& scene, std::span<const scene::Light> ligh
 /// arrives at the front of a single-sided triangle, which is where the light would come out.
 bool is_passed_from_behind(const Casters& casters, std::uint32_t triangle, int light, vec3 ray_direction);
 
-/// The share of the light that the triangle lets through where a ray of that direction meets it, at corner 0 + u (1
+/// The share of the light that the triangle lets through where a ray of that direction meets it, at corner 0
+/// + u (1
 /// - 0) + v (2 - 0): 0 or 1, or anything between for alphaMode BLEND and for glass.
 vec3 transmittance(const Casters& casters, std::uint32_t triangle, float u, float v, vec3 direction);
 

@@ -33,7 +33,8 @@ GlassPoint glass_at(const Glass& glass, std::span<const GlassCorner, 3> corners,
 
 vec3 straight_transmittance(const Glass& glass, const GlassPoint& point, vec3 n, vec3 w) {
     const float towards = glm::dot(n, w);
-    const float weight = schlick_weight(std::abs(towards) * glm::inversesqrt(glm::dot(n, n) * glm::dot(w, w)));
+    const float weight =
+        schlick_weight(std::abs(towards) * glm::inversesqrt(glm::dot(n, n) * glm::dot(w, w)));
     const float F = glass.specular * glm::mix(glass.F0, 1.0f, weight);
     const float F_coat = glass.clearcoat * glm::mix(0.04f, 1.0f, weight);
     const bool leaves_body = glass.is_body && towards * glass.front > 0.0f;

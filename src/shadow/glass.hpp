@@ -1,6 +1,6 @@
 #pragma once
-// Glass as shadows see it: KHR_materials_transmission with its textures, bilinear in the full-size image. Keep in
-// sync with shaders/surface/glass.glsl, which has the equation, and shaders/visibility/glass.glsl.
+// Glass as shadows see it: KHR_materials_transmission with its textures, bilinear in the full-size image.
+// Keep in sync with shaders/surface/glass.glsl, which has the equation, and shaders/visibility/glass.glsl.
 #include "shadow/alpha.hpp"
 
 #include <array>

@@ -15,7 +15,9 @@ bool stands_in_light(const Caster& caster, int light) {
     return !(caster.emits_as.contains(light) && caster.own_share == whole_ray);
 }
 
-bool is_in_maps(const Caster& caster, int light) { return caster.glass < 0 && stands_in_light(caster, light); }
+bool is_in_maps(const Caster& caster, int light) {
+    return caster.glass < 0 && stands_in_light(caster, light);
+}
 
 MapStage map_stage_of(const scene::Scene& scene, std::span<const scene::Light> lights,
                       const Casters& casters) {

@@ -14,8 +14,9 @@ public:
     explicit Occlusion(const Casters& casters);
     ~Occlusion();
 
-    /// V of each query, for red, green and blue: 1 where nothing stands between x and the emitter's point, 0 where something does, and
-    /// the product of what transparent surfaces let through. For any number of threads at once.
+    /// V of each query, for red, green and blue: 1 where nothing stands between x and the emitter's point, 0
+    /// where something does, and the product of what transparent surfaces let through. For any number of
+    /// threads at once.
     void answer(std::span<const Query> queries, std::span<vec3> V) const;
 
 private:

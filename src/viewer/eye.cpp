@@ -88,7 +88,8 @@ void Eye::set_aspect_ratio(float aspect_ratio) { aspect_ratio_ = aspect_ratio; }
 void Eye::set_bounds(const scene::Bounds& bounds) {
     bounds_ = bounds;
     if (scene::is_look_at(camera_.argument))
-        camera_.camera = scene::camera_at(scene::parsed_look_at(camera_.argument, origin_), bounds_, aspect_ratio_);
+        camera_.camera =
+            scene::camera_at(scene::parsed_look_at(camera_.argument, origin_), bounds_, aspect_ratio_);
 }
 
 void Eye::follow(const std::vector<scene::Camera>& cameras) {

@@ -63,7 +63,8 @@ void ProbePanel::draw(const scene::Stage& stage, const Lighting& lighting,
         const glm::dvec3 x = stage.scene.origin + glm::dvec3(terms.x); // in the file's world
         const bool is_far = stage.scene.origin != glm::dvec3(0.0);
         put(fmt::format("x {} m   n {}   wo {}",
-                        is_far ? fmt::format("{:.10g} {:.10g} {:.10g}", x.x, x.y, x.z) : three(terms.x), three(terms.n), three(terms.wo)));
+                        is_far ? fmt::format("{:.10g} {:.10g} {:.10g}", x.x, x.y, x.z) : three(terms.x),
+                        three(terms.n), three(terms.wo)));
         const auto flags =
             ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerV;
         if (ImGui::BeginTable("lights", 8, flags)) {

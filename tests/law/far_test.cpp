@@ -2,6 +2,7 @@
 #include "support/address.hpp"
 #include "support/generated.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -34,7 +35,8 @@ int different_pixels(const image::Image& a, const image::Image& b) {
     return count;
 }
 
-void expect_same_picture_far_out(const char* name, render::Estimator estimator, render::Visibility visibility) {
+void expect_same_picture_far_out(const char* name, render::Estimator estimator,
+                                 render::Visibility visibility) {
     const Recipe& recipe = *std::ranges::find(recipes(), std::string_view(name), &Recipe::name);
     Look look;
     look.estimator = estimator;
@@ -59,8 +61,9 @@ using render::Visibility;
 
 const Test ray("law.far.has_the_same_picture_by_rays",
                [] { expect_same_picture_far_out("punctual", Estimator::sampled, Visibility::ray); });
-const Test ray_glsl("law.far.has_the_same_picture_by_rays_in_glsl",
-                    [] { expect_same_picture_far_out("leaves", Estimator::sampled, Visibility::ray_in_glsl); });
+const Test ray_glsl("law.far.has_the_same_picture_by_rays_in_glsl", [] {
+    expect_same_picture_far_out("leaves", Estimator::sampled, Visibility::ray_in_glsl);
+});
 const Test map("law.far.has_the_same_picture_by_maps",
                [] { expect_same_picture_far_out("leaves", Estimator::sampled, Visibility::map); });
 const Test analytic("law.far.has_the_same_picture_analytically",

@@ -1,10 +1,11 @@
-// Every channel of every picture is finite, whatever scene a file that is accepted describes: generated scenes that are
-// degenerate, coplanar, coincident, huge and tiny, with factors at the ends of their ranges.
+// Every channel of every picture is finite, whatever scene a file that is accepted describes: generated
+// scenes that are degenerate, coplanar, coincident, huge and tiny, with factors at the ends of their ranges.
 #include "core/error.hpp"
 #include "support/address.hpp"
 #include "support/generated.hpp"
 #include "support/gl.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
@@ -37,7 +38,8 @@ struct Way {
     const char* shader = "forward.frag";
 };
 
-/// Besides shadow rays, which every recipe takes, a recipe takes one of these in turn: each compiles programs of its own.
+/// Besides shadow rays, which every recipe takes, a recipe takes one of these in turn: each compiles programs
+/// of its own.
 constexpr std::array other_ways{
     Way{"analytic", render::Estimator::analytic, render::Visibility::ray},
     Way{"map", render::Estimator::sampled, render::Visibility::map},
@@ -97,9 +99,10 @@ void expect_finite(std::size_t index) {
         }
         ++scenes;
         for (Finite& way : ways)
-            if (const int broken = way.broken(*stage, static_cast<std::uint32_t>(seed)); broken > 0 && ++failed <= 8)
-                ADD_FAILURE() << fmt::format("recipe {}, seed {}, {}: {} values are not finite", recipe.name, seed,
-                                             way.name(), broken);
+            if (const int broken = way.broken(*stage, static_cast<std::uint32_t>(seed));
+                broken > 0 && ++failed <= 8)
+                ADD_FAILURE() << fmt::format("recipe {}, seed {}, {}: {} values are not finite", recipe.name,
+                                             seed, way.name(), broken);
     }
     ::testing::Test::RecordProperty("scenes", scenes);
     ::testing::Test::RecordProperty("refused", refused);

@@ -18,8 +18,9 @@ vec3 direction(float cos_w, float azimuth) {
     return {s * std::cos(azimuth), s * std::sin(azimuth), cos_w};
 }
 
-// White glass sends on no more than arrives, at every angle and roughness. Rough glass may by 0.2 %: what passes takes
-// Schlick's F at n, what is reflected at h, whose mean is larger where F is small (ior 1, roughness 0.5: 1.0012).
+// White glass sends on no more than arrives, at every angle and roughness. Rough glass may by 0.2 %: what
+// passes takes Schlick's F at n, what is reflected at h, whose mean is larger where F is small (ior 1,
+// roughness 0.5: 1.0012).
 const Test furnace("law.glass.reflects_and_lets_through_no_more_than_arrives", [] {
     context();
     scene::Material material;
@@ -38,7 +39,8 @@ const Test furnace("law.glass.reflects_and_lets_through_no_more_than_arrives", [
             glass.F0 = std::pow((ior - 1.0f) / (ior + 1.0f), 2.0f);
             for (std::size_t i = 0; i < wo.size(); ++i) {
                 const vec3 T = shadow::straight_transmittance(glass, {}, {0, 0, 1}, wo[i]);
-                EXPECT_LE(albedos[i].x + T.x, 1.002) << "ior " << ior << ", roughness " << roughness << ", cos " << wo[i].z;
+                EXPECT_LE(albedos[i].x + T.x, 1.002)
+                    << "ior " << ior << ", roughness " << roughness << ", cos " << wo[i].z;
                 if (roughness < 0.1f && wo[i].z > 0.2f)
                     EXPECT_NEAR(albedos[i].x + T.x, 1.0, 5e-3) << "smooth glass keeps nothing";
             }
@@ -47,9 +49,12 @@ const Test furnace("law.glass.reflects_and_lets_through_no_more_than_arrives", [
 });
 
 /// f_r with wi below the sheet.
-vec3 f_below(brdf::Trial& trial, vec3 wi, vec3 wo) { return trial.values(std::array{brdf::Pair{wi, wo}}).front(); }
+vec3 f_below(brdf::Trial& trial, vec3 wi, vec3 wo) {
+    return trial.values(std::array{brdf::Pair{wi, wo}}).front();
+}
 
-// Both sides of a sheet together send on no more than arrives. (Specular 0: glTF's dielectric is no such sheet.)
+// Both sides of a sheet together send on no more than arrives. (Specular 0: glTF's dielectric is no such
+// sheet.)
 const Test sheet("law.glass.a_sheet_sends_to_both_sides_no_more_than_arrives", [] {
     context();
     scene::Material material;
@@ -93,11 +98,13 @@ const Test straight("law.glass.lets_the_same_through_both_ways", [] {
     const vec3 n(0.0f, 2.0f, 0.0f);
     for (const float cos_w : cosines) {
         const vec3 w = 3.0f * vec3(std::sqrt(1.0f - cos_w * cos_w), cos_w, 0.0f);
-        EXPECT_EQ(shadow::straight_transmittance(glass, {}, n, w), shadow::straight_transmittance(glass, {}, n, -w));
+        EXPECT_EQ(shadow::straight_transmittance(glass, {}, n, w),
+                  shadow::straight_transmittance(glass, {}, n, -w));
         shadow::Glass body = glass;
         body.is_body = true;
         const auto through = [&](vec3 d) {
-            return shadow::straight_transmittance(body, {}, n, d) * shadow::straight_transmittance(body, {}, -n, d);
+            return shadow::straight_transmittance(body, {}, n, d)
+                   * shadow::straight_transmittance(body, {}, -n, d);
         };
         EXPECT_EQ(through(w), through(-w));
     }

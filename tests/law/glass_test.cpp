@@ -34,7 +34,8 @@ float passed(float cos_w, float ior = 1.5f) {
 }
 
 /// The sun from the left, 45° high: what stands at height h casts its shadow at x + h.
-const scene::Light slanting = scene::DirectionalLight{"", glm::normalize(vec3(1.0f, -1.0f, 0.0f)), vec3(1.0f)};
+const scene::Light slanting =
+    scene::DirectionalLight{"", glm::normalize(vec3(1.0f, -1.0f, 0.0f)), vec3(1.0f)};
 
 /// The plane under a pane at height 1 above x < 0, which the camera sees from its culled back.
 scene::Scene under_a_pane(const scene::Material& material) {
@@ -50,7 +51,8 @@ vec3 V_at(const image::Image& image, float x) {
 }
 
 vec3 V_under(const scene::Scene& scene, Visibility visibility) {
-    return V_at(picture(scene, std::span(&slanting, 1), camera_from_above(extent), size, 1, 0, visibility), -0.5f);
+    return V_at(picture(scene, std::span(&slanting, 1), camera_from_above(extent), size, 1, 0, visibility),
+                -0.5f);
 }
 
 void expect_near(vec3 value, vec3 expected, float tolerance, std::string_view what = "") {
@@ -61,8 +63,8 @@ void expect_near(vec3 value, vec3 expected, float tolerance, std::string_view wh
 const Test tint("law.glass.a_pane_tints_the_light", [] {
     for (const Visibility visibility : every_provider) {
         const vec3 expected = amber * passed(std::sqrt(0.5f));
-        const auto image = picture(under_a_pane(glass()), std::span(&slanting, 1), camera_from_above(extent), size, 1, 0,
-                                   visibility);
+        const auto image = picture(under_a_pane(glass()), std::span(&slanting, 1), camera_from_above(extent),
+                                   size, 1, 0, visibility);
         expect_near(V_at(image, -0.5f), expected, 1e-5f);
         expect_near(V_at(image, 1.5f), vec3(1.0f), 1e-5f, "beside it");
         auto turned = under_a_pane(glass());
@@ -71,8 +73,8 @@ const Test tint("law.glass.a_pane_tints_the_light", [] {
         turned.materials[1].is_double_sided = false;
         turned.meshes[1].indices = {0, 2, 1, 0, 3, 2}; // so that its back stays up
         expect_near(V_under(turned, visibility), expected, 1e-5f);
-        expect_near(V_under(under_a_pane(glass(amber, 1.0f)), visibility), amber * passed(std::sqrt(0.5f), 1.0f),
-                    1e-5f);
+        expect_near(V_under(under_a_pane(glass(amber, 1.0f)), visibility),
+                    amber * passed(std::sqrt(0.5f), 1.0f), 1e-5f);
     }
 });
 
@@ -103,7 +105,8 @@ const Test beer("law.glass.volume_attenuates_as_beer_and_lambert_say", [] {
     scaled.instances[1].world_from_object[3] = vec4(1.0f, -1.0f, 0.0f, 1.0f);
     for (const Visibility visibility : every_provider) {
         expect_near(V_under(under_a_pane(material), visibility), twice * passed(std::sqrt(0.5f)), 1e-5f);
-        expect_near(V_under(scaled, visibility), twice * twice * passed(std::sqrt(0.5f)), 1e-5f, "scaled by 2");
+        expect_near(V_under(scaled, visibility), twice * twice * passed(std::sqrt(0.5f)), 1e-5f,
+                    "scaled by 2");
     }
 });
 
@@ -160,7 +163,9 @@ const Test alpha("law.glass.alpha_says_how_much_glass_is_there", [] {
             material.alpha_mode = mode;
             material.base_color.w = a;
             const float there = mode == scene::AlphaMode::blend ? a : a < 0.5f ? 0.0f : 1.0f;
-            const auto expected = [&](float cos_w) { return glm::mix(vec3(1.0f), amber * passed(cos_w), there); };
+            const auto expected = [&](float cos_w) {
+                return glm::mix(vec3(1.0f), amber * passed(cos_w), there);
+            };
             for (const Visibility visibility : every_provider)
                 expect_near(V_under(under_a_pane(material), visibility), expected(std::sqrt(0.5f)), 1e-5f);
             expect_near(vec3(seen_through(material)), 2.0f * expected(1.0f), 1e-5f);
@@ -181,11 +186,12 @@ int two_texels(scene::Scene& scene, std::array<std::uint8_t, 8> texels, scene::C
     return static_cast<int>(scene.textures.size()) - 1;
 }
 
-// Each of the four textures has its say, in V as in what is seen. (V is bilinear: asked in the middle of a texel.)
+// Each of the four textures has its say, in V as in what is seen. (V is bilinear: asked in the middle of a
+// texel.)
 const Test textures("law.glass.textures_are_read_by_v_and_by_the_eye", [] {
     using Texels = std::array<std::uint8_t, 8>;
     struct Case {
-        scene::TextureSlot scene::Material::* slot;
+        scene::TextureSlot scene::Material::*slot;
         Texels texels;
         scene::ColorSpace color_space;
         std::array<vec3, 2> factor; // of T on the left and on the right
@@ -193,14 +199,22 @@ const Test textures("law.glass.textures_are_read_by_v_and_by_the_eye", [] {
     const float half = 0.21586f; // sRGB code 128
     const vec3 dense(std::exp(-1.0f)), thin(std::exp(-51.0f / 255.0f));
     for (const Case& c : {
-             Case{&scene::Material::base_color_texture, Texels{255, 128, 0, 255, 128, 255, 255, 255},
-                  scene::ColorSpace::srgb, {vec3(1, half, 0) * dense, vec3(half, 1, 1) * dense}},
-             Case{&scene::Material::transmission_texture, Texels{51, 255, 255, 255, 255, 0, 0, 0},
-                  scene::ColorSpace::linear, {0.2f * dense, dense}},
-             Case{&scene::Material::thickness_texture, Texels{0, 51, 255, 0, 255, 0, 255, 0},
-                  scene::ColorSpace::linear, {thin, vec3(1.0f)}},
-             Case{&scene::Material::metallic_roughness_texture, Texels{0, 0, 51, 0, 0, 0, 255, 0},
-                  scene::ColorSpace::linear, {0.8f * dense, vec3(0.0f)}},
+             Case{&scene::Material::base_color_texture,
+                  Texels{255, 128, 0, 255, 128, 255, 255, 255},
+                  scene::ColorSpace::srgb,
+                  {vec3(1, half, 0) * dense, vec3(half, 1, 1) * dense}},
+             Case{&scene::Material::transmission_texture,
+                  Texels{51, 255, 255, 255, 255, 0, 0, 0},
+                  scene::ColorSpace::linear,
+                  {0.2f * dense, dense}},
+             Case{&scene::Material::thickness_texture,
+                  Texels{0, 51, 255, 0, 255, 0, 255, 0},
+                  scene::ColorSpace::linear,
+                  {thin, vec3(1.0f)}},
+             Case{&scene::Material::metallic_roughness_texture,
+                  Texels{0, 0, 51, 0, 0, 0, 255, 0},
+                  scene::ColorSpace::linear,
+                  {0.8f * dense, vec3(0.0f)}},
          }) {
         auto scene = lambert_plane(4.0f);
         auto material = glass(vec3(1.0f));
@@ -211,8 +225,10 @@ const Test textures("law.glass.textures_are_read_by_v_and_by_the_eye", [] {
         (material.*c.slot).texture = two_texels(scene, c.texels, c.color_space);
         add_quad(scene, {-1.0f, 1.0f, 0.0f}, {1.0f, 0, 0}, {0, 0, 2.0f}, material);
         for (const Visibility visibility : every_provider) {
-            const auto image = picture(scene, std::span(&slanting, 1), camera_from_above(extent), size, 1, 0, visibility);
-            for (const int side : {0, 1}) // the middles of the texels are at x = -1.5 and -0.5, their light at +1
+            const auto image =
+                picture(scene, std::span(&slanting, 1), camera_from_above(extent), size, 1, 0, visibility);
+            for (const int side :
+                 {0, 1}) // the middles of the texels are at x = -1.5 and -0.5, their light at +1
                 expect_near(V_at(image, side == 0 ? -0.5f : 0.53f),
                             c.factor[static_cast<std::size_t>(side)] * passed(std::sqrt(0.5f)), 4e-2f);
         }
@@ -237,7 +253,8 @@ const Test part("law.glass.opaque_parts_hide_each_other", [] {
     for (int i = 0; i < 8; ++i) mesh.colors.push_back(i < 4 ? vec4(1, 0, 0, 1) : vec4(0, 1, 0, 1));
     const scene::Light above = scene::DirectionalLight{"", {0.0f, -1.0f, 0.0f}, vec3(pi)};
     for (const Visibility visibility : every_provider) {
-        const auto image = picture(scene, std::span(&above, 1), camera_from_above(extent), size, 1, 0, visibility);
+        const auto image =
+            picture(scene, std::span(&above, 1), camera_from_above(extent), size, 1, 0, visibility);
         const auto opaque = image.at(size / 2 - 8, size / 2), clear = image.at(size / 2 + 8, size / 2);
         expect_near({opaque[0], opaque[1], opaque[2]}, {1.0f, 0.0f, 0.0f}, 1e-5f);
         expect_near({clear[0], clear[1], clear[2]}, vec3(0.0f), 1e-5f, "red times green");
@@ -249,7 +266,9 @@ scene::Scene heap() {
     auto scene = lambert_plane(4.0f);
     std::mt19937 random(5);
     std::uniform_real_distribution<float> within(-1.0f, 1.0f);
-    const auto point = [&](float reach) { return reach * vec3(within(random), within(random), within(random)); };
+    const auto point = [&](float reach) {
+        return reach * vec3(within(random), within(random), within(random));
+    };
     const int map = two_texels(scene, {255, 128, 40, 30, 128, 200, 90, 255}, scene::ColorSpace::srgb);
     const int data = two_texels(scene, {255, 128, 40, 30, 128, 200, 90, 255}, scene::ColorSpace::linear);
     for (int i = 0; i < 120; ++i) {
@@ -258,7 +277,9 @@ scene::Scene heap() {
         material.attenuation_distance = 0.7f;
         material.attenuation_color = glm::abs(point(1.0f));
         material.clearcoat = i % 5 == 0 ? 1.0f : 0.0f;
-        material.alpha_mode = i % 4 == 0 ? scene::AlphaMode::blend : i % 4 == 1 ? scene::AlphaMode::mask : scene::AlphaMode::opaque;
+        material.alpha_mode = i % 4 == 0   ? scene::AlphaMode::blend
+                              : i % 4 == 1 ? scene::AlphaMode::mask
+                                           : scene::AlphaMode::opaque;
         if (i % 2 == 0) material.base_color_texture.texture = map;
         if (i % 7 == 0) material.transmission_texture.texture = material.thickness_texture.texture = data;
         if (i % 6 == 0) material.metallic_roughness_texture.texture = data, material.metallic = 1.0f;
@@ -277,7 +298,8 @@ const Test equal("law.glass.every_provider_agrees", [] {
     const auto cpu = films(Visibility::ray_on_cpu), glsl = films(Visibility::ray_in_glsl);
     int different = 0, tinted = 0;
     for (std::size_t i = 0; i < cpu.pixels.size(); ++i) {
-        different += std::abs(cpu.pixels[i] - glsl.pixels[i]) > 1e-3f * std::max(cpu.pixels[i], glsl.pixels[i]);
+        different +=
+            std::abs(cpu.pixels[i] - glsl.pixels[i]) > 1e-3f * std::max(cpu.pixels[i], glsl.pixels[i]);
         tinted += i % 4 == 0 && std::abs(cpu.pixels[i] - cpu.pixels[i + 1]) > 1e-3f;
     }
     EXPECT_LE(different, 48) << "of 65536 values";
@@ -300,11 +322,13 @@ const Test leaf("law.glass.a_sheet_lit_from_behind_shows_its_colour", [] {
             auto shaded = scene;
             add_quad(shaded, {-0.75f * 0.5f, -side * -0.5f, 0.0f}, {0.1f, 0, 0}, {0, 0, -1.0f}, lambert());
             for (const Visibility visibility : every_provider) {
-                const auto lit = picture(scene, std::span(&sun, 1), camera_from_above(0.5f), 8, 1, 0, visibility);
+                const auto lit =
+                    picture(scene, std::span(&sun, 1), camera_from_above(0.5f), 8, 1, 0, visibility);
                 const auto texel = lit.at(3, 3);
                 expect_near(vec3(texel[0], texel[1], texel[2]), 5.0f * cos_i * f / pi, 1e-5f);
                 if (side < 0.0f) { // what stands behind the sheet shadows it
-                    const auto dark = picture(shaded, std::span(&sun, 1), camera_from_above(0.5f), 8, 1, 0, visibility);
+                    const auto dark =
+                        picture(shaded, std::span(&sun, 1), camera_from_above(0.5f), 8, 1, 0, visibility);
                     EXPECT_EQ(dark.at(3, 3)[1], 0.0f);
                 }
             }

@@ -1,5 +1,5 @@
-// alphaMode MASK shows alpha >= cutoff (glTF 2.0, section 3.9.4), whoever asks: the picture and every kind of shadow. And
-// flat emitters send nothing to their own plane.
+// alphaMode MASK shows alpha >= cutoff (glTF 2.0, section 3.9.4), whoever asks: the picture and every kind of
+// shadow. And flat emitters send nothing to their own plane.
 #include "support/address.hpp"
 #include "support/gl.hpp"
 #include "support/scenes.hpp"
@@ -11,8 +11,8 @@ namespace {
 
 using namespace sr;
 using namespace sr::testing;
-using sr::testing::Test;
 using render::Visibility;
+using sr::testing::Test;
 
 /// What an alpha is the product of.
 struct Masked {
@@ -25,8 +25,8 @@ struct Masked {
 
     double alpha() const { return double{factor} * double{vertex} * (has_texture ? texel / 255.0 : 1.0); }
     std::string text() const {
-        return fmt::format("{} x {} x {}/255 ({} beside it), cutoff {} of that", factor, vertex, texel, other_texel,
-                           cutoff_over_alpha);
+        return fmt::format("{} x {} x {}/255 ({} beside it), cutoff {} of that", factor, vertex, texel,
+                           other_texel, cutoff_over_alpha);
     }
 };
 
@@ -42,8 +42,8 @@ void add_texture(scene::Scene& scene, const Masked& masked) {
     scene.textures.push_back({0, scene::Sampler{}, scene::ColorSpace::srgb});
 }
 
-/// A white plane, and over it a red masked plate that the camera sees at the middle. Parallel light at 45° throws its
-/// shadow to x = 0.25 … 0.75.
+/// A white plane, and over it a red masked plate that the camera sees at the middle. Parallel light at 45°
+/// throws its shadow to x = 0.25 … 0.75.
 scene::Scene plate_over_plane(const Masked& masked) {
     scene::Scene scene = lambert_plane(2.0f);
     scene::Material material = lambert(vec3(1, 0, 0));
@@ -71,8 +71,8 @@ void expect_plate(const Masked& masked, bool is_there) {
         for (int row = 13; row < 19; ++row)
             for (int i = -3; i < 3; ++i) {
                 const float shadow = picture.at(24 + i, row)[1], plate = picture.at(16 + i, row)[1];
-                EXPECT_EQ(shadow == 0.0f, is_there)
-                    << masked.text() << ": the shadow of " << render::name_of(visibility) << " has " << shadow;
+                EXPECT_EQ(shadow == 0.0f, is_there) << masked.text() << ": the shadow of "
+                                                    << render::name_of(visibility) << " has " << shadow;
                 EXPECT_EQ(plate == 0.0f, is_there) << masked.text() << ": the picture has green " << plate;
             }
     }
@@ -108,7 +108,8 @@ std::vector<scene::Light> flat_lights(vec3 center, vec3 u, vec3 v) {
 
 const Test own_plane("law.light.flat.nothing_arrives_in_its_own_plane", [] {
     int kind = 0;
-    for (const glm::quat turn : {glm::quat(1, 0, 0, 0), glm::normalize(glm::quat(0.8f, 0.31f, -0.22f, 0.47f))})
+    for (const glm::quat turn :
+         {glm::quat(1, 0, 0, 0), glm::normalize(glm::quat(0.8f, 0.31f, -0.22f, 0.47f))})
         for (const vec3 offset : {vec3(0.0f), vec3(0.37f, -1.9f, 6.3f)}) {
             const mat3 axes = glm::mat3_cast(turn);
             scene::Scene scene;

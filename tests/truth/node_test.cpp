@@ -7,6 +7,7 @@
 #include "support/models.hpp"
 #include "support/scenes.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 

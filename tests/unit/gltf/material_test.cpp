@@ -119,7 +119,8 @@ const Test bad_volumes("unit.gltf.material.bad_volumes_are_named", [] {
     const gltf::Loaded loaded = load(with_material(
         R"({"name": "m", "extensions": {"KHR_materials_volume": {"attenuationDistance": 0}}})"));
     EXPECT_TRUE(std::isinf(loaded.scene.materials.at(0).attenuation_distance));
-    EXPECT_TRUE(warns_once(loaded, "material \"m\": attenuationDistance is 0, not more than 0: nothing is attenuated"));
+    EXPECT_TRUE(warns_once(
+        loaded, "material \"m\": attenuationDistance is 0, not more than 0: nothing is attenuated"));
     EXPECT_NE(error_of(with_material(R"({"extensions": {"KHR_materials_volume": {"thicknessFactor": -1}}})"))
                   .find("thicknessFactor is -1"),
               std::string::npos);
