@@ -1,5 +1,7 @@
 #include "scene/light.hpp"
 
+#include <cmath>
+
 namespace sr::scene {
 namespace {
 
@@ -28,6 +30,11 @@ float MeshLight::area() const {
     for (const auto& [corners, uv] : triangles)
         doubled += glm::length(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
     return 0.5f * doubled;
+}
+
+mat3 EnvironmentLight::map_from_world() const {
+    const float c = std::cos(rotation), s = std::sin(rotation);
+    return {vec3(c, 0.0f, s), vec3(0.0f, 1.0f, 0.0f), vec3(-s, 0.0f, c)}; // columns: around +Y by -rotation
 }
 
 } // namespace sr::scene
