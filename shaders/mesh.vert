@@ -1,5 +1,6 @@
 #version 410 core
 // Every triangle of the scene, from object space to the camera's clip space.
+#include "base/unit.glsl"
 #include "interface/frame.glsl"
 #include "interface/object.glsl"
 
@@ -23,8 +24,9 @@ invariant gl_Position;
 void main() {
     vec4 world = world_from_object * vec4(position, 1.0);
     vertex_position = world.xyz;
-    vertex_normal = mat3(world_from_normal) * normal;
-    vertex_tangent = vec4(mat3(world_from_object) * tangent.xyz, tangent.w * handedness.x);
+    // Unit at the vertices in world space: what normal maps combine must not depend on the node's scale.
+    vertex_normal = unit_or(mat3(world_from_normal) * normal, vec3(0.0));
+    vertex_tangent = vec4(unit_or(mat3(world_from_object) * tangent.xyz, vec3(0.0)), tangent.w * handedness.x);
     vertex_uv0 = uv0;
     vertex_uv1 = uv1;
     vertex_color = color;

@@ -1,8 +1,8 @@
 // What holds for one instance. Mirror: ObjectBlock in src/render/blocks.hpp.
 layout(std140) uniform Object {
     mat4 world_from_object;
-    mat4 world_from_normal; // inverse transpose of the upper 3×3
-    vec4 handedness;        // x: the sign of the determinant, -1 where the transform mirrors
+    mat4 world_from_normal; // inverse transpose of the upper 3×3, but for a positive factor
+    vec4 handedness;        // x: -1 where the transform mirrors, else 1
     int first_triangle;     // its first triangle's index among the shadow casters
     int object;             // its own index, and its material's, in the scene
     int material;

@@ -20,7 +20,7 @@ vec3 direction_to_viewer() {
 void add_anisotropy(inout Surface x) {
     vec3 along = anisotropy();
     vec3 t = from_tangent_space(vec3(along.xy, 0.0));
-    x.t = normalize(t - dot(x.n, t) * x.n);
+    x.t = unit_or(t - dot(x.n, t) * x.n, frame_around(x.n)[0]);
     bool is_stated = anisotropy_factor.w >= 0.0; // extras.steradian
     x.alphas = vec2(is_stated ? x.alpha : mix(x.alpha, 1.0, along.z * along.z),
                     is_stated ? alpha_of(anisotropy_factor.w) : x.alpha);
@@ -60,7 +60,7 @@ Surface surface_at_fragment() {
     x.position = vertex_position;
     x.triangle = first_triangle + gl_PrimitiveID;
     x.n = shading_normal(wo);
-    x.unmapped_n = on_seen_side(normalize(vertex_normal), wo);
+    x.unmapped_n = on_seen_side(interpolated_normal(), wo);
     x.base_color = color.rgb;
     x.metallic = rm.y;
     x.roughness = rm.x;

@@ -1,22 +1,35 @@
 // n: the normal that the BRDF sees.
+#include "base/frame_around.glsl"
+#include "base/unit.glsl"
 #include "surface/textures.glsl"
 
+// The triangle's own normal, on its front.
+vec3 triangle_normal() {
+    vec3 towards_viewer = cross(dFdx(vertex_position), dFdy(vertex_position));
+    return unit_or(gl_FrontFacing ? towards_viewer : -towards_viewer, vec3(0.0, 1.0, 0.0));
+}
+
+// Where the corners' normals cancel out, the triangle has its own.
+vec3 interpolated_normal() { return unit_or(vertex_normal, triangle_normal()); }
+
 // From tangent space as MikkTSpace defines it (Mikkelsen 2008): the interpolated vectors are used at the length they
-// have, and the sum is normalised once.
+// have, and the sum is normalised once. Their length is 1 at the vertices in world space. The bitangent is the cross
+// product of the transformed vectors, not the transformed bitangent: glTF 2.0, section 3.7.2.1, defines it by the
+// normal and the tangent, so a node that is not scaled evenly leaves the map's angles as they are.
 vec3 from_tangent_space(vec3 m) {
     vec3 bitangent = vertex_tangent.w * cross(vertex_normal, vertex_tangent.xyz);
-    return normalize(m.x * vertex_tangent.xyz + m.y * bitangent + m.z * vertex_normal);
+    return unit_or(m.x * vertex_tangent.xyz + m.y * bitangent + m.z * vertex_normal, interpolated_normal());
 }
 
 vec3 mapped_normal() {
-    if (!has_normal_texture) return normalize(vertex_normal);
+    if (!has_normal_texture) return interpolated_normal();
     vec3 m = texture(normal_texture, uv(normal_slot)).xyz * 2.0 - 1.0;
     return from_tangent_space(vec3(m.xy * normal_scale, m.z));
 }
 
 // The coat follows its own map, not that of what it covers (KHR_materials_clearcoat).
 vec3 mapped_clearcoat_normal() {
-    if (!has_clearcoat_normal_texture) return normalize(vertex_normal);
+    if (!has_clearcoat_normal_texture) return interpolated_normal();
     vec3 m = texture(clearcoat_normal_texture, uv(clearcoat_normal_slot)).xyz * 2.0 - 1.0;
     return from_tangent_space(vec3(m.xy * clearcoat_factor.z, m.z));
 }
@@ -25,7 +38,7 @@ vec3 mapped_clearcoat_normal() {
 // f_r stays finite and continuous there, and no black fringe appears along silhouettes.
 vec3 facing(vec3 n, vec3 wo) {
     float cos_o = dot(n, wo);
-    return cos_o >= 0.0 ? n : normalize(n - cos_o * wo);
+    return cos_o >= 0.0 ? n : unit_or(n - cos_o * wo, frame_around(wo)[0]);
 }
 
 vec3 on_seen_side(vec3 n, vec3 wo) { return facing(gl_FrontFacing ? n : -n, wo); }

@@ -2,6 +2,7 @@
 
 #include "gltf/normals.hpp"
 #include "gltf/tangents.hpp"
+#include "scene/transform.hpp"
 
 #include <algorithm>
 
@@ -43,11 +44,11 @@ void skin(const Influences& influences, std::span<const dmat4> joints, scene::Me
                 world_from_rest += double{influences.weights[i]} * joints[influences.joints[i]];
         mesh.positions[v] = vec3(world_from_rest * glm::dvec4(mesh.positions[v], 1.0));
         const dmat3 linear(world_from_rest);
-        mesh.normals[v] = vec3(cofactors(linear) * dvec3(mesh.normals[v]));
+        mesh.normals[v] = scene::unit_or(cofactors(linear) * dvec3(mesh.normals[v]), vec3(0.0f));
         if (mesh.tangents.empty()) continue;
         const double side = glm::determinant(linear) < 0.0 ? -1.0 : 1.0;
-        mesh.tangents[v] =
-            vec4(vec3(linear * dvec3(mesh.tangents[v])), mesh.tangents[v].w * static_cast<float>(side));
+        mesh.tangents[v] = vec4(scene::unit_or(linear * dvec3(mesh.tangents[v]), vec3(0.0f)),
+                                mesh.tangents[v].w * static_cast<float>(side));
     }
 }
 

@@ -1,6 +1,7 @@
 #include "mitsuba/shapes.hpp"
 
 #include "mitsuba/new_folder.hpp"
+#include "scene/transform.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -26,13 +27,13 @@ float size_of(const Triangles& triangles) {
     return bounds.radius();
 }
 
-/// What normal maps and lobes with a direction are relative to: vectors at the length they are interpolated
-/// at (MikkTSpace).
+/// What normal maps and lobes with a direction are relative to: vectors that are unit at the vertices and
+/// interpolated from there (MikkTSpace).
 void add_tangent_space(Triangles& triangles, const scene::Mesh& mesh, const mat4& world_from_object) {
-    const float sign = glm::determinant(mat3(world_from_object)) < 0.0f ? -1.0f : 1.0f;
+    const float sign = scene::mirrors(world_from_object) ? -1.0f : 1.0f;
     VertexAttribute normal{"normal", triangles.normals}, tangent{"tangent", {}}, handedness{"handedness", {}};
     for (const vec4 t : mesh.tangents) {
-        tangent.values.push_back(mat3(world_from_object) * vec3(t));
+        tangent.values.push_back(scene::unit_or(mat3(world_from_object) * vec3(t), vec3(0.0f)));
         handedness.values.emplace_back(sign * t.w);
     }
     triangles.attributes.insert(triangles.attributes.end(), {normal, tangent, handedness});
@@ -75,11 +76,12 @@ Triangles triangles_of(const scene::Scene& scene, const scene::Instance& instanc
     const scene::Mesh& mesh = scene.meshes[static_cast<std::size_t>(instance.mesh)];
     const scene::Material& material = scene.materials[static_cast<std::size_t>(mesh.material)];
     const mat4& world_from_object = instance.world_from_object;
-    const mat3 world_from_normal = glm::transpose(glm::inverse(mat3(world_from_object)));
+    const mat3 world_from_normal = scene::normal_transform(world_from_object);
     Triangles triangles;
     for (const vec3 position : mesh.positions)
         triangles.positions.emplace_back(world_from_object * vec4(position, 1.0f));
-    for (const vec3 normal : mesh.normals) triangles.normals.push_back(world_from_normal * normal);
+    for (const vec3 normal : mesh.normals)
+        triangles.normals.push_back(scene::unit_or(world_from_normal * normal, vec3(0.0f)));
     triangles.uv = mesh.texcoords[texcoord_of(material)];
     if (!mesh.colors.empty()) {
         VertexAttribute color{"color", {}};
@@ -88,7 +90,7 @@ Triangles triangles_of(const scene::Scene& scene, const scene::Instance& instanc
     }
     if (reads_tangents(material, mesh)) add_tangent_space(triangles, mesh, world_from_object);
     triangles.indices = mesh.indices;
-    if (glm::determinant(mat3(world_from_object)) < 0.0f) // keeps the front in front
+    if (scene::mirrors(world_from_object)) // keeps the front in front
         for (std::size_t i = 0; i + 2 < triangles.indices.size(); i += 3)
             std::swap(triangles.indices[i], triangles.indices[i + 2]);
     return triangles;

@@ -2,6 +2,7 @@
 
 #include "core/error.hpp"
 #include "mitsuba/new_folder.hpp"
+#include "scene/transform.hpp"
 
 #include <bit>
 #include <fmt/format.h>
@@ -46,7 +47,7 @@ std::string header(const Triangles& triangles) {
 Triangles moved(Triangles triangles, float distance, bool turned) {
     require(triangles.normals.size() == triangles.positions.size(), "every vertex has a normal");
     for (std::size_t i = 0; i < triangles.positions.size(); ++i) {
-        const vec3 n = glm::normalize(triangles.normals[i]);
+        const vec3 n = scene::unit_or(triangles.normals[i], vec3(0.0f));
         triangles.positions[i] += distance * n;
         if (turned) triangles.normals[i] = -n;
     }

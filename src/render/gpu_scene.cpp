@@ -3,12 +3,12 @@
 #include "core/error.hpp"
 #include "render/gpu_texture.hpp"
 #include "render/light_table.hpp"
+#include "scene/transform.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <future>
-#include <glm/gtc/matrix_inverse.hpp>
 #include <optional>
 #include <set>
 #include <tuple>
@@ -32,14 +32,12 @@ GLsizeiptr upload_blocks(const gl::Buffer& buffer, const std::vector<BlockType>&
     return static_cast<GLsizeiptr>(stride);
 }
 
-bool mirrors(const mat4& m) { return glm::determinant(mat3(m)) < 0.0f; }
-
 ObjectBlock packed_object(const scene::Instance& instance, std::size_t first_triangle, std::size_t object,
                           int material) {
     const mat4& m = instance.world_from_object;
     return {m,
-            mat4(glm::inverseTranspose(mat3(m))),
-            vec4(mirrors(m) ? -1.0f : 1.0f, 0.0f, 0.0f, 0.0f),
+            mat4(scene::normal_transform(m)),
+            vec4(scene::mirrors(m) ? -1.0f : 1.0f, 0.0f, 0.0f, 0.0f),
             static_cast<std::int32_t>(first_triangle),
             static_cast<std::int32_t>(object),
             material};
@@ -227,7 +225,7 @@ void GpuScene::list_draws(const scene::Scene& scene, std::span<const scene::Ligh
         draw.material = mesh.material;
         draw.features = shading_features(scene, mesh, lit);
         require_texture_units(draw.features, scene.materials[mesh.material].name, texture_units);
-        draw.mirrors = mirrors(instance.world_from_object);
+        draw.mirrors = scene::mirrors(instance.world_from_object);
         draw.is_double_sided = scene.materials[mesh.material].is_double_sided;
         if (draw.features.is_blended) {
             draw.center = center_of(mesh, instance.world_from_object);

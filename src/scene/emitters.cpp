@@ -1,5 +1,7 @@
 #include "scene/emitters.hpp"
 
+#include "scene/transform.hpp"
+
 #include <array>
 #include <cmath>
 #include <optional>
@@ -46,12 +48,13 @@ std::optional<RectangleLight> rectangle(const Triangle& a, const Triangle& b) {
 /// All triangles in world space with an area; `map` says where a texture is read, null if there is none.
 std::vector<MeshLight::Triangle> triangles_of(const Mesh& mesh, const mat4& world_from_object,
                                               const TextureSlot* map) {
-    const bool mirrors = glm::determinant(mat3(world_from_object)) < 0.0f;
+    const bool is_mirrored = mirrors(world_from_object);
     std::vector<MeshLight::Triangle> triangles;
     for (std::size_t t = 0; t + 2 < mesh.indices.size(); t += 3) {
         MeshLight::Triangle triangle{};
         for (std::size_t i = 0; i < 3; ++i) {
-            const std::uint32_t vertex = mesh.indices[t + (mirrors ? 2 - i : i)]; // keeps the front in front
+            const std::uint32_t vertex =
+                mesh.indices[t + (is_mirrored ? 2 - i : i)]; // keeps the front in front
             triangle.corners[i] = vec3(world_from_object * vec4(mesh.positions[vertex], 1.0f));
             if (!map) continue;
             const std::vector<vec2>& uv = mesh.texcoords[map->texcoord];

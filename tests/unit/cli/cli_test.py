@@ -80,6 +80,16 @@ class CommandLine(unittest.TestCase):
             "float visibility(vec3 x, vec3 wi, float distance) {\n    return darkness;\n}\n")
         self.assert_refused(self.render("a.png", "--shaders", self.folder), "visibility.glsl:2", "darkness")
 
+    def test_visibility_may_be_a_float_or_a_colour(self):
+        (self.folder / "visibility").mkdir()
+        for kind in "float", "vec3":
+            (self.folder / "visibility" / "visibility.glsl").write_text(
+                '#include "surface/surface.glsl"\n'
+                f"{kind} visibility(Surface x, vec3 wi, float distance, int light, int ray) {{ return {kind}(0.5); }}\n")
+            for estimator in "sampled", "analytic":
+                result = self.render("a.exr", "--shaders", self.folder, "--estimator", estimator)
+                self.assertEqual(result.returncode, 0, result.stderr)
+
     def test_the_analytic_estimator_is_named(self):
         result = self.render("a.exr", "--estimator", "analytic", "--analytic-points", "4", "--json")
         self.assertEqual((result.returncode, result.stderr), (0, ""))
