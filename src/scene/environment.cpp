@@ -82,6 +82,13 @@ double EnvironmentMap::solid_angle(int j) const {
     return height * 2.0 * glm::pi<double>() / width_;
 }
 
+vec2 EnvironmentMap::pole_heights(int j) const {
+    const double step = glm::pi<double>() / height_;
+    const auto height = [](double angle) { return 2.0 * std::sin(0.5 * angle) * std::sin(0.5 * angle); };
+    if (2 * j < height_) return {height(j * step), height((j + 1) * step)};
+    return {height((height_ - j) * step), height((height_ - j - 1) * step)};
+}
+
 vec3 EnvironmentMap::texel(int i, int j) const {
     const int column = (i % width_ + width_) % width_;
     const int row = std::clamp(j, 0, height_ - 1);
@@ -121,11 +128,10 @@ vec3 EnvironmentMap::sample(vec2 u) const {
     const int j = entry_at(row_cdf_.data(), height_, u.y);
     const int i = entry_at(&texel_cdf_[static_cast<std::size_t>(j) * static_cast<std::size_t>(width_)],
                            width_, u.x);
-    const float step = pi / static_cast<float>(height_);
-    const float top = std::cos(static_cast<float>(j) * step);
-    const float bottom = std::cos(static_cast<float>(j + 1) * step);
-    const float y = glm::mix(top, bottom, u.y);
-    const float across = std::sqrt(std::max(1.0f - y * y, 0.0f));
+    const vec2 heights = pole_heights(j);
+    const float height = glm::mix(heights.x, heights.y, u.y);
+    const float y = 2 * j < height_ ? 1.0f - height : height - 1.0f;
+    const float across = std::sqrt(height * (2.0f - height));
     const float phi = 2.0f * pi * ((static_cast<float>(i) + u.x) / static_cast<float>(width_) - 0.5f);
     return {across * std::sin(phi), y, -across * std::cos(phi)};
 }

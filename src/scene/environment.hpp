@@ -42,10 +42,14 @@ public:
     static vec2 place_of(vec3 w);
     static vec3 direction_of(vec2 place);
 
-private:
-    void build_tables();
     /// Of one texel in row j [sr].
     double solid_angle(int j) const;
+    /// Where row j begins and ends, as 1 - cos of the angle to the nearer pole: to +Y where 2 j < height(), else
+    /// to -Y. Near a pole nothing cancels.
+    vec2 pole_heights(int j) const;
+
+private:
+    void build_tables();
     vec3 texel(int i, int j) const; // i goes on around, j is kept within
 
     int width_;
