@@ -1,5 +1,6 @@
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
+#include "cli/render_options.hpp"
 #include "gltf/load.hpp"
 #include "mitsuba/write.hpp"
 #include "scene/emitters.hpp"

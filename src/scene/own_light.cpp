@@ -83,9 +83,10 @@ public:
     void operator()(const DiskLight& light) { flat(light, light.center, light.map.texture); }
     void operator()(const PolygonLight& light) { flat(light, light.center(), -1); }
     void operator()(const MeshLight& light) {
+        if (light.texture >= 0) return;  // painted glows: what they send to others is next to nothing
         constexpr std::size_t most = 64; // triangles that stand for all
         const std::size_t step = light.triangles.size() / most + 1;
-        const float L = static_cast<float>(step) * luminance_of(light.L) * mean_luminance(scene_, light.texture);
+        const float L = static_cast<float>(step) * luminance_of(light.L);
         for (std::size_t i = 0; i < light.triangles.size(); i += step) {
             const auto& c = light.triangles[i].corners;
             const vec3 across = glm::cross(c[1] - c[0], c[2] - c[0]);
@@ -146,7 +147,8 @@ public:
         vec3 direction;
     };
     Ray ray(int column, int row) const {
-        const vec2 at = half_ * vec2((column + 0.5f) / columns * 2.0f - 1.0f, 1.0f - (row + 0.5f) / rows * 2.0f);
+        const vec2 place = (vec2(column, row) + 0.5f) / vec2(columns, rows);
+        const vec2 at = half_ * vec2(2.0f * place.x - 1.0f, 1.0f - 2.0f * place.y);
         if (!is_perspective_)
             return {vec3(world_from_camera_ * vec4(at, 0.0f, 1.0f)), -vec3(world_from_camera_[2])};
         return {vec3(world_from_camera_[3]), mat3(world_from_camera_) * vec3(at, -1.0f)};
@@ -255,9 +257,9 @@ std::optional<float> lit_share(const Scene& scene, std::span<const Light> lights
         bright.push_back(E / pi + L_e);
     }
     if (lit.empty()) return std::nullopt;
-    const auto at = static_cast<std::ptrdiff_t>(0.98 * static_cast<double>(bright.size()));
+    const auto at = static_cast<std::ptrdiff_t>(0.95 * static_cast<double>(bright.size()));
     std::nth_element(bright.begin(), bright.begin() + at, bright.end());
-    const float least = std::max(bright[static_cast<std::size_t>(at)] / 500.0f, std::numeric_limits<float>::min());
+    const float least = std::max(bright[static_cast<std::size_t>(at)] / 200.0f, std::numeric_limits<float>::min());
     return static_cast<float>(std::ranges::count_if(lit, [&](float L) { return L >= least; }))
            / static_cast<float>(lit.size());
 }
