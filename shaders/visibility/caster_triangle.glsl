@@ -3,6 +3,7 @@
 // The signs of the ray's volumes with the edges decide, which two triangles that share an edge compute alike, so no ray
 // slips between them.
 #include "interface/features.glsl"
+#include "interface/lights.glsl"
 #include "visibility/alpha.glsl"
 #include "visibility/origin.glsl"
 
@@ -37,6 +38,8 @@ vec3 through_triangle(Ray ray, int light, int place) {
     Caster caster = caster_at(int(p0.w));
     bool is_own = caster.first_light <= light && light < caster.end_light;
     if (is_own && at.x >= ray.end * (1.0 - caster.own_share)) return vec3(1.0);
+    bool is_front = caster.front * dot(cross(p1.xyz - p0.xyz, p2.xyz - p0.xyz), ray.direction) < 0.0;
+    if (is_front && passes_back_faces(light)) return vec3(1.0); // the light would come from behind
     if (!has_transparent_casters) return vec3(0.0);
     return vec3(transmittance_at(caster, int(p1.w), at.yzw));
 }

@@ -219,7 +219,8 @@ std::vector<vec4> pack_lights(const scene::Scene& scene, std::span<const scene::
     std::vector<vec4> table;
     table.reserve(lights.size() * texels_per_light);
     for (const scene::Light& light : lights) {
-        const Texels texels = std::visit([&](const auto& any) { return packer(any); }, light);
+        Texels texels = std::visit([&](const auto& any) { return packer(any); }, light);
+        if (passes_back_faces(light)) texels[4].w += 2.0f; // beside 1 for two sides
         table.insert(table.end(), texels.begin(), texels.end());
     }
     table.insert(table.end(), packer.behind().begin(), packer.behind().end());

@@ -37,4 +37,15 @@ mat3 EnvironmentLight::map_from_world() const {
     return {vec3(c, 0.0f, s), vec3(0.0f, 1.0f, 0.0f), vec3(-s, 0.0f, c)}; // columns: around +Y by -rotation
 }
 
+bool passes_back_faces(const Light& light) {
+    return std::visit(
+        [](const auto& any) {
+            if constexpr (requires { any.passes_back_faces; })
+                return any.passes_back_faces;
+            else
+                return false;
+        },
+        light);
+}
+
 } // namespace sr::scene

@@ -70,6 +70,7 @@ struct RectangleLight {
     bool is_two_sided = false;
     bool is_visible = true; // false: it lights the scene but the camera does not see it
     EmissionMap map{};
+    bool passes_back_faces = false; // see passes_back_faces() below
 
     float area() const { return 4.0f * glm::length(glm::cross(half_u, half_v)); } // [m²]
     vec3 normal() const { return glm::normalize(glm::cross(half_u, half_v)); }
@@ -151,6 +152,7 @@ struct EnvironmentLight {
     std::shared_ptr<const EnvironmentMap> map{}; // null: the same radiance in every direction
     float rotation = 0.0f;  // of the map around +Y, counter-clockwise seen from above [rad]
     bool is_visible = true; // false: it lights the scene but cameras do not see it
+    bool passes_back_faces = false; // see passes_back_faces() below
 
     /// To the map's own axes, from the world.
     mat3 map_from_world() const;
@@ -160,5 +162,10 @@ struct EnvironmentLight {
 
 using Light = std::variant<PointLight, SpotLight, DirectionalLight, RectangleLight, DiskLight, SphereLight,
                            TubeLight, PolygonLight, MeshLight, EnvironmentLight>;
+
+/// Whether a single-sided face that the light meets from behind casts no shadow of it. So it is for lights
+/// that stand in for the surroundings of a model: what the camera looks through, they shine through. Other
+/// lights are blocked by both sides of every face. A kind of light says so by a member of this name.
+bool passes_back_faces(const Light& light);
 
 } // namespace sr::scene

@@ -84,6 +84,7 @@ EnvironmentLight studio(const Camera& camera) {
     const vec3 back = glm::cross(vec3(camera.world_from_camera[0]), vec3(0.0f, 1.0f, 0.0f));
     light.rotation = std::atan2(back.x, back.z); // the map's +Z is where the camera stands
     light.is_visible = false;
+    light.passes_back_faces = true;
     return light;
 }
 
@@ -106,6 +107,7 @@ std::vector<RectangleLight> softbox_rig(const Bounds& subject, const Camera& cam
         // promised.
         light.L = vec3(softbox.E * softbox.distance * softbox.distance / (softbox.edge * softbox.edge));
         light.is_visible = false;
+        light.passes_back_faces = true;
         lights.push_back(light);
     }
     return lights;
