@@ -86,6 +86,7 @@ void add_export_command(CLI::App& app) {
                         "which one, as render's (default: the first)");
     command->add_option("--variant", options->moment.variant, "which of the file's material variants");
     declare_rig(*command, options->rig, options->environment);
+    command->add_flag("--strict", options->moment.is_strict, strict_help);
     command->footer("Examples:\n"
                     "  steradian export scene.glb --to mitsuba scene_for_mitsuba --size 640x360\n"
                     "  python scene_for_mitsuba/render.py -o truth.exr --spp 1024    (pip install mitsuba)\n"

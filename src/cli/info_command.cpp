@@ -1,5 +1,7 @@
 #include "cli/commands.hpp"
 #include "cli/light_description.hpp"
+#include "cli/render_options.hpp"
+#include "cli/version.hpp"
 #include "gl/context.hpp"
 #include "gltf/extensions.hpp"
 #include "gltf/load.hpp"
@@ -37,8 +39,8 @@ ordered_json backends_json() {
 }
 
 void print_backends(const ordered_json& backends) {
-    fmt::print("Steradian {}\n\nOpenGL backends, in the order in which --backend auto tries them:\n",
-               STERADIAN_VERSION);
+    fmt::print("{}\n\nOpenGL backends, in the order in which --backend auto tries them:\n",
+               name_and_version());
     for (const auto& entry : backends) {
         if (entry["works"])
             fmt::print("  {:<8} {}\n           OpenGL {}, GLSL {} ({})\n", entry["name"].get<std::string>(),
@@ -89,8 +91,10 @@ ordered_json brdfs_json(const scene::Scene& s) {
     return list;
 }
 
-ordered_json scene_json(const std::string& file) {
-    const gltf::Loaded loaded = gltf::load(file);
+ordered_json scene_json(const std::string& file, bool is_strict) {
+    gltf::LoadOptions options;
+    options.is_strict = is_strict;
+    const gltf::Loaded loaded = gltf::load(file, options);
     const scene::Scene& s = loaded.scene;
     const scene::Bounds bounds = scene::bounds_of(s);
     ordered_json cameras = ordered_json::array(), lights = ordered_json::array();
@@ -140,17 +144,20 @@ void add_info_command(CLI::App& app) {
     struct Arguments {
         std::string scene;
         bool json = false;
+        bool is_strict = false;
     };
     const auto arguments = std::make_shared<Arguments>();
     CLI::App* command =
         app.add_subcommand("info", "what a scene holds; without a scene, what OpenGL this machine offers");
     command->add_option("SCENE", arguments->scene, "a .gltf or .glb file");
     command->add_flag("--json", arguments->json, "print JSON");
+    command->add_flag("--strict", arguments->is_strict, strict_help);
     command->footer("Examples:\n  steradian info\n  steradian info scene.glb\n  steradian info scene.glb "
                     "--json | jq .lights");
     command->callback([arguments] {
         const bool is_scene = !arguments->scene.empty();
-        const ordered_json json = is_scene ? scene_json(arguments->scene) : backends_json();
+        const ordered_json json =
+            is_scene ? scene_json(arguments->scene, arguments->is_strict) : backends_json();
         if (arguments->json)
             fmt::print("{}\n", json.dump(2, ' ', false, ordered_json::error_handler_t::replace));
         else if (is_scene)

@@ -1,4 +1,5 @@
 #include "cli/commands.hpp"
+#include "cli/version.hpp"
 #include "core/error.hpp"
 
 #include <CLI/CLI.hpp>
@@ -9,7 +10,7 @@ int main(int argc, char** argv) {
     using namespace sr::cli;
     CLI::App app{"Steradian: a real-time renderer for direct illumination in physical units.\n"
                  "Every pixel is L_o = L_e + Σ ∫ f_r L_e V cosθ dω, in cd/m²."};
-    app.set_version_flag("--version", STERADIAN_VERSION);
+    app.set_version_flag("--version", name_and_version());
     app.require_subcommand(1);
     app.footer("Examples:\n"
                "  steradian view scene.glb                         a window to look around in\n"

@@ -62,7 +62,12 @@ scene::Bounds extent_of(Opened& opened, const RenderCommand& command) {
 
 Opened open(const RenderCommand& command) {
     PhaseTimes times;
-    Opened opened{gltf::Asset(command.scene, {command.scene_index, command.variant}), {}, {}, {}, {}, {}};
+    Opened opened{gltf::Asset(command.scene, {command.scene_index, command.variant, command.is_strict}),
+                  {},
+                  {},
+                  {},
+                  {},
+                  {}};
     if (command.frames || command.at) opened.animations = opened.asset.animations_named(command.animation);
     if (command.frames) opened.frames = frames_of(opened.asset, opened.animations, command);
     opened.scene = gltf::scene_of(opened.asset, {{}, command.at, command.animation, {}});
@@ -97,6 +102,12 @@ void remark_on_estimator(const RenderCommand& command, const scene::Stage& stage
     }
 }
 
+/// Prints the file's warnings that have not been printed yet: moments of an animation may have their own.
+void tell_new_warnings(OpenScene& open) {
+    for (const std::string& warning : open.asset.warnings())
+        if (open.told.insert(warning).second) fmt::print(stderr, "{}\n", warning);
+}
+
 } // namespace
 
 OpenScene open_scene(const RenderCommand& command, PhaseTimes& times) {
@@ -109,14 +120,15 @@ OpenScene open_scene(const RenderCommand& command, PhaseTimes& times) {
     Opened opened = loading.get();
     times.end("wait for load");
     times.add("load (beside start)", opened.seconds);
-    for (const std::string& warning : opened.asset.warnings()) fmt::print(stderr, "{}\n", warning);
     OpenScene result{std::move(context),
                      {},
                      {},
                      std::move(opened.asset),
                      stage_options(command, opened),
                      std::move(opened.animations),
-                     std::move(opened.frames)};
+                     std::move(opened.frames),
+                     {}};
+    tell_new_warnings(result);
     result.stage.scene = std::move(opened.scene);
     if (result.frames.empty())
         result.stage = scene::set_stage(std::move(result.stage.scene), command.scene, result.stage_options);
@@ -136,6 +148,7 @@ void show_frame(OpenScene& open, const RenderCommand& command, int frame) {
     scene::Scene posed =
         open.asset.posed(std::move(open.stage.scene), {open.animations, seconds_of(frame, command)});
     open.stage = scene::set_stage(std::move(posed), command.scene, open.stage_options);
+    tell_new_warnings(open);
 }
 
 render::GpuScene uploaded(const OpenScene& open, const RenderCommand& command) {

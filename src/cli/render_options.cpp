@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <fmt/format.h>
 
@@ -73,6 +74,7 @@ void declare_picture(CLI::App& command, RenderCommand& o) {
         "up=X,Y,Z fov=DEGREES near= far= if wanted, as the viewer copies it (default: the first, or auto)");
     command.add_option("--scene", o.scene_index, "which of the file's scenes (default: the file's choice)")
         ->check(CLI::NonNegativeNumber);
+    command.add_flag("--strict", o.is_strict, strict_help);
     command
         .add_option("--samples", o.stop.samples,
                     "samples a pixel: sub-pixel positions and points on each emitter")

@@ -21,7 +21,7 @@ scene::TextureImage decoded(const Document& document, int source) {
         file = read_uri(image.uri, document.folder, {document.name, pointer + "/uri"});
         bytes = file;
     } else {
-        document.fail(pointer + " has neither bufferView nor uri", "export the file again");
+        document.fail(pointer + " has neither bufferView nor uri", export_again);
     }
     const std::string name = image.name.empty() ? "" : fmt::format(" {}", in_quotes(image.name));
     image::DecodedTexture texture =
@@ -32,7 +32,11 @@ scene::TextureImage decoded(const Document& document, int source) {
 } // namespace
 
 Decoding::Decoding(const Document& document, std::vector<int> sources)
-    : document_(document), sources_(std::move(sources)), images_(sources_.size()), errors_(sources_.size()) {
+    : document_(document),
+      sources_(std::move(sources)),
+      images_(sources_.size()),
+      errors_(sources_.size()),
+      failures_(sources_.size()) {
     const std::size_t cores = std::max(1u, std::thread::hardware_concurrency());
     for (std::size_t i = 0; i < std::min(cores, sources_.size()); ++i)
         workers_.emplace_back([this] { work(); });
@@ -48,16 +52,25 @@ void Decoding::work() {
     for (std::size_t i = next_++; i < sources_.size(); i = next_++) {
         try {
             images_[i] = decoded(document_, sources_[i]);
+        } catch (const Error& error) {
+            errors_[i] = error;
         } catch (...) {
-            errors_[i] = std::current_exception(); // rethrown by images(), on the caller's thread
+            failures_[i] = std::current_exception(); // rethrown by images(), on the caller's thread
         }
     }
 }
 
-std::vector<scene::TextureImage> Decoding::images() {
+std::vector<scene::TextureImage> Decoding::images(Warnings& warnings, std::set<int>& lost) {
     for (std::thread& worker : workers_) worker.join();
-    for (const std::exception_ptr& error : errors_)
-        if (error) std::rethrow_exception(error);
+    for (const std::exception_ptr& failure : failures_)
+        if (failure) std::rethrow_exception(failure);
+    for (std::size_t i = 0; i < sources_.size(); ++i) {
+        const bool is_lost = document_.is_lost(fmt::format("/images/{}", sources_[i])); // warned of before
+        if (!errors_[i] && !is_lost) continue;
+        if (!is_lost) warnings.add_loss(*errors_[i], "materials are shown without textures of it");
+        lost.insert(static_cast<int>(i));
+        images_[i] = {images_[i].name, 1, 1, std::vector<std::uint8_t>{255, 255, 255, 255}};
+    }
     return std::move(images_);
 }
 

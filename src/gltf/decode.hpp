@@ -5,6 +5,8 @@
 
 #include <atomic>
 #include <exception>
+#include <optional>
+#include <set>
 #include <thread>
 #include <vector>
 
@@ -20,9 +22,9 @@ public:
     Decoding(const Decoding&) = delete;
     Decoding& operator=(const Decoding&) = delete;
 
-    /// Waits, and gives the images in the order of `sources`. To be called once.
-    /// @throws Error of the first image that cannot be read or decoded
-    std::vector<scene::TextureImage> images();
+    /// Waits, and gives the images in the order of `sources`. To be called once. An image that cannot be read
+    /// or decoded costs a warning, is in `lost` (by its place in the result), and is a white texel.
+    std::vector<scene::TextureImage> images(Warnings& warnings, std::set<int>& lost);
 
 private:
     void work();
@@ -30,7 +32,8 @@ private:
     const Document& document_;
     std::vector<int> sources_;
     std::vector<scene::TextureImage> images_;
-    std::vector<std::exception_ptr> errors_;
+    std::vector<std::optional<Error>> errors_;
+    std::vector<std::exception_ptr> failures_; // that no file is to blame for
     std::atomic<std::size_t> next_{0};
     std::vector<std::thread> workers_;
 };

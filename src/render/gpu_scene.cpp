@@ -162,7 +162,8 @@ void GpuScene::upload_textures(const scene::Scene& scene) {
             samplers_.push_back(sampler_object(texture.sampler));
         }
     }
-    // Threads convert and halve the images, a few ahead of the upload: all at once would take their memory at once.
+    // Threads convert and halve the images, a few ahead of the upload: all at once would take their memory at
+    // once.
     const std::size_t max_ahead = std::max(2u, std::thread::hardware_concurrency());
     std::deque<std::future<ReadyImage>> ready;
     for (std::size_t i = 0, begun = 0; i < uses.size(); ++i) {

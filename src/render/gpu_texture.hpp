@@ -7,8 +7,8 @@
 
 namespace sr::render {
 
-/// Uploads the levels of an image, level 0 first. Of TexelFormat::srgb8 the sampler decodes sRGB, so that filtering
-/// is in linear light.
+/// Uploads the levels of an image, level 0 first. Of TexelFormat::srgb8 the sampler decodes sRGB, so that
+/// filtering is in linear light.
 /// @throws Error naming the image if the driver's largest texture is smaller.
 gl::Texture upload(const std::string& name, TexelFormat format, const std::vector<MipLevel>& levels);
 

@@ -63,12 +63,9 @@ public:
     Texels operator()(const scene::SpotLight& light) {
         Texels t = round(blank(light.position, spot_light, light.I), light.radius);
         t[1] = vec4(light.direction, inverse_range(light.range));
-        // KHR_lights_punctual, "Inner and Outer Cone Angles"; 0.001 is the extension's guard against a hard
-        // edge.
-        const float cos_outer = std::cos(light.outer_angle);
-        const float scale = 1.0f / std::max(0.001f, std::cos(light.inner_angle) - cos_outer);
-        t[2].w = scale;
-        t[3].w = -cos_outer * scale;
+        const scene::ConeFalloff cone = scene::cone_falloff(light);
+        t[2].w = cone.scale;
+        t[3].w = cone.offset;
         return t;
     }
 

@@ -39,10 +39,10 @@ struct MipLevel {
     std::vector<std::byte> own_storage; // behind `texels`; empty where they are the image's
 };
 
-/// Makes all levels of `image` down to 1×1, level 0 first; each is half the size of the one before, rounded down.
-/// A texel is the mean of the texels that it covers (area-weighted where a size is odd), formed in linear
-/// light where the image is sRGB-encoded. Level 0 points into `image` where its texels need no conversion.
-/// `format` is one that texel_format() returns for the image.
+/// Makes all levels of `image` down to 1×1, level 0 first; each is half the size of the one before, rounded
+/// down. A texel is the mean of the texels that it covers (area-weighted where a size is odd), formed in
+/// linear light where the image is sRGB-encoded. Level 0 points into `image` where its texels need no
+/// conversion. `format` is one that texel_format() returns for the image.
 std::vector<MipLevel> mip_chain(const scene::TextureImage& image, scene::ColorSpace color_space,
                                 TexelFormat format);
 

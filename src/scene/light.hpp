@@ -35,10 +35,18 @@ struct SpotLight {
     vec3 I{1.0f};                      // on the axis [cd]
     float range = std::numeric_limits<float>::infinity();
     float inner_angle = 0.0f;      // half angle [rad]
-    float outer_angle = pi / 4.0f; // half angle [rad], > inner_angle
+    float outer_angle = pi / 4.0f; // half angle [rad], >= inner_angle; equal: a hard edge
     float radius = 0.0f;           // [m], as a point light's
     bool is_visible = true;
 };
+
+/// The falloff of a spot as saturate(scale · cosθ + offset)², θ from its axis (KHR_lights_punctual, "Inner
+/// and Outer Cone Angles"). A hard edge is a ramp of a millionth in cosθ, inside the outer angle.
+struct ConeFalloff {
+    float scale = 0.0f;
+    float offset = 0.0f;
+};
+ConeFalloff cone_falloff(const SpotLight& light);
 
 /// Light from infinitely far: parallel, or from a disk in the sky (the sun's angular radius is 4.65 mrad).
 struct DirectionalLight {

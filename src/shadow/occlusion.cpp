@@ -14,7 +14,7 @@ constexpr std::size_t packet = 8; // AVX
 /// A packet of rays with what the filter must know of each. Embree hands back the pointer to its first
 /// member.
 struct Context {
-    RTCIntersectContext embree;
+    RayContext embree;
     const Casters* casters;
     std::array<int, packet> light;
     std::array<float, packet> end; // t of the whole ray's end
@@ -129,9 +129,7 @@ void Occlusion::answer(std::span<const Query> queries, std::span<float> V) const
             context.V[lane] = 1.0f;
             valid[lane] = -1;
         }
-        rtcInitIntersectContext(&context.embree);
-        context.embree.flags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
-        rtcOccluded8(valid.data(), tree_->scene, &context.embree, &rays);
+        occluded(valid.data(), tree_->scene, context.embree, rays);
         for (std::size_t lane = 0; lane < count; ++lane) // Embree marks what is stopped by minus infinity
             V[first + lane] = rays.tfar[lane] < 0.0f ? 0.0f : context.V[lane];
     }

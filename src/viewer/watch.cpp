@@ -1,60 +1,8 @@
 #include "viewer/watch.hpp"
 
-#include <fstream>
-#include <nlohmann/json.hpp>
-
 namespace sr::viewer {
-namespace {
 
 namespace fs = std::filesystem;
-using nlohmann::json;
-
-/// %20 and its like.
-std::string unescaped(const std::string& uri) {
-    std::string text;
-    for (std::size_t i = 0; i < uri.size(); ++i) {
-        if (uri[i] == '%' && i + 2 < uri.size()) {
-            text += static_cast<char>(std::strtol(uri.substr(i + 1, 2).c_str(), nullptr, 16));
-            i += 2;
-        } else {
-            text += uri[i];
-        }
-    }
-    return text;
-}
-
-void collect(const json& value, const fs::path& folder, std::vector<fs::path>& files) {
-    if (value.is_object()) {
-        const auto uri = value.find("uri");
-        if (uri != value.end() && uri->is_string()
-            && !uri->get_ref<const std::string&>().starts_with("data:"))
-            files.push_back(folder / unescaped(uri->get<std::string>()));
-    }
-    if (value.is_structured())
-        for (const json& part : value) collect(part, folder, files);
-}
-
-/// The JSON of a .gltf, or the first chunk of a .glb (glTF 2.0, section 4.4).
-std::string json_of(const fs::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    std::string head(20, '\0');
-    in.read(head.data(), static_cast<std::streamsize>(head.size()));
-    if (in && head.starts_with("glTF")) {
-        std::uint32_t length = 0;
-        for (std::size_t i = 0; i < 4; ++i)
-            length |= static_cast<std::uint32_t>(static_cast<unsigned char>(head[12 + i])) << (8 * i);
-        std::error_code failure;
-        if (length > fs::file_size(file, failure) || failure) return {};
-        std::string text(length, '\0');
-        in.read(text.data(), length);
-        return text;
-    }
-    in.clear();
-    in.seekg(0);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
-
-} // namespace
 
 void Watch::set(std::vector<fs::path> places) {
     places_ = std::move(places);
@@ -90,13 +38,6 @@ bool Watch::has_changed() {
     if (stamps == seen_) return false;
     seen_ = std::move(stamps);
     return true;
-}
-
-std::vector<fs::path> files_of(const fs::path& gltf) {
-    std::vector<fs::path> files;
-    const json document = json::parse(json_of(gltf), nullptr, false);
-    if (!document.is_discarded()) collect(document, gltf.parent_path(), files);
-    return files;
 }
 
 } // namespace sr::viewer

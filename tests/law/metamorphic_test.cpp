@@ -5,6 +5,7 @@
 #include "support/address.hpp"
 #include "support/generated.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <fmt/format.h>

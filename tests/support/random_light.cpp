@@ -1,5 +1,7 @@
 #include "support/random_parts.hpp"
 
+#include <array>
+
 namespace sr::testing {
 namespace {
 

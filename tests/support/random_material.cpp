@@ -1,6 +1,8 @@
 #include "support/random_parts.hpp"
 #include "unit/image/png_bytes.hpp"
 
+#include <algorithm>
+#include <array>
 #include <functional>
 
 namespace sr::testing {

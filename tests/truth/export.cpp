@@ -1,6 +1,6 @@
 // truth_export FOLDER [PREFIX]: the scenes of the truth tests for Mitsuba, as FOLDER/SHAPE.VIEW/MATERIAL/,
-// FOLDER/photograph.VIEW/rectangle/, FOLDER/balls.LIGHT/BRDF/ and FOLDER/shadow.NAME/picture/; of those folders that whose name begins with
-// PREFIX.
+// FOLDER/photograph.VIEW/rectangle/, FOLDER/balls.LIGHT/BRDF/ and FOLDER/shadow.NAME/picture/; of those
+// folders that whose name begins with PREFIX.
 #include "core/error.hpp"
 #include "mitsuba/write.hpp"
 #include "truth/ball_scenes.hpp"
@@ -59,8 +59,9 @@ void export_photographs(const std::filesystem::path& folder, std::string_view pr
     for (const auto view : views) {
         const std::string name = fmt::format("{}.{}", photograph, view);
         if (!name.starts_with(prefix)) continue;
-        sr::require(Picture(folder, name).add("rectangle", {scene_of("rectangle", photograph, view),
-                                                            camera_of(view), cell_size, cell_size}),
+        sr::require(Picture(folder, name)
+                        .add("rectangle", {scene_of("rectangle", photograph, view), camera_of(view),
+                                           cell_size, cell_size}),
                     "Mitsuba can say all of it");
     }
 }

@@ -7,8 +7,8 @@ namespace {
 
 constexpr int size = 8; // texels
 
-// Pictures have 8 bits a channel, as files do. Software GL alone would filter them in 8 bits and decode sRGB by a
-// polynomial that is off by up to 2 % (Mesa's llvmpipe, lp_bld_format_srgb.c).
+// Pictures have 8 bits a channel, as files do. Software GL alone would filter them in 8 bits and decode sRGB
+// by a polynomial that is off by up to 2 % (Mesa's llvmpipe, lp_bld_format_srgb.c).
 
 /// `value` gives the texel (x, y), four numbers of 0 to 255.
 template<class Value>

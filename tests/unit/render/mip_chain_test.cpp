@@ -32,8 +32,7 @@ float half_value(const MipLevel& level, std::size_t index = 0) {
     return glm::unpackHalf1x16(value<std::uint16_t>(level, index));
 }
 
-std::vector<MipLevel> chain(const scene::TextureImage& image, ColorSpace color_space,
-                            TexelNeeds needs = {}) {
+std::vector<MipLevel> chain(const scene::TextureImage& image, ColorSpace color_space, TexelNeeds needs = {}) {
     return mip_chain(image, color_space, texel_format(image, color_space, needs));
 }
 
@@ -58,7 +57,8 @@ const Test sizes("unit.render.mip_chain.sizes_halve_rounding_down", [] {
 // Black and white in equal parts are half the light: 128 as data, 188 as an sRGB colour; alpha is never a
 // colour.
 const Test light("unit.render.mip_chain.srgb_averages_light", [] {
-    const auto checker = grey(2, 2, [](int x, int y) { return static_cast<std::uint8_t>((x + y) % 2 ? 255 : 0); });
+    const auto checker =
+        grey(2, 2, [](int x, int y) { return static_cast<std::uint8_t>((x + y) % 2 ? 255 : 0); });
     EXPECT_EQ(value(chain(checker, ColorSpace::linear)[1]), 128);
     const auto srgb = chain(checker, ColorSpace::srgb);
     EXPECT_EQ(value(srgb[1]), 188);
@@ -70,8 +70,7 @@ const Test light("unit.render.mip_chain.srgb_averages_light", [] {
 const Test constants("unit.render.mip_chain.constants_survive", [] {
     for (int code = 0; code < 256; ++code) {
         for (const int size : {2, 3}) {
-            const auto image =
-                grey(size, size, [code](int, int) { return static_cast<std::uint8_t>(code); });
+            const auto image = grey(size, size, [code](int, int) { return static_cast<std::uint8_t>(code); });
             EXPECT_EQ(value(chain(image, ColorSpace::srgb)[1]), code);
             EXPECT_EQ(value(chain(image, ColorSpace::linear)[1]), code);
             EXPECT_EQ(value<std::uint16_t>(chain(image, ColorSpace::linear, exact)[1]), 257 * code);
@@ -86,7 +85,8 @@ const Test odd("unit.render.mip_chain.odd_sizes_weigh_by_area", [] {
 });
 
 const Test words("unit.render.mip_chain.sixteen_bits_stay", [] {
-    const auto image = grey<std::uint16_t>(2, 1, [](int x, int) { return static_cast<std::uint16_t>(1 + 2 * x); });
+    const auto image =
+        grey<std::uint16_t>(2, 1, [](int x, int) { return static_cast<std::uint16_t>(1 + 2 * x); });
     EXPECT_EQ(value<std::uint16_t>(chain(image, ColorSpace::linear)[1]), 2);
 });
 
@@ -104,7 +104,8 @@ const Test exactness("unit.render.mip_chain.exact_formats_keep_every_code", [] {
     }
 });
 
-// A cutoff equal to a code's alpha must find it equal, and 16-bit sRGB keeps more than 8 bits on every driver.
+// A cutoff equal to a code's alpha must find it equal, and 16-bit sRGB keeps more than 8 bits on every
+// driver.
 const Test formats("unit.render.mip_chain.formats_follow_the_need", [] {
     const auto bytes = grey(1, 1, [](int, int) { return std::uint8_t{128}; });
     const auto words_of_color = grey<std::uint16_t>(1, 1, [](int, int) { return std::uint16_t{300}; });
