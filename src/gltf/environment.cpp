@@ -5,6 +5,7 @@
 #include "gltf/uri.hpp"
 #include "image/file.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 

@@ -35,7 +35,7 @@ public:
     vec3 sample(vec2 u) const;
 
     bool has_light() const { return !row_cdf_.empty() && row_cdf_.back() > 0.0f; }
-    /// Mean radiance over all directions [cd/m²].
+    /// Mean radiance over all directions, each texel taken at its middle latitude [cd/m²].
     vec3 mean() const { return mean_; }
 
     /// Where the unit direction w is in the picture, (0, 0) its upper left corner, (1, 1) its lower right.

@@ -125,6 +125,7 @@ const Test hidden("unit.scene.stage.hidden_emitters_still_light", [] {
     scene.meshes.push_back(quad);
     scene.instances.push_back({0, mat4(1.0f), "glow"});
     StageOptions options;
+    options.rig = Rig::none;
     const Stage seen = set_stage(scene, "f", options);
     options.hide_emitters = true;
     const Stage unseen = set_stage(scene, "f", options);
