@@ -9,6 +9,7 @@
 #include "brdf/sample_f_r.glsl"
 #include "integrator/cosine.glsl"
 #include "integrator/mirrored.glsl"
+#include "integrator/power_heuristic.glsl"
 #include "integrator/random_point.glsl"
 #include "integrator/rays.glsl"
 #include "integrator/shadowed.glsl"
@@ -20,12 +21,6 @@ vec3 integrand_over_p(Surface x, LightSample light, vec3 wo, int k, int ray) {
     float cos_i = cosine(x, light.wi);
     if (!(cos_i > 0.0) || light.Li_over_p == vec3(0.0)) return vec3(0.0);
     return f_r(x, light.wi, wo) * light.Li_over_p * visibility(x, light.wi, light.distance, k, ray) * cos_i;
-}
-
-// The share of the integral that a point of density p answers for, where another could have come with density q.
-float power_heuristic(float p, float q) {
-    float odds = q / p;
-    return 1.0 / (1.0 + odds * odds);
 }
 
 vec3 reflected(Surface x, vec3 wo) {
@@ -44,9 +39,7 @@ vec3 reflected(Surface x, vec3 wo) {
         LightSample along = no_light;
         if (samples_brdf) along = light_along(k, x.position, w_brdf);
         if (along.p > 0.0 && p_brdf > 0.0) { // the point came with density p_brdf, so that is what the integrand is over
-            float odds = along.p / p_brdf;
-            float weight_over_p = 1.0 / (odds + 1.0 / odds); // power_heuristic(p_brdf, along.p) * odds
-            L += weight_over_p * integrand_over_p(x, along, wo, k, along_brdf);
+            L += power_heuristic_over(p_brdf, along.p) * integrand_over_p(x, along, wo, k, along_brdf);
         }
         L_r += shadowed(L, k, x, wo);
     }

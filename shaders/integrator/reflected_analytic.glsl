@@ -1,6 +1,6 @@
 // The reflection equation without noise, for interaction (--estimator analytic puts this file in the place of
 // reflected.glsl): every emitter that has an outline by integrator/analytic_lobe.glsl, points, spots and parallel light
-// as they are, and meshes of many triangles by samples.
+// as they are, meshes of many triangles and environments by samples (integrator/sampled_light.glsl).
 #include "integrator/analytic_shadow.glsl"
 #include "integrator/sampled_light.glsl"
 #include "integrator/shadowed.glsl"
@@ -24,12 +24,16 @@ vec3 reflected_from_outlines(int k, Light light, int parts, Surface x, vec3 wo) 
     return L_r * visibility(x, wi, distance_along(k, light, chosen.part, x.position, wi), k, towards_light);
 }
 
+vec3 reflected_from_light(int k, Light light, Surface x, vec3 wo) {
+    if (has_environment_lights && light.kind == environment_light) return reflected_from_environment(k, light, x, wo);
+    int parts = outlines_of(light);
+    return parts == 0 ? reflected_from_sample(k, x, wo) : reflected_from_outlines(k, light, parts, x, wo);
+}
+
 vec3 reflected(Surface x, vec3 wo) {
     vec3 L_r = vec3(0.0);
     for (int k = first_light; k < end_light; ++k) {
-        Light light = light_at(k);
-        int parts = outlines_of(light);
-        vec3 L = parts == 0 ? reflected_from_sample(k, x, wo) : reflected_from_outlines(k, light, parts, x, wo);
+        vec3 L = reflected_from_light(k, light_at(k), x, wo);
         L_r += shadowed(L, k, x, wo);
     }
     return L_r;

@@ -13,6 +13,8 @@ const bool has_mesh_lights = true;
 const bool has_sun_disks = true;      // directional lights with an angular radius
 const bool has_profiles = true;       // photometric profiles
 const bool has_emission_maps = true;  // textured emitters
+const bool has_environment_lights = true;
+const bool has_environment_maps = true; // that are pictures
 
 const bool has_base_color_texture = true;
 const bool has_metallic_roughness_texture = true;
@@ -53,5 +55,6 @@ const bool has_tinted_casters = true;      // glass does
 
 const bool is_masked = true;  // alphaMode MASK
 const bool is_blended = true; // alphaMode BLEND
-const bool is_mirror = false; // brdf/models/mirror.glsl
+const bool is_mirror = false;  // brdf/models/mirror.glsl
+const bool is_lambert = false; // brdf/models/lambert.glsl
 const bool is_unlit = false;  // KHR_materials_unlit

@@ -9,23 +9,26 @@ const int sphere_light = 5;      // also points and spots that have a radius
 const int tube_light = 6;
 const int polygon_light = 7;
 const int mesh_light = 8;
+const int environment_light = 9;
 
 uniform samplerBuffer light_table;
 
 struct Light {
     int kind;
     vec3 position;        // [m]; of an area light: its centre
-    vec3 direction;       // unit: where a spot or directional light goes, where a flat one faces, a profile's axis
+    vec3 direction;       // unit: where a spot or directional light goes, where a flat one faces, a profile's axis;
+                          // of an environment: cos and sin of its rotation
     vec3 quantity;        // I [cd], E [lx] or L [cd/m²], by kind
     float inverse_range;  // [1/m]; 0: no window
     float cone_scale;     // KHR_lights_punctual: falloff = saturate(cos * scale + offset)²; 0 and 1: no cone
     float cone_offset;
-    vec3 half_u;          // half edges or semi-axes [m]; a tube's half axis; with a profile: unit, where φ is 0
+    vec3 half_u;          // half edges or semi-axes [m]; a tube's half axis; with a profile: unit, where φ is 0;
+                          // of an environment: its picture's width and height
     vec3 half_v;          // with a profile: unit, where φ is π/2
     bool is_two_sided;
     float radius;         // of a sphere or a tube [m]; of a directional light: angular [rad]
-    int data;             // index of the first texel of a polygon's corners or a mesh's triangles
-    int count;            // of these corners or triangles
+    int data;             // index of the first texel of a polygon's corners, a mesh's triangles or an environment
+    int count;            // of these corners or triangles; of an environment: whether it is a picture
     int profile;          // index of a profile's first texel; negative: none
     int map;              // index of an emission map's texel; negative: none
     vec2 uv_origin;       // the map is read at uv_origin + s * uv_along_u + t * uv_along_v

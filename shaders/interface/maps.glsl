@@ -8,9 +8,9 @@ const int perspective_map = 0;  // one face
 const int cube_map = 1;         // up to six faces
 const int orthographic_map = 2; // one face
 
-// A point on an emitter; of a sun, a direction to it.
+// A point on an emitter; of a sun or an environment, a direction to it.
 struct MapPoint {
-    vec3 position;    // [m]; of a sun: unit, towards it
+    vec3 position;    // [m]; of a sun or an environment: unit, towards it
     vec3 normal;      // of a flat emitter, unit
     float extent;     // of a flat emitter: one over the point's density [m²]
     vec2 uv;          // where the emitter's texture is read

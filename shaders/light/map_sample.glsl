@@ -4,6 +4,7 @@
 //   spheres         y within, density 1 / (π² R³ √(1 - r²/R²)):   p(wi) = (m² + h²/2) / (π R²)
 //   tubes           y uniform over the volume:                    p(wi) = (t₂³ - t₁³) / (3 volume)
 //   suns            a direction, uniform over the disk            p(wi) = 1 / (2π (1 - cosσ))
+//   environments    a direction, as light/environment.glsl samples it, with its density
 //
 // A point within a convex body stands for the surface before it, so that every y shines on every x. p is the integral
 // of the density along the chord [t₁, t₂] = [m - h, m + h], times t²; the density of spheres, in which all directions of
@@ -49,6 +50,7 @@ LightSample sample_from_point(int k, MapPoint y, vec3 x) {
     Light light = light_at(k);
     if (has_sun_disks && light.kind == directional_light)
         return light_sample(y.position, infinitely_far, sun_radiance(light), p_cone(sun_height(light)));
+    if (has_environment_lights && light.kind == environment_light) return environment_along(light, y.position);
     if (has_sphere_lights && light.kind == sphere_light) return sphere_from_point(light, y, x);
     if (has_tube_lights && light.kind == tube_light) return tube_from_point(light, y, x);
     return flat_from_point(light, y, x);

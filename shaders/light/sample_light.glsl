@@ -1,6 +1,7 @@
 // Light k as it arrives at x.
 #include "interface/features.glsl"
 #include "light/disk.glsl"
+#include "light/environment.glsl"
 #include "light/mesh.glsl"
 #include "light/polygon.glsl"
 #include "light/punctual.glsl"
@@ -11,7 +12,7 @@
 
 // Emitters that a direction of the BRDF's choice can meet.
 const bool has_lights_to_meet = has_rectangle_lights || has_disk_lights || has_sphere_lights || has_tube_lights
-                             || has_polygon_lights || has_sun_disks;
+                             || has_polygon_lights || has_sun_disks || has_environment_lights;
 const bool has_area_lights = has_lights_to_meet || has_mesh_lights;
 
 // In a direction of the light's choice; emitters without extent ignore the random numbers u.
@@ -23,6 +24,7 @@ LightSample sample_light(int k, vec3 x, vec2 u) {
     if (has_tube_lights && light.kind == tube_light) return sample_tube(light, x, u);
     if (has_polygon_lights && light.kind == polygon_light) return sample_polygon(light, x, u);
     if (has_mesh_lights && light.kind == mesh_light) return sample_mesh(light, x, u);
+    if (has_environment_lights && light.kind == environment_light) return sample_environment(light, u);
     if (has_spot_lights && light.kind == spot_light) return sample_spot(light, x);
     if (has_sun_disks && light.kind == directional_light && light.radius > 0.0) return sample_sun(light, u);
     if (has_directional_lights && light.kind == directional_light) return sample_directional(light);
@@ -38,5 +40,6 @@ LightSample light_along(int k, vec3 x, vec3 wi) {
     if (has_tube_lights && light.kind == tube_light) return tube_along(light, x, wi);
     if (has_polygon_lights && light.kind == polygon_light) return polygon_along(light, x, wi);
     if (has_sun_disks && light.kind == directional_light && light.radius > 0.0) return sun_along(light, wi);
+    if (has_environment_lights && light.kind == environment_light) return environment_along(light, wi);
     return no_light;
 }

@@ -20,14 +20,15 @@ struct ExportCommand {
     std::string camera;
     std::string size;
     std::optional<int> scene_index;
-    std::string rig = "studio";
+    scene::Rig rig = scene::Rig::automatic;
+    EnvironmentArguments environment;
     gltf::LoadOptions moment;
 };
 
 /// What `render` would render, without the surfaces that it gives to lights.
 scene::Stage staged(const ExportCommand& command, std::optional<Size> size, scene::Scene&& scene) {
-    scene::StageOptions options{command.camera,
-                                command.rig == "none" ? scene::Rig::none : scene::Rig::studio};
+    scene::StageOptions options{command.camera, command.rig};
+    options.environment = command.environment.light();
     if (size) options.aspect_ratio = static_cast<float>(size->width) / static_cast<float>(size->height);
     const std::size_t instances = scene.instances.size(), emitters = scene::emitters_of(scene).size();
     scene::Stage stage = scene::set_stage(std::move(scene), command.scene, options);
@@ -84,9 +85,7 @@ void add_export_command(CLI::App& app) {
     command->add_option("--animation", options->moment.animation,
                         "which one, as render's (default: the first)");
     command->add_option("--variant", options->moment.variant, "which of the file's material variants");
-    command->add_option("--rig", options->rig, "what lights a file without any light")
-        ->check(CLI::IsMember({"studio", "none"}))
-        ->capture_default_str();
+    declare_rig(*command, options->rig, options->environment);
     command->add_flag("--strict", options->moment.is_strict, strict_help);
     command->footer("Examples:\n"
                     "  steradian export scene.glb --to mitsuba scene_for_mitsuba --size 640x360\n"

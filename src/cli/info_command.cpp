@@ -100,6 +100,7 @@ ordered_json scene_json(const std::string& file, bool is_strict) {
     ordered_json cameras = ordered_json::array(), lights = ordered_json::array();
     for (const scene::Camera& camera : s.cameras) cameras.push_back(camera.name);
     for (const scene::Light& light : scene::emitters_of(s)) lights.push_back(described(light, s));
+    if (s.environment) lights.push_back(described(*s.environment, s));
     ordered_json json{{"file", file},
                       {"meshes", s.meshes.size()},
                       {"instances", s.instances.size()},

@@ -86,6 +86,21 @@ public:
         return json;
     }
 
+    ordered_json operator()(const scene::EnvironmentLight& l) const {
+        ordered_json json = start("environment", l.name);
+        const auto radiance = quantity("L", scene::Quantity::radiance);
+        if (l.map) {
+            json["factor"] = list(l.L);
+            json["mean " + radiance] = list(l.L * l.map->mean());
+            json["texels"] = {l.map->width(), l.map->height()};
+            json["rotation [rad]"] = l.rotation;
+        } else {
+            json[radiance] = list(l.L);
+        }
+        json["visible"] = l.is_visible;
+        return json;
+    }
+
     std::string quantity(const char* symbol, scene::Quantity kind) const {
         return fmt::format("{} [{}]", symbol, scene::name_of({kind, scene_.units}));
     }

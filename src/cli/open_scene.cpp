@@ -19,6 +19,7 @@ struct Opened {
     std::vector<int> animations;
     std::vector<int> frames;
     std::optional<scene::Bounds> extent; // of all frames
+    std::optional<scene::EnvironmentLight> environment;
     double seconds = 0.0;                // that it took
 };
 
@@ -65,10 +66,12 @@ Opened open(const RenderCommand& command) {
                   {},
                   {},
                   {},
+                  {},
                   {}};
     if (command.frames || command.at) opened.animations = opened.asset.animations_named(command.animation);
     if (command.frames) opened.frames = frames_of(opened.asset, opened.animations, command);
     opened.scene = gltf::scene_of(opened.asset, {{}, command.at, command.animation, {}});
+    opened.environment = command.environment.light();
     if (command.frames) opened.extent = extent_of(opened, command);
     opened.seconds = times.total();
     return opened;
@@ -81,6 +84,7 @@ scene::StageOptions stage_options(const RenderCommand& command, const Opened& op
             static_cast<float>(command.size->width) / static_cast<float>(command.size->height);
     options.hide_emitters = command.hide_emitters;
     options.extent = opened.extent;
+    options.environment = opened.environment;
     return options;
 }
 
@@ -88,6 +92,9 @@ scene::StageOptions stage_options(const RenderCommand& command, const Opened& op
 void remark_on_estimator(const RenderCommand& command, const scene::Stage& stage) {
     if (command.estimator != render::Estimator::analytic) return;
     for (const scene::Light& light : stage.lights) {
+        if (const auto* environment = std::get_if<scene::EnvironmentLight>(&light))
+            fmt::print(stderr, "{}: '{}' surrounds the scene: it is sampled{}\n", command.scene, environment->name,
+                       environment->map ? "" : ", but for Lambert's surfaces");
         const auto* mesh = std::get_if<scene::MeshLight>(&light);
         if (mesh && mesh->triangles.size() > render::most_outlined_triangles)
             fmt::print(stderr, "{}: '{}' has {} emissive triangles, more than {}: it is sampled\n",
@@ -127,6 +134,7 @@ OpenScene open_scene(const RenderCommand& command, PhaseTimes& times) {
         result.stage = scene::set_stage(std::move(result.stage.scene), command.scene, result.stage_options);
     else
         show_frame(result, command, result.frames.front());
+    result.stage_options.rig = result.stage.rig; // what lights the first frame lights all
     for (const std::string& remark : result.stage.remarks) fmt::print(stderr, "{}\n", remark);
     remark_on_estimator(command, result.stage);
     result.size = command.size.value_or(picture_size(result.stage.camera.aspect_ratio()));

@@ -53,6 +53,7 @@ std::string shape_of(const scene::Light& light) {
         const char* operator()(const scene::TubeLight&) const { return "tube"; }
         const char* operator()(const scene::PolygonLight&) const { return "polygon"; }
         const char* operator()(const scene::MeshLight&) const { return "mesh"; }
+        const char* operator()(const scene::EnvironmentLight&) const { return "environment"; }
     };
     return std::visit(Name{}, light);
 }

@@ -1,9 +1,14 @@
 #include "cli/render_options.hpp"
 
+#include "gltf/environment.hpp"
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
+#include <filesystem>
+#include <fmt/format.h>
 
 namespace sr::cli {
 namespace {
@@ -25,7 +30,9 @@ CLI::Option* parsed(CLI::App& command, const char* name, const char* help, const
 }
 
 std::optional<scene::Rig> rig_named(const std::string& name) {
+    if (name == "auto") return scene::Rig::automatic;
     if (name == "studio") return scene::Rig::studio;
+    if (name == "softboxes") return scene::Rig::softboxes;
     if (name == "none") return scene::Rig::none;
     return std::nullopt;
 }
@@ -95,8 +102,7 @@ void declare_picture(CLI::App& command, RenderCommand& o) {
         ->capture_default_str();
     parsed(command, "--background", "radiance where there is no surface [cd/m²] (default: 0)", "L or R,G,B",
            parsed_color, [&o](vec3 color) { o.background = color; });
-    parsed(command, "--rig", "what lights a file without a lamp; glowing details are none (default: studio)",
-           "studio|none", rig_named, [&o](scene::Rig rig) { o.rig = rig; });
+    declare_rig(command, o.rig, o.environment);
     command.add_flag(
         "--hide-emitters", o.hide_emitters,
         "emitters light the scene and are not seen: lights vanish, emissive surfaces only reflect");
@@ -185,6 +191,47 @@ void declare_machine(CLI::App& command, RenderCommand& o) {
 }
 
 } // namespace
+
+void declare_rig(CLI::App& command, scene::Rig& rig, EnvironmentArguments& environment) {
+    parsed(command, "--rig",
+           "what lights the scene besides its own lamps: a studio; three softboxes; nothing; or the studio if "
+           "almost nothing would be lit (default: auto)",
+           "auto|studio|softboxes|none", rig_named, [&rig](scene::Rig given) { rig = given; });
+    command
+        .add_option("--environment", environment.source,
+                    "light from outside, seen as the background: an equirectangular .hdr or .exr in cd/m² whose "
+                    "middle column is -Z, or one radiance for all directions")
+        ->type_name("FILE|L|R,G,B");
+    command
+        .add_option("--environment-rotation", environment.degrees,
+                    "turns it around +Y, counter-clockwise seen from above")
+        ->type_name("DEGREES")
+        ->check(CLI::Range(-36000.0, 36000.0));
+    command.add_option("--environment-strength", environment.strength, "multiplies it")
+        ->check(CLI::Range(0.0, 1e20))
+        ->type_name("FACTOR");
+    command.add_flag("--hide-environment", environment.is_hidden, "it lights the scene and is not seen");
+}
+
+std::optional<scene::EnvironmentLight> EnvironmentArguments::light() const {
+    if (source.empty()) return std::nullopt;
+    scene::EnvironmentLight light;
+    if (const auto color = parsed_color(source)) {
+        light.name = "environment";
+        if (std::min({color->r, color->g, color->b}) < 0.0f)
+            throw CLI::ValidationError("--environment", "'" + source + "' is a negative radiance");
+        light.L = *color;
+    } else {
+        light.name = std::filesystem::path(source).stem().string();
+        std::vector<std::string> warnings;
+        light.map = gltf::read_environment(source, warnings);
+        for (const std::string& warning : warnings) fmt::print(stderr, "{}\n", warning);
+    }
+    light.L *= strength;
+    light.rotation = glm::radians(degrees);
+    light.is_visible = !is_hidden;
+    return light;
+}
 
 bool RenderCommand::asks_for_error() const {
     return stop.asks_for_error() || denoises || std::ranges::find(aovs, Aov::error) != aovs.end();

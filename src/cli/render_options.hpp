@@ -18,6 +18,17 @@ class App;
 
 namespace sr::cli {
 
+/// What --environment and its kin say.
+struct EnvironmentArguments {
+    std::string source; // a file, or L, or R,G,B [cd/m²]; empty: none
+    float degrees = 0.0f;
+    float strength = 1.0f;
+    bool is_hidden = false;
+
+    /// Reads the file; warnings go to stderr. @throws Error
+    std::optional<scene::EnvironmentLight> light() const;
+};
+
 struct RenderCommand {
     std::string scene;
     std::vector<std::string> outputs; // one rendering, written in each form
@@ -36,7 +47,8 @@ struct RenderCommand {
     render::Estimator estimator = render::Estimator::sampled;
     int analytic_points = render::default_analytic_points;
     vec3 background{0.0f};
-    scene::Rig rig = scene::Rig::studio;
+    scene::Rig rig = scene::Rig::automatic;
+    EnvironmentArguments environment;
     bool has_energy_compensation = false;
     bool hide_emitters = false;
     std::optional<float> ev100; // absent: automatic
@@ -65,6 +77,9 @@ void declare(CLI::App& command, RenderCommand& options);
 
 /// Declares those that say what is rendered and by what, without those that say where it goes.
 void declare_rendering(CLI::App& command, RenderCommand& options);
+
+/// Declares --rig, --environment and what goes with it.
+void declare_rig(CLI::App& command, scene::Rig& rig, EnvironmentArguments& environment);
 
 /// Declares --error and --time; --samples is declared with what is rendered.
 void declare_stopping(CLI::App& command, RenderCommand& options);

@@ -32,6 +32,7 @@ viewer::Options viewer_options(const ViewCommand& command) {
     options.scene_index = r.scene_index;
     options.camera = r.camera;
     options.rig = r.rig;
+    options.environment = r.environment.light();
     options.hide_emitters = r.hide_emitters;
     options.at = r.at;
     options.animation = r.animation;

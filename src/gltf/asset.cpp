@@ -5,6 +5,7 @@
 #include "gltf/camera.hpp"
 #include "gltf/decode.hpp"
 #include "gltf/drawn.hpp"
+#include "gltf/environment.hpp"
 #include "gltf/extensions.hpp"
 #include "gltf/light.hpp"
 #include "gltf/text.hpp"
@@ -38,6 +39,7 @@ public:
         place_lights(placed_nodes(document_, scene_index_), warnings_);
         scene_.profiles = lights_.profiles();
         scene_.units = unit_system_of(document_);
+        scene_.environment = environment_of(document_, scene_index_, warnings_);
         scene_.textures = materials_.textures().textures();
         Decoding decoding(document_, materials_.textures().image_sources());
         drawn_.read(materials_, scene_, warnings_);

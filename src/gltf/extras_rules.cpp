@@ -49,12 +49,17 @@ struct ExtrasRules {
         {"brdf", &brdf}, {"roughness_across", &number}, {"exponent", &number}, {"specular_color", &three_numbers},
         {"metal", &metal}, {"complex_ior", &complex_ior}, {"ior_spectrum", &ior_spectrum}, {"file", &text}},
         .is_closed = true, .is_ours = true};
+    Rule environment{.kind = Kind::record, .properties = {
+        {"file", &text}, {"radiance", &three_numbers}, {"strength", &number}, {"rotation", &number},
+        {"visible", &boolean}}, .is_closed = true, .is_ours = true};
+    Rule scene{.kind = Kind::record, .properties = {{"environment", &environment}}, .is_closed = true, .is_ours = true};
     Rule asset{.kind = Kind::record, .properties = {{"units", &system}}, .is_closed = true, .is_ours = true};
     // clang-format on
 
     Rule node_extras{.kind = Kind::record, .properties = {{"steradian", &node}}, .is_optional = true};
     Rule light_extras{.kind = Kind::record, .properties = {{"steradian", &light}}, .is_optional = true};
     Rule material_extras{.kind = Kind::record, .properties = {{"steradian", &material}}, .is_optional = true};
+    Rule scene_extras{.kind = Kind::record, .properties = {{"steradian", &scene}}, .is_optional = true};
     Rule asset_extras{.kind = Kind::record, .properties = {{"steradian", &asset}}, .is_optional = true};
 
     ExtrasRules() {
@@ -72,6 +77,7 @@ const ExtrasRules& extras_rules() {
 const Rule& node_extras_rule() { return extras_rules().node_extras; }
 const Rule& light_extras_rule() { return extras_rules().light_extras; }
 const Rule& material_extras_rule() { return extras_rules().material_extras; }
+const Rule& scene_extras_rule() { return extras_rules().scene_extras; }
 const Rule& asset_extras_rule() { return extras_rules().asset_extras; }
 
 } // namespace sr::gltf

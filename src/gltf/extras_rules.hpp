@@ -10,6 +10,7 @@ namespace sr::gltf {
 const Rule& node_extras_rule();
 const Rule& light_extras_rule();
 const Rule& material_extras_rule();
+const Rule& scene_extras_rule();
 const Rule& asset_extras_rule();
 
 } // namespace sr::gltf

@@ -74,6 +74,20 @@ public:
         xml_.close();
     }
 
+    void operator()(const scene::EnvironmentLight& light) {
+        if (!light.map) {
+            xml_.open("emitter", "constant");
+            xml_.color("radiance", light.L);
+            xml_.close();
+            return;
+        }
+        xml_.open("emitter", "envmap");
+        xml_.text("filename", output_.textures.file_of(*light.map, light.L));
+        const mat3 half_turn(vec3(-1, 0, 0), vec3(0, 1, 0), vec3(0, 0, -1)); // its left edge shows -Z, not its middle
+        xml_.transform("to_world", mat4(glm::transpose(light.map_from_world()) * half_turn));
+        xml_.close();
+    }
+
     void operator()(const scene::RectangleLight& light) {
         if (light.map.is_present() || light.is_two_sided)
             return mesh(flat(light, {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}), emission_of(light));

@@ -5,6 +5,7 @@
 #include "mitsuba/new_folder.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
@@ -51,6 +52,30 @@ std::string Textures::file_of(int index, Part part, vec3 factor) {
         image::write(picture, folder_ / entry->second, image::SampleType::floating);
     }
     return entry->second;
+}
+
+std::string Textures::file_of(const scene::EnvironmentMap& map, vec3 factor) {
+    // Mitsuba's first row is at the pole itself and its left edge shows -Z. Rows half as far apart as ours begin
+    // at the pole and still hold all of our rows' middles, between which radiance is linear.
+    const int width = map.width(), height = 2 * map.height() + 1;
+    image::Image picture(width, height, 3);
+    for (int j = 0; j < height; ++j) {
+        const int above = std::clamp((j - 1) / 2, 0, map.height() - 1);
+        const int below = std::clamp(j / 2, 0, map.height() - 1);
+        for (int i = 0; i < width; ++i) {
+            const auto at = [&](int row) {
+                return map.texels()[static_cast<std::size_t>(row) * static_cast<std::size_t>(width)
+                                    + static_cast<std::size_t>(i)];
+            };
+            const vec3 L = factor * 0.5f * (at(above) + at(below));
+            std::ranges::copy(std::array{L.r, L.g, L.b}, picture.at(i, j).begin());
+        }
+    }
+    const std::string name = fmt::format("textures/environment_{}.exr", files_.size());
+    files_.emplace(name, name);
+    make_folder(folder_ / "textures");
+    image::write(picture, folder_ / name, image::SampleType::floating);
+    return name;
 }
 
 void Textures::write(Xml& xml, std::string_view name, int index, const mat3& uv_transform, Part part,

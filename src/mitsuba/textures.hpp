@@ -1,6 +1,7 @@
 #pragma once
 // Textures as Mitsuba's bitmaps: linear values in EXR files, so that no colour conversion is left to anybody.
 #include "mitsuba/xml.hpp"
+#include "scene/environment.hpp"
 #include "scene/scene.hpp"
 
 #include <filesystem>
@@ -22,6 +23,11 @@ public:
     /// @throws Error if the file cannot be written.
     void write(Xml& xml, std::string_view name, int texture, const mat3& uv_transform,
                Part part = Part::color, vec3 factor = vec3(1.0f));
+
+    /// Writes an environment, every texel times `factor`, as an equirectangular picture that Mitsuba's envmap
+    /// reads as the same function of the direction. @return the file's name within the folder
+    /// @throws Error if the file cannot be written.
+    std::string file_of(const scene::EnvironmentMap& map, vec3 factor);
 
     /// What could not be said, one line each.
     const std::vector<std::string>& warnings() const { return warnings_; }

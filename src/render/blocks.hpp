@@ -51,6 +51,7 @@ inline constexpr unsigned map_triangles_unit = answers_unit; // depth maps answe
 inline constexpr unsigned map_points_unit = last_rays_unit;
 inline constexpr unsigned first_caster_unit = slot_count + 5; // five of them, see gpu_casters.hpp
 inline constexpr unsigned measured_unit = slot_count + 10;
+inline constexpr unsigned environment_texels_unit = slot_count + 11;
 
 struct MaterialBlock {
     vec4 base_color_factor;

@@ -35,6 +35,10 @@ void ask_for(Features& f, const scene::MeshLight& light) {
     f.has_mesh_lights = true;
     f.has_emission_maps |= light.texture >= 0;
 }
+void ask_for(Features& f, const scene::EnvironmentLight& light) {
+    f.has_environment_lights = true;
+    f.has_environment_maps |= light.map && light.map->has_light();
+}
 
 // What goes into GLSL as `const bool`, by the member's own name.
 struct Flag {
@@ -53,7 +57,9 @@ constexpr std::array light_flags{Flag{"has_point_lights", &Features::has_point_l
                                  Flag{"has_mesh_lights", &Features::has_mesh_lights},
                                  Flag{"has_sun_disks", &Features::has_sun_disks},
                                  Flag{"has_profiles", &Features::has_profiles},
-                                 Flag{"has_emission_maps", &Features::has_emission_maps}};
+                                 Flag{"has_emission_maps", &Features::has_emission_maps},
+                                 Flag{"has_environment_lights", &Features::has_environment_lights},
+                                 Flag{"has_environment_maps", &Features::has_environment_maps}};
 
 constexpr std::array texture_flags{
     Flag{"has_base_color_texture", &Features::has_base_color_texture},
@@ -149,6 +155,7 @@ std::string Features::glsl() const {
     append(texture_flags);
     append(other_flags);
     text += fmt::format("const bool is_mirror = {};\n", model == scene::Model::mirror);
+    text += fmt::format("const bool is_lambert = {};\n", model == scene::Model::lambert);
     return text + fmt::format("const int rays_per_light = {};\n", rays_per_light);
 }
 
@@ -182,7 +189,8 @@ Features light_features(std::span<const scene::Light> lights) {
     for (const scene::Light& light : lights) std::visit([&f](const auto& any) { ask_for(f, any); }, light);
     // What a direction of the BRDF's choice can meet: has_lights_to_meet in shaders/light/sample_light.glsl.
     const bool has_lights_to_meet = f.has_rectangle_lights || f.has_disk_lights || f.has_sphere_lights
-                                    || f.has_tube_lights || f.has_polygon_lights || f.has_sun_disks;
+                                    || f.has_tube_lights || f.has_polygon_lights || f.has_sun_disks
+                                    || f.has_environment_lights;
     f.rays_per_light = has_lights_to_meet ? 2 : 1;
     return f;
 }
@@ -218,7 +226,8 @@ Features shading_features(const scene::Scene& scene, const scene::Mesh& mesh, co
 }
 
 void require_texture_units(const Features& features, std::string_view material, int units) {
-    constexpr int of_lights_and_shadows = 8; // lights, their textures, five of the casters, the fitted lobes
+    // Lights, their textures, five of the casters, the fitted lobes; an environment.
+    const int of_lights_and_shadows = features.has_environment_maps ? 9 : 8;
     const int count = features.material_texture_count();
     if (count + of_lights_and_shadows <= units) return;
     throw Error(fmt::format("material \"{}\" reads {} textures, this driver has room for {}", material, count,

@@ -24,6 +24,8 @@ struct Features {
     bool has_sun_disks = false;
     bool has_profiles = false;
     bool has_emission_maps = false;
+    bool has_environment_lights = false;
+    bool has_environment_maps = false;
 
     bool has_base_color_texture = false;
     bool has_metallic_roughness_texture = false;

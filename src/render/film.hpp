@@ -13,6 +13,8 @@ public:
 
     /// Makes it the target of drawing, whole.
     void bind() const;
+    int width() const { return width_; }
+    int height() const { return height_; }
     const gl::Texture& color() const { return color_; }
     const gl::Texture& depth() const { return depth_; }
 

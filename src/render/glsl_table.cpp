@@ -10,7 +10,7 @@ namespace sr::render {
 namespace {
 
 constexpr int columns = 256;
-constexpr GLuint rows_unit = measured_unit + 1;
+constexpr GLuint rows_unit = environment_texels_unit + 1;
 
 } // namespace
 
@@ -19,6 +19,7 @@ GlslTable::GlslTable(std::span<const glsl::Root> path, const std::string& fragme
     program_.bind_texture("rows", rows_unit);
     program_.bind_texture("light_table", light_table_unit);
     program_.bind_texture("emission_texels", emission_texels_unit);
+    program_.bind_texture("environment_texels", environment_texels_unit);
     program_.bind_texture("ltc_table", ltc_table_unit);
     program_.bind_texture("measured_brdf", measured_unit);
 }

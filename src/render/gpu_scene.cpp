@@ -212,7 +212,15 @@ void GpuScene::upload_materials(const scene::Scene& scene) {
 
 void GpuScene::upload_lights(const scene::Scene& scene, std::span<const scene::Light> lights) {
     const std::size_t before = emission_maps_.texels().size();
-    light_table_.upload(pack_lights(scene, lights, emission_maps_), "use fewer emissive triangles");
+    const std::size_t environments_before = environments_.texels().size();
+    light_table_.upload(pack_lights(scene, lights, emission_maps_, environments_),
+                        "use fewer emissive triangles");
+    if (environments_before == 0 || environments_.texels().size() != environments_before)
+        environment_texels_.upload(environments_.texels(), "use a smaller environment");
+    visible_environments_.clear();
+    for (std::size_t k = 0; k < lights.size(); ++k)
+        if (const auto* light = std::get_if<scene::EnvironmentLight>(&lights[k]); light && light->is_visible)
+            visible_environments_.push_back(static_cast<int>(k));
     if (before == 0 || emission_maps_.texels().size() != before)
         emission_texels_.upload(emission_maps_.texels(), "use smaller emissive textures");
     light_count_ = static_cast<int>(lights.size());
@@ -222,6 +230,7 @@ void GpuScene::upload_lights(const scene::Scene& scene, std::span<const scene::L
 void GpuScene::bind_lights() const {
     light_table_.bind(light_table_unit);
     emission_texels_.bind(emission_texels_unit);
+    environment_texels_.bind(environment_texels_unit);
     ltc_texture_.bind(ltc_table_unit);
     glBindSampler(ltc_table_unit, 0);
     if (occluders_) occluders_->bind();

@@ -3,6 +3,7 @@
 #include "render/blocks.hpp"
 #include "render/buffer_texture.hpp"
 #include "render/emission_maps.hpp"
+#include "render/environment_texels.hpp"
 #include "render/features.hpp"
 #include "render/gpu_mesh.hpp"
 #include "render/ltc_table.hpp"
@@ -43,6 +44,8 @@ public:
     void update(const scene::Scene& scene, std::span<const scene::Light> lights);
 
     int light_count() const { return light_count_; }
+    /// Which of the lights are seen behind everything.
+    const std::vector<int>& visible_environments() const { return visible_environments_; }
     int rays_per_light() const { return rays_per_light_; } // that a point of a surface sends
     /// What casts shadows; null if nothing does.
     const Occluders* occluders() const { return occluders_.get(); }
@@ -89,6 +92,9 @@ private:
     BufferTexture light_table_{"the emitters", GL_RGBA32F};
     EmissionMaps emission_maps_;
     BufferTexture emission_texels_{"the emitters' textures", GL_RGBA16F};
+    EnvironmentTexels environments_;
+    BufferTexture environment_texels_{"the environment", GL_RGBA32F};
+    std::vector<int> visible_environments_;
     gl::Texture ltc_texture_ = upload_ltc_table();
     int light_count_ = 0;
     int rays_per_light_ = 1;

@@ -21,7 +21,8 @@ enum Kind {
     sphere_light,
     tube_light,
     polygon_light,
-    mesh_light
+    mesh_light,
+    environment_light
 };
 
 using Texels = std::array<vec4, texels_per_light>;
@@ -48,8 +49,12 @@ Texels blank(vec3 position, Kind kind, vec3 quantity) {
 /// Packs lights one by one; what they point to collects behind.
 class Packer {
 public:
-    Packer(const scene::Scene& scene, EmissionMaps& maps, std::size_t light_count)
-        : scene_(scene), maps_(maps), first_(light_count * texels_per_light) {}
+    Packer(const scene::Scene& scene, EmissionMaps& maps, EnvironmentTexels& environments,
+           std::size_t light_count)
+        : scene_(scene),
+          maps_(maps),
+          environments_(environments),
+          first_(light_count * texels_per_light) {}
 
     Texels operator()(const scene::PointLight& light) {
         Texels t = round(blank(light.position, point_light, light.I), light.radius);
@@ -112,6 +117,17 @@ public:
         t[5].y = static_cast<float>(end());
         t[5].z = static_cast<float>(light.triangles.size());
         append_triangles(light);
+        return t;
+    }
+
+    Texels operator()(const scene::EnvironmentLight& light) {
+        const bool is_dark = light.map && !light.map->has_light();
+        Texels t = blank(vec3(0.0f), environment_light, is_dark ? vec3(0.0f) : light.L);
+        if (!light.map || is_dark) return t;
+        t[1] = vec4(std::cos(light.rotation), std::sin(light.rotation), 0.0f, 0.0f);
+        t[3] = vec4(light.map->width(), light.map->height(), 0.0f, t[3].w);
+        t[5].y = static_cast<float>(environments_.place_of(light.map));
+        t[5].z = 1.0f;
         return t;
     }
 
@@ -192,6 +208,7 @@ private:
 
     const scene::Scene& scene_;
     EmissionMaps& maps_;
+    EnvironmentTexels& environments_;
     std::size_t first_;
     std::vector<vec4> behind_;
     std::map<int, std::size_t> maps_placed_;
@@ -201,9 +218,9 @@ private:
 } // namespace
 
 std::vector<vec4> pack_lights(const scene::Scene& scene, std::span<const scene::Light> lights,
-                              EmissionMaps& maps) {
+                              EmissionMaps& maps, EnvironmentTexels& environments) {
     maps.ask_anew();
-    Packer packer(scene, maps, lights.size());
+    Packer packer(scene, maps, environments, lights.size());
     std::vector<vec4> table;
     table.reserve(lights.size() * texels_per_light);
     for (const scene::Light& light : lights) {

@@ -65,6 +65,25 @@ void depth_pass(const Target& frame, const GpuScene& scene, ShaderLibrary& shade
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
+void background_pass(const Target& frame, const GpuScene& scene, ShaderLibrary& shaders) {
+    frame.bind();
+    glEnable(GL_BLEND);
+    glBlendEquation(GL_FUNC_ADD);
+    glBlendFunc(GL_ONE, GL_ONE);
+    glDisable(GL_CULL_FACE);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LEQUAL);
+    glDepthMask(GL_FALSE);
+    scene.bind_lights();
+    const gl::Program& program = shaders.fullscreen_program("background.frag");
+    program.use();
+    glUniform2f(program.uniform("frame_size"), static_cast<float>(frame.width()), static_cast<float>(frame.height()));
+    for (const int environment : scene.visible_environments()) {
+        glUniform1i(program.uniform("environment"), environment);
+        glDrawArrays(GL_TRIANGLES, 0, 3);
+    }
+}
+
 void rest_pass(const Target& frame, ShaderLibrary& shaders) {
     frame.bind();
     glDisable(GL_BLEND);

@@ -11,6 +11,9 @@ namespace sr::render {
 /// surfaces.
 void depth_pass(const Target& frame, const GpuScene& scene, ShaderLibrary& shaders, vec3 background);
 
+/// Adds the environments that cameras see where no surface is, without coverage.
+void background_pass(const Target& frame, const GpuScene& scene, ShaderLibrary& shaders);
+
 /// Leaves the frame black, and closed to all passes that follow, where the texture of unit 0 is not 0.
 void rest_pass(const Target& frame, ShaderLibrary& shaders);
 

@@ -92,6 +92,7 @@ void Renderer::compile() {
     }
     for (const Draw& draw : scene_.blended_draws())
         shaders_->mesh_program(fragment_of(draw, options_.shader), draw.features, blended_visibility());
+    if (shows_environment()) shaders_->fullscreen_program("background.frag");
     shaders_->fullscreen_program("accumulate.frag");
 }
 
@@ -154,6 +155,7 @@ void Renderer::draw(const Window& part) {
     keep_to(part);
     depth_pass(frame_, scene_, *shaders_, options_.background);
     glBindVertexArray(no_vertices_.id());
+    if (shows_environment()) background_pass(frame_, scene_, *shaders_);
     if (resting_.any(sample_count_)) {
         resting_.bind(sample_count_, 0);
         rest_pass(frame_, *shaders_);
@@ -163,6 +165,10 @@ void Renderer::draw(const Window& part) {
     blend_pass(frame_, scene_, *shaders_, options_.shader, view.eye, blended_visibility());
     accumulate();
     glDisable(GL_SCISSOR_TEST);
+}
+
+bool Renderer::shows_environment() const {
+    return !scene_.visible_environments().empty() && options_.shader == "forward.frag";
 }
 
 void Renderer::accumulate() {

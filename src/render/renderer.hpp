@@ -134,6 +134,7 @@ private:
     VisibilityTerm opaque_visibility() const;
     VisibilityTerm blended_visibility() const;
     void shade_opaque(const Window& window);
+    bool shows_environment() const; // behind everything; terms of the equation have no background
     void accumulate();
     image::Image mean_of(const Target& sum, const std::vector<int>& samples) const;
 

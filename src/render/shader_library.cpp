@@ -52,6 +52,7 @@ void connect(const gl::Program& program) {
         program.bind_texture(sampler_names[unit], static_cast<GLint>(unit));
     program.bind_texture("light_table", light_table_unit);
     program.bind_texture("emission_texels", emission_texels_unit);
+    program.bind_texture("environment_texels", environment_texels_unit);
     program.bind_texture("ltc_table", ltc_table_unit);
     program.bind_texture("measured_brdf", measured_unit);
     program.bind_texture("answers", answers_unit);
@@ -83,6 +84,7 @@ const gl::Program& ShaderLibrary::fullscreen_program(const std::string& fragment
         return found->second;
     gl::Program program(fragment, glsl::expand(shader_path_, "fullscreen.vert"),
                         glsl::expand(shader_path_, fragment));
+    connect(program);
     return fullscreen_programs_.emplace(fragment, std::move(program)).first->second;
 }
 

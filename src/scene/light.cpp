@@ -42,6 +42,11 @@ float MeshLight::area() const {
     return 0.5f * doubled;
 }
 
+mat3 EnvironmentLight::map_from_world() const {
+    const float c = std::cos(rotation), s = std::sin(rotation);
+    return {vec3(c, 0.0f, s), vec3(0.0f, 1.0f, 0.0f), vec3(-s, 0.0f, c)}; // columns: around +Y by -rotation
+}
+
 bool passes_back_faces(const Light& light) {
     return std::visit(
         [](const auto& any) {

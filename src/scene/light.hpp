@@ -2,9 +2,11 @@
 // Emitters in world space, each in its own unit. Colours are folded into the quantity: I, E and L are RGB.
 // A photometric scene (glTF) counts in cd, lx and cd/m²; a radiometric one in W/sr, W/m² and W/(m² sr).
 #include "core/math.hpp"
+#include "scene/environment.hpp"
 
 #include <array>
 #include <limits>
+#include <memory>
 #include <string>
 #include <variant>
 #include <vector>
@@ -151,8 +153,23 @@ struct MeshLight {
     float area() const; // [m²]
 };
 
+/// Light from infinitely far, from every direction: the same radiance in all of them, or that of a map.
+struct EnvironmentLight {
+    std::string name;
+    vec3 L{1.0f};                                // radiance [cd/m²]; with a map: its factor [1]
+    std::shared_ptr<const EnvironmentMap> map{}; // null: the same radiance in every direction
+    float rotation = 0.0f;  // of the map around +Y, counter-clockwise seen from above [rad]
+    bool is_visible = true; // false: it lights the scene but cameras do not see it
+    bool passes_back_faces = false; // see passes_back_faces() below
+
+    /// To the map's own axes, from the world.
+    mat3 map_from_world() const;
+    /// From the unit direction w, in the world [cd/m²].
+    vec3 radiance(vec3 w) const { return map ? L * map->radiance(map_from_world() * w) : L; }
+};
+
 using Light = std::variant<PointLight, SpotLight, DirectionalLight, RectangleLight, DiskLight, SphereLight,
-                           TubeLight, PolygonLight, MeshLight>;
+                           TubeLight, PolygonLight, MeshLight, EnvironmentLight>;
 
 /// Whether a single-sided face that the light meets from behind casts no shadow of it. So it is for lights
 /// that stand in for the surroundings of a model: what the camera looks through, they shine through. Other

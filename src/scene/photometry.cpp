@@ -38,6 +38,7 @@ struct FluxOf {
         return vec3(spot_solid_angle(light.inner_angle, light.outer_angle) * glm::dvec3(light.I));
     }
     std::optional<vec3> operator()(const DirectionalLight&) const { return std::nullopt; }
+    std::optional<vec3> operator()(const EnvironmentLight&) const { return std::nullopt; }
 
     template<class Area>
     std::optional<vec3> operator()(const Area& light) const {

@@ -54,8 +54,8 @@ std::optional<double> sun_irradiance_from(Quantity quantity, double value, doubl
 /// ∫ I dω of a profile [lm], exact for its interpolation: in closed form over γ, by trapezoids over φ.
 double flux_of(const LightProfile& profile);
 
-/// The flux of a light as RGB [lm or W]; the texture, where there is one, counts as white. Absent for a
-/// directional light, which has none of its own.
+/// The flux of a light as RGB [lm or W]; the texture, where there is one, counts as white. Absent for
+/// directional lights and environments, which have none of their own.
 std::optional<vec3> flux_of(const Light& light, const std::vector<LightProfile>& profiles);
 
 } // namespace sr::scene

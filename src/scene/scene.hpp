@@ -8,6 +8,7 @@
 #include "scene/units.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -54,6 +55,7 @@ struct Scene {
     std::vector<Mesh> meshes;
     std::vector<Instance> instances;
     std::vector<Light> lights; // what the file calls lights; emissive surfaces: see emitters.hpp
+    std::optional<EnvironmentLight> environment; // what the file says of light from outside
     std::vector<LightProfile> profiles;
     std::vector<MeasuredBrdf> measured; // what materials of Model::merl read
     /// What the lights count in, and the film: cd/m² or W/(m² sr).

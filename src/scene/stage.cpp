@@ -5,6 +5,7 @@
 #include "scene/framing.hpp"
 #include "scene/light_surfaces.hpp"
 #include "scene/look_at.hpp"
+#include "scene/own_light.hpp"
 #include "scene/rig.hpp"
 
 #include <algorithm>
@@ -51,10 +52,37 @@ Camera chosen_camera(const Scene& scene, const std::string& file, const StageOpt
     throw Error({file}, fmt::format("no camera '{}'", wanted), "choose one of " + cameras_of(scene));
 }
 
-/// Whether a light is the glow of a model's details, as emissive textures are mostly painted, and no lamp.
-bool is_detail(const Light& light) {
-    const auto* mesh = std::get_if<MeshLight>(&light);
-    return mesh && mesh->texture >= 0;
+/// Whether almost nothing of what the camera sees would be lit.
+bool is_dark(const Stage& stage, const Scene& scene, float aspect_ratio) {
+    if (stage.lights.empty()) return true;
+    const auto share = lit_share(scene, stage.lights, stage.camera, aspect_ratio);
+    return share && *share < least_lit_share;
+}
+
+/// Whether a surface is there that takes light to be seen.
+bool needs_light(const Scene& scene) {
+    return std::ranges::any_of(scene.instances, [&](const Instance& instance) {
+        const Mesh& mesh = scene.meshes[static_cast<std::size_t>(instance.mesh)];
+        return !scene.materials[static_cast<std::size_t>(mesh.material)].is_unlit;
+    });
+}
+
+void add_rig(Stage& stage, const Scene& scene, const std::string& name, const StageOptions& options) {
+    const bool judges = options.rig == Rig::automatic || options.rig == Rig::none;
+    const bool dark = judges && needs_light(scene) && is_dark(stage, scene, options.aspect_ratio);
+    stage.rig = options.rig != Rig::automatic ? options.rig : dark ? Rig::studio : Rig::none;
+    if (stage.rig == Rig::studio) stage.lights.emplace_back(studio(stage.camera));
+    if (stage.rig == Rig::softboxes)
+        for (RectangleLight& light : softbox_rig(options.extent.value_or(bounds_of(scene)), stage.camera))
+            stage.lights.emplace_back(std::move(light));
+    if (!dark) return;
+    const std::string why = stage.lights.size() == (stage.rig == Rig::studio ? 1u : 0u)
+                                ? "no lamp in this file"
+                                : "the file's own light leaves it almost dark";
+    stage.remarks.push_back(
+        stage.rig == Rig::studio
+            ? fmt::format("{}: {}: a studio lights it (--rig none leaves it so)", name, why)
+            : fmt::format("{}: {}: almost nothing is lit (--rig studio lights it)", name, why));
 }
 
 /// Says what pictures of glass leave out.
@@ -70,18 +98,16 @@ void remark_on_glass(const Scene& scene, const std::string& name, std::vector<st
 
 Stage set_stage(Scene scene, const std::string& name, const StageOptions& options) {
     Stage stage;
-    const Bounds bounds = options.extent.value_or(bounds_of(scene));
     stage.camera = chosen_camera(scene, name, options);
 
     stage.lights = assign_emitters(scene);
-    if (std::ranges::all_of(stage.lights, is_detail) && options.rig == Rig::studio) {
-        for (RectangleLight& light : studio_rig(bounds, stage.camera))
-            stage.lights.emplace_back(std::move(light));
-        stage.remarks.push_back(fmt::format("{}: no lamp in this file: lit by three studio softboxes "
-                                            "(--rig none leaves it dark)",
-                                            name));
+    if (const auto& environment = options.environment ? options.environment : scene.environment) {
+        EnvironmentLight light = *environment;
+        light.is_visible = light.is_visible && !options.hide_emitters;
+        stage.lights.emplace_back(std::move(light));
     }
     remark_on_glass(scene, name, stage.remarks);
+    add_rig(stage, scene, name, options);
     if (options.hide_emitters)
         for (Material& material : scene.materials) material.emission = vec3(0.0f);
     else

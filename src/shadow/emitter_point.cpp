@@ -24,6 +24,12 @@ vec3 in_ball_like_disk(vec3 u) {
 /// Uniform over the unit disk.
 vec2 in_disk(vec2 u) { return std::sqrt(u.x) * vec2(std::cos(2.0f * pi * u.y), std::sin(2.0f * pi * u.y)); }
 
+/// Uniform over the unit sphere, (0, 0) its uppermost point.
+vec3 on_sphere(vec2 u) {
+    const float across = 2.0f * std::sqrt(u.y * (1.0f - u.y));
+    return {across * std::cos(2.0f * pi * u.x), 1.0f - 2.0f * u.y, across * std::sin(2.0f * pi * u.x)};
+}
+
 /// Barycentric weights of the second and third corner, uniform over a triangle (Turk 1990).
 vec2 in_triangle(vec2 u) {
     const float root = std::sqrt(u.x);
@@ -129,6 +135,16 @@ struct PointOn {
                 uv[0] + weights.x * (uv[1] - uv[0]) + weights.y * (uv[2] - uv[0]), light.is_two_sided};
     }
 
+    /// A direction, with the density of environment.glsl.
+    EmitterPoint operator()(const scene::EnvironmentLight& light) const {
+        EmitterPoint point;
+        point.is_far = true;
+        point.place = glm::normalize(light.map && light.map->has_light()
+                                         ? light.map->sample(vec2(u)) * light.map_from_world()
+                                         : on_sphere(vec2(u)));
+        return point;
+    }
+
     EmitterPoint round(vec3 center, float radius) const { return {center + radius * in_ball_like_disk(u)}; }
 };
 
@@ -147,6 +163,7 @@ struct MiddleOf {
     }
     vec3 operator()(const scene::DirectionalLight&) const { return vec3(0.0f); }
     vec3 operator()(const scene::DiskLight&) const { return vec3(0.0f); }
+    vec3 operator()(const scene::EnvironmentLight&) const { return vec3(0.0f); }
     vec3 operator()(const scene::RectangleLight&) const { return vec3(0.5f); }
     vec3 operator()(const scene::PolygonLight&) const { return vec3(0.5f); }
     vec3 operator()(const scene::MeshLight&) const { return vec3(0.5f); }
@@ -157,7 +174,15 @@ struct MiddleOf {
 
 } // namespace
 
-EmitterPoint middle_of(const scene::Light& light) { return point_on(light, std::visit(MiddleOf{}, light)); }
+EmitterPoint middle_of(const scene::Light& light) {
+    if (std::holds_alternative<scene::EnvironmentLight>(light)) { // it has none: what comes from above
+        EmitterPoint point;
+        point.is_far = true;
+        point.place = vec3(0.0f, 1.0f, 0.0f);
+        return point;
+    }
+    return point_on(light, std::visit(MiddleOf{}, light));
+}
 
 bool has_extent(const scene::Light& light) { return std::visit(HasExtent{}, light); }
 

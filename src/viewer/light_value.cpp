@@ -158,6 +158,7 @@ Light transformed(Light light, const mat4& by) {
     std::visit(
         [&](auto& l) {
             if constexpr (requires { l.position; }) moved(l.position);
+            if constexpr (requires { l.rotation; }) l.rotation += std::atan2(rotation[2].x, rotation[2].z);
             if constexpr (requires { l.direction; }) l.direction = glm::normalize(rotation * l.direction);
             if constexpr (requires { l.world_from_profile; })
                 l.world_from_profile = rotation * l.world_from_profile;

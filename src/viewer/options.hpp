@@ -11,7 +11,8 @@ struct Options {
     std::string scene; // a file
     std::optional<int> scene_index;
     std::string camera; // as StageOptions has it
-    scene::Rig rig = scene::Rig::studio;
+    scene::Rig rig = scene::Rig::automatic;
+    std::optional<scene::EnvironmentLight> environment; // as StageOptions has it
     bool hide_emitters = false;
     std::optional<double> at;  // [s]; absent: the file's rest pose
     std::string animation;     // as gltf::Asset::animations_named() takes it

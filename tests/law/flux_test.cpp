@@ -121,6 +121,7 @@ struct NumericFlux {
         return integral(I, 800);
     }
     double operator()(const scene::DirectionalLight&) const { return 0.0; }
+    double operator()(const scene::EnvironmentLight&) const { return 0.0; }
 };
 
 // A node that is turned, moved and scaled by 2, with these extras and perhaps a light of KHR_lights_punctual.

@@ -35,6 +35,21 @@ scene::Mesh ball() {
     return mesh;
 }
 
+/// A coloured, turned environment of few texels, with black ones and one that is much brighter than the others.
+scene::EnvironmentLight sky() {
+    constexpr int width = 16, height = 9;
+    std::vector<vec3> texels;
+    for (int i = 0; i < width * height; ++i)
+        texels.push_back(i % 7 == 3 ? vec3(0.0f)
+                                    : 0.2f * vec3(1 + i % 5, 1 + i % 3, 2 + i / width) / static_cast<float>(1 + i % 2));
+    texels[3 * width + 1] = vec3(12.0f, 10.0f, 6.0f);
+    scene::EnvironmentLight light;
+    light.map = std::make_shared<const scene::EnvironmentMap>(width, height, std::move(texels));
+    light.rotation = 0.4f;
+    light.is_visible = false;
+    return light;
+}
+
 /// What models and layers have in common: copper of roughness 0.45.
 scene::Material metal() {
     scene::Material m;
@@ -145,6 +160,8 @@ scene::Scene ball_scene(std::string_view brdf, std::string_view light) {
     if (light == "rectangle") {
         scene.lights.push_back(scene::RectangleLight{
             "", place, 0.9f * u, 0.5f * glm::cross(towards, u), vec3(10.0f, 8.0f, 5.0f), false, false, {}});
+    } else if (light == "environment") {
+        scene.lights.push_back(sky());
     } else {
         require(light == "point", "the light is one of the list");
         scene.lights.push_back(scene::PointLight{"", place, vec3(20.0f, 16.0f, 10.0f)});

@@ -16,7 +16,7 @@ inline constexpr std::array<std::string_view, 17> ball_brdfs{
     "anisotropy_00", "anisotropy_30", "anisotropy_90", "plastic_film", "layers"};
 
 /// A mirror shows no point: it has no part in that picture.
-inline constexpr std::array<std::string_view, 2> ball_lights{"rectangle", "point"};
+inline constexpr std::array<std::string_view, 3> ball_lights{"rectangle", "point", "environment"};
 bool is_lit(std::string_view brdf, std::string_view light);
 
 /// Edge of the square picture of a ball [pixels].

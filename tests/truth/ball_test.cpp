@@ -30,6 +30,7 @@ void expect_balls(std::string_view light) {
 }
 
 const Test rectangle("truth.balls.rectangle", [] { expect_balls("rectangle"); });
+const Test environment("truth.balls.environment", [] { expect_balls("environment"); });
 const Test point("truth.balls.point", [] { expect_balls("point"); });
 
 } // namespace

@@ -36,12 +36,12 @@ scene::Stage stage_for(const Arguments& arguments) {
     const scene::Bounds bounds = scene::bounds_of(scene);
     const float aspect = static_cast<float>(arguments.width) / static_cast<float>(arguments.height);
     scene::Stage stage =
-        scene::set_stage(std::move(scene), arguments.scene, {"auto", scene::Rig::studio, aspect});
+        scene::set_stage(std::move(scene), arguments.scene, {"auto", scene::Rig::automatic, aspect});
     if (arguments.own_lights) return stage;
     for (scene::Instance& instance : stage.scene.instances) instance.emits_as = {}; // of the lights to come
     if (arguments.softboxes > 0) {
         stage.lights.clear();
-        const auto rig = scene::studio_rig(bounds, stage.camera);
+        const auto rig = scene::softbox_rig(bounds, stage.camera);
         for (int i = 0; i < arguments.softboxes; ++i)
             stage.lights.emplace_back(rig[static_cast<std::size_t>(i) % rig.size()]);
         return stage;

@@ -197,6 +197,23 @@ class CommandLine(unittest.TestCase):
         self.render("b.exr", "--exposure", "2")
         self.assertEqual((self.folder / "a.exr").read_bytes(), (self.folder / "b.exr").read_bytes())
 
+    def test_an_environment_lights_the_scene_and_is_its_background(self):
+        def pixels(name, *arguments):
+            self.render(name, *arguments)
+            return (self.folder / name).read_bytes()
+
+        alone = pixels("alone.exr", "--rig", "none")
+        seen = pixels("seen.exr", "--environment", "0.5")
+        hidden = pixels("hidden.exr", "--environment", "0.5", "--hide-environment")
+        self.assertEqual(len({alone, seen, hidden}), 3)
+        self.assertEqual(hidden, pixels("too.exr", "--environment", "0.5", "--hide-environment", "--environment-rotation", "90"))
+        self.assertNotEqual(seen, pixels("strong.exr", "--environment", "0.5", "--environment-strength", "2"))
+        for refused, status in (("-1", 2), ("nosuch.hdr", 3), (str(self.folder / "x.png"), 3)):
+            result = run("render", SCENE, "-o", self.folder / "no.exr", "--environment", refused)
+            self.assertEqual(result.returncode, status, result.stderr)
+            self.assertEqual(result.stdout, "")
+            self.assertFalse((self.folder / "no.exr").exists())
+
     def test_a_black_picture_has_a_reason(self):
         triangle = {"asset": {"version": "2.0"}, "scenes": [{"nodes": [0, 1]}], "scene": 0,
                     "nodes": [{"mesh": 0}, {"name": "away", "camera": 0, "translation": [0, 0, -5]}],

@@ -61,8 +61,11 @@ class Export(cli_test.CommandLine):
     def test_export_lights_what_only_glows_as_render_does(self):
         scene = self.folder / "detail.gltf"
         scene.write_text(json.dumps(glowing_detail()))
-        root = self.export(scene)
-        self.assertEqual(len(root.findall("shape[@type='rectangle']/emitter")), 3)  # the softboxes
+        studio = self.export(scene).findall("emitter[@type='envmap']/string")
+        self.assertEqual(len(studio), 1)
+        self.assertTrue((self.folder / "out" / studio[0].get("value")).is_file())
+        root = self.export(scene, "--rig", "softboxes")
+        self.assertEqual(len(root.findall("shape[@type='rectangle']/emitter")), 3)
         self.assertEqual(len(root.findall("shape[@type='ply']/emitter")), 1)
         self.assertEqual(len(self.export(scene, "--rig", "none").findall("shape/emitter")), 1)
 

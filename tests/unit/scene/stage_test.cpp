@@ -41,15 +41,75 @@ const Test cameras("unit.scene.stage.cameras_by_name_index_and_default", [] {
     }
 });
 
-const Test rig("unit.scene.stage.a_dark_scene_gets_softboxes_and_says_so", [] {
-    const Stage lit = set_stage(Scene{}, "f", {});
-    EXPECT_EQ(lit.lights.size(), 3u);
+/// A white square of 1 m in the plane z = 0 that faces the camera "auto".
+Scene square() {
+    Scene scene;
+    scene.materials.push_back({});
+    Mesh quad;
+    quad.positions = {{-0.5f, -0.5f, 0}, {0.5f, -0.5f, 0}, {0.5f, 0.5f, 0}, {-0.5f, 0.5f, 0}};
+    quad.normals.assign(4, vec3(0, 0, 1));
+    quad.indices = {0, 1, 2, 0, 2, 3};
+    scene.meshes.push_back(quad);
+    scene.instances.push_back({0, mat4(1.0f), "square"});
+    return scene;
+}
+
+/// The square, lit by one light.
+Stage lit_by(const Light& light, Rig rig = Rig::automatic) {
+    Scene scene = square();
+    scene.lights.push_back(light);
+    return set_stage(std::move(scene), "f", {"auto", rig});
+}
+
+const Test rig("unit.scene.stage.a_scene_without_light_gets_the_studio_and_says_so", [] {
+    const Stage lit = set_stage(square(), "f", {});
+    ASSERT_EQ(lit.lights.size(), 1u);
+    ASSERT_TRUE(std::holds_alternative<EnvironmentLight>(lit.lights[0]));
+    EXPECT_FALSE(std::get<EnvironmentLight>(lit.lights[0]).is_visible);
     EXPECT_EQ(lit.remarks.size(), 1u);
-    EXPECT_TRUE(lit.scene.instances.empty()) << "softboxes are not seen";
-    EXPECT_TRUE(set_stage(Scene{}, "f", {"", Rig::none}).lights.empty());
-    Scene own;
-    own.lights.emplace_back(PointLight{});
-    EXPECT_EQ(set_stage(own, "f", {}).lights.size(), 1u);
+    EXPECT_EQ(lit.rig, Rig::studio);
+    const Stage dark = set_stage(square(), "f", {"", Rig::none});
+    EXPECT_TRUE(dark.lights.empty());
+    EXPECT_EQ(dark.remarks.size(), 1u) << "that almost nothing is lit";
+    const Stage softboxes = set_stage(square(), "f", {"", Rig::softboxes});
+    EXPECT_EQ(softboxes.lights.size(), 3u);
+    EXPECT_EQ(softboxes.scene.instances.size(), 1u) << "softboxes are not seen";
+    Scene unlit = square();
+    unlit.materials[0].is_unlit = true;
+    EXPECT_TRUE(set_stage(unlit, "f", {}).lights.empty()) << "it needs no light";
+});
+
+const Test arriving("unit.scene.stage.the_studio_comes_where_the_scenes_own_light_does_not_arrive", [] {
+    const PointLight in_front{"", {0, 0, 2}}, behind{"", {0, 0, -2}};
+    EXPECT_EQ(lit_by(in_front).lights.size(), 1u);
+    EXPECT_TRUE(lit_by(in_front).remarks.empty());
+    EXPECT_EQ(lit_by(in_front, Rig::studio).lights.size(), 2u) << "it comes where it is asked for";
+    EXPECT_EQ(lit_by(behind).lights.size(), 2u);
+    EXPECT_EQ(lit_by(behind).remarks.size(), 1u);
+    EXPECT_EQ(lit_by(DirectionalLight{"", {0, 0, -1}}).lights.size(), 1u);
+    EXPECT_EQ(lit_by(DirectionalLight{"", {0, 0, 1}}).lights.size(), 2u);
+    PointLight weak = in_front;
+    weak.I = vec3(1e-6f);
+    EXPECT_EQ(lit_by(weak).lights.size(), 1u) << "exposure shows what all of the picture gets";
+    SpotLight beside{"", {0, 0, 2}};
+    beside.direction = vec3(1, 0, 0);
+    EXPECT_EQ(lit_by(beside).lights.size(), 2u) << "out of its cone";
+});
+
+// A headlight: it glows at the edge of the body and shines away from it.
+const Test headlight("unit.scene.stage.a_glowing_detail_is_no_lamp", [] {
+    Scene scene = square();
+    Material glow;
+    glow.emission = vec3(1.0f);
+    scene.materials.push_back(glow);
+    scene.meshes.push_back(scene.meshes[0]);
+    scene.meshes[1].material = 1;
+    mat4 small(0.05f);
+    small[3] = vec4(0.4f, 0.0f, 0.001f, 1.0f);
+    scene.instances.push_back({1, small, "headlight"});
+    const Stage stage = set_stage(scene, "f", {});
+    EXPECT_EQ(stage.rig, Rig::studio);
+    EXPECT_EQ(stage.lights.size(), 2u);
 });
 
 // Hidden emitters give the same light and are not seen: no surface for a light, no L_e on an emissive one.
@@ -65,6 +125,7 @@ const Test hidden("unit.scene.stage.hidden_emitters_still_light", [] {
     scene.meshes.push_back(quad);
     scene.instances.push_back({0, mat4(1.0f), "glow"});
     StageOptions options;
+    options.rig = Rig::none;
     const Stage seen = set_stage(scene, "f", options);
     options.hide_emitters = true;
     const Stage unseen = set_stage(scene, "f", options);
