@@ -20,7 +20,7 @@ struct Opened {
     std::vector<int> frames;
     std::optional<scene::Bounds> extent; // of all frames
     std::optional<scene::EnvironmentLight> environment;
-    double seconds = 0.0;                // that it took
+    double seconds = 0.0; // that it took
 };
 
 /// @throws Error if the animation ends before
@@ -93,8 +93,8 @@ void remark_on_estimator(const RenderCommand& command, const scene::Stage& stage
     if (command.estimator != render::Estimator::analytic) return;
     for (const scene::Light& light : stage.lights) {
         if (const auto* environment = std::get_if<scene::EnvironmentLight>(&light))
-            fmt::print(stderr, "{}: '{}' surrounds the scene: it is sampled{}\n", command.scene, environment->name,
-                       environment->map ? "" : ", but for Lambert's surfaces");
+            fmt::print(stderr, "{}: '{}' surrounds the scene: it is sampled{}\n", command.scene,
+                       environment->name, environment->map ? "" : ", but for Lambert's surfaces");
         const auto* mesh = std::get_if<scene::MeshLight>(&light);
         if (mesh && mesh->triangles.size() > render::most_outlined_triangles)
             fmt::print(stderr, "{}: '{}' has {} emissive triangles, more than {}: it is sampled\n",

@@ -193,14 +193,16 @@ void declare_machine(CLI::App& command, RenderCommand& o) {
 } // namespace
 
 void declare_rig(CLI::App& command, scene::Rig& rig, EnvironmentArguments& environment) {
-    parsed(command, "--rig",
-           "what lights the scene besides its own lamps: a studio; three softboxes; nothing; or the studio if "
-           "almost nothing would be lit (default: auto)",
-           "auto|studio|softboxes|none", rig_named, [&rig](scene::Rig given) { rig = given; });
+    parsed(
+        command, "--rig",
+        "what lights the scene besides its own lamps: a studio; three softboxes; nothing; or the studio if "
+        "almost nothing would be lit (default: auto)",
+        "auto|studio|softboxes|none", rig_named, [&rig](scene::Rig given) { rig = given; });
     command
-        .add_option("--environment", environment.source,
-                    "light from outside, seen as the background: an equirectangular .hdr or .exr in cd/m² whose "
-                    "middle column is -Z, or one radiance for all directions")
+        .add_option(
+            "--environment", environment.source,
+            "light from outside, seen as the background: an equirectangular .hdr or .exr in cd/m² whose "
+            "middle column is -Z, or one radiance for all directions")
         ->type_name("FILE|L|R,G,B");
     command
         .add_option("--environment-rotation", environment.degrees,

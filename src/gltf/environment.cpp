@@ -81,10 +81,12 @@ std::optional<scene::EnvironmentLight> environment_of(const Document& document, 
                       R"(state one, as in "file": "sky.hdr" or "radiance": [1, 1, 1])");
     if (stated.Has("radiance"))
         for (int c = 0; c < 3; ++c)
-            light.L[c] = static_cast<float>(stated.Get("radiance").Get(static_cast<std::size_t>(c)).GetNumberAsDouble());
+            light.L[c] = static_cast<float>(
+                stated.Get("radiance").Get(static_cast<std::size_t>(c)).GetNumberAsDouble());
     const float strength = number("strength", 1.0);
     light.L *= strength;
-    if (!(light.L.r >= 0.0f && light.L.g >= 0.0f && light.L.b >= 0.0f) || !std::isfinite(light.L.r + light.L.g + light.L.b))
+    if (!(light.L.r >= 0.0f && light.L.g >= 0.0f && light.L.b >= 0.0f)
+        || !std::isfinite(light.L.r + light.L.g + light.L.b))
         document.fail("the scene's environment has a radiance or a strength that is negative or too large",
                       "use numbers from 0 up");
     light.rotation = number("rotation", 0.0);
@@ -92,8 +94,10 @@ std::optional<scene::EnvironmentLight> environment_of(const Document& document, 
     if (stated.Has("file")) {
         const std::string uri = stated.Get("file").Get<std::string>();
         if (uri.empty() || uri.starts_with("data:"))
-            document.fail("the scene's environment does not name its file", R"(name one beside the glTF, as in "file": "sky.hdr")");
-        read_uri(uri, document.folder, {document.name, "the scene's environment"}); // refuses what leaves the folder
+            document.fail("the scene's environment does not name its file",
+                          R"(name one beside the glTF, as in "file": "sky.hdr")");
+        read_uri(uri, document.folder,
+                 {document.name, "the scene's environment"}); // refuses what leaves the folder
         std::vector<std::string> heard;
         light.map = read_environment(document.folder / uri, heard);
         light.name = std::filesystem::path(uri).stem().string();

@@ -8,9 +8,9 @@
 
 namespace sr::gltf {
 
-/// Reads a picture of linear radiance, .exr or .hdr, of any proportions up to 2^25 texels: it is stretched over all
-/// directions. The first three channels are RGB, a single one is grey. Texels that are negative or no numbers count as
-/// 0, infinite ones as 65504, the largest half float; `warnings` hears how many.
+/// Reads a picture of linear radiance, .exr or .hdr, of any proportions up to 2^25 texels: it is stretched
+/// over all directions. The first three channels are RGB, a single one is grey. Texels that are negative or
+/// no numbers count as 0, infinite ones as 65504, the largest half float; `warnings` hears how many.
 /// @throws Error for another format, a broken file, or a larger one
 std::shared_ptr<const scene::EnvironmentMap> read_environment(const std::filesystem::path& file,
                                                               std::vector<std::string>& warnings);

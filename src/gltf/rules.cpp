@@ -271,10 +271,8 @@ const Rule node = record({{"name", &text},
                           {"weights", &numbers},
                           {"extensions", &node_extensions},
                           {"extras", &node_extras_rule()}});
-const Rule scene = record({{"nodes", &node_indices},
-                           {"name", &text},
-                           {"extensions", &object},
-                           {"extras", &scene_extras_rule()}});
+const Rule scene = record(
+    {{"nodes", &node_indices}, {"name", &text}, {"extensions", &object}, {"extras", &scene_extras_rule()}});
 
 const Rule buffers = list_of(buffer);
 const Rule images = list_of(image);

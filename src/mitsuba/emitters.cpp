@@ -83,7 +83,8 @@ public:
         }
         xml_.open("emitter", "envmap");
         xml_.text("filename", output_.textures.file_of(*light.map, light.L));
-        const mat3 half_turn(vec3(-1, 0, 0), vec3(0, 1, 0), vec3(0, 0, -1)); // its left edge shows -Z, not its middle
+        const mat3 half_turn(vec3(-1, 0, 0), vec3(0, 1, 0),
+                             vec3(0, 0, -1)); // its left edge shows -Z, not its middle
         xml_.transform("to_world", mat4(glm::transpose(light.map_from_world()) * half_turn));
         xml_.close();
     }

@@ -55,8 +55,8 @@ std::string Textures::file_of(int index, Part part, vec3 factor) {
 }
 
 std::string Textures::file_of(const scene::EnvironmentMap& map, vec3 factor) {
-    // Mitsuba's first row is at the pole itself and its left edge shows -Z. Rows half as far apart as ours begin
-    // at the pole and still hold all of our rows' middles, between which radiance is linear.
+    // Mitsuba's first row is at the pole itself and its left edge shows -Z. Rows half as far apart as ours
+    // begin at the pole and still hold all of our rows' middles, between which radiance is linear.
     const int width = map.width(), height = 2 * map.height() + 1;
     image::Image picture(width, height, 3);
     for (int j = 0; j < height; ++j) {

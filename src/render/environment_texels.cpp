@@ -10,7 +10,8 @@ std::size_t EnvironmentTexels::place_of(const std::shared_ptr<const scene::Envir
     const auto known = std::ranges::find(places_, map, &Place::map);
     if (known != places_.end()) return known->first;
     const std::size_t first = texels_.size();
-    if (first > std::size_t{1} << 24) throw Error("two environments are too large together", "use a smaller one");
+    if (first > std::size_t{1} << 24)
+        throw Error("two environments are too large together", "use a smaller one");
     float above = 0.0f;
     for (int j = 0; j < map->height(); ++j) {
         const float cdf = map->row_cdf()[static_cast<std::size_t>(j)];

@@ -51,10 +51,7 @@ class Packer {
 public:
     Packer(const scene::Scene& scene, EmissionMaps& maps, EnvironmentTexels& environments,
            std::size_t light_count)
-        : scene_(scene),
-          maps_(maps),
-          environments_(environments),
-          first_(light_count * texels_per_light) {}
+        : scene_(scene), maps_(maps), environments_(environments), first_(light_count * texels_per_light) {}
 
     Texels operator()(const scene::PointLight& light) {
         Texels t = round(blank(light.position, point_light, light.I), light.radius);

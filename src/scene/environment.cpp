@@ -126,8 +126,8 @@ double EnvironmentMap::density(vec3 w) const {
 vec3 EnvironmentMap::sample(vec2 u) const {
     require(has_light(), "an environment without light is not sampled");
     const int j = entry_at(row_cdf_.data(), height_, u.y);
-    const int i = entry_at(&texel_cdf_[static_cast<std::size_t>(j) * static_cast<std::size_t>(width_)],
-                           width_, u.x);
+    const int i =
+        entry_at(&texel_cdf_[static_cast<std::size_t>(j) * static_cast<std::size_t>(width_)], width_, u.x);
     const vec2 heights = pole_heights(j);
     const float height = glm::mix(heights.x, heights.y, u.y);
     const float y = 2 * j < height_ ? 1.0f - height : height - 1.0f;

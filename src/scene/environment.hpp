@@ -44,8 +44,8 @@ public:
 
     /// Of one texel in row j [sr].
     double solid_angle(int j) const;
-    /// Where row j begins and ends, as 1 - cos of the angle to the nearer pole: to +Y where 2 j < height(), else
-    /// to -Y. Near a pole nothing cancels.
+    /// Where row j begins and ends, as 1 - cos of the angle to the nearer pole: to +Y where 2 j < height(),
+    /// else to -Y. Near a pole nothing cancels.
     vec2 pole_heights(int j) const;
 
 private:

@@ -158,8 +158,8 @@ struct EnvironmentLight {
     std::string name;
     vec3 L{1.0f};                                // radiance [cd/m²]; with a map: its factor [1]
     std::shared_ptr<const EnvironmentMap> map{}; // null: the same radiance in every direction
-    float rotation = 0.0f;  // of the map around +Y, counter-clockwise seen from above [rad]
-    bool is_visible = true; // false: it lights the scene but cameras do not see it
+    float rotation = 0.0f;          // of the map around +Y, counter-clockwise seen from above [rad]
+    bool is_visible = true;         // false: it lights the scene but cameras do not see it
     bool passes_back_faces = false; // see passes_back_faces() below
 
     /// To the map's own axes, from the world.

@@ -131,7 +131,7 @@ struct Append {
     void operator()(const SpotLight&) const {} // its radiance, as a profile's, depends on the direction
     void operator()(const DirectionalLight&) const {}
     void operator()(const EnvironmentLight&) const {} // seen behind everything, not as a surface
-    void operator()(const MeshLight&) const {} // its surface is the mesh that it came from
+    void operator()(const MeshLight&) const {}        // its surface is the mesh that it came from
     void operator()(const RectangleLight& light) const { append_flat(scene, light, light.map.texture); }
     void operator()(const DiskLight& light) const { append_flat(scene, light, light.map.texture); }
     void operator()(const PolygonLight& light) const { append_flat(scene, light, -1); }

@@ -14,14 +14,14 @@ constexpr int columns = 64, rows = 36;
 /// A light, or a part of one, as a point.
 struct Source {
     vec3 position{0.0f};
-    vec3 axis{0.0f};             // unit; zero: none
-    float I = 0.0f;              // along the axis, as luminous intensity [cd]
-    float area = 0.0f;           // [m²]; nearer than this allows nothing gets brighter
-    bool is_flat = false;        // I falls with the cosine
-    bool is_two_sided = false;   // of a flat one
-    float outer_cosine = -2.0f;  // of a spot
-    bool is_parallel = false;    // I is E [lx], the axis where it goes
-    bool is_everywhere = false;  // I is E, whatever faces where
+    vec3 axis{0.0f};            // unit; zero: none
+    float I = 0.0f;             // along the axis, as luminous intensity [cd]
+    float area = 0.0f;          // [m²]; nearer than this allows nothing gets brighter
+    bool is_flat = false;       // I falls with the cosine
+    bool is_two_sided = false;  // of a flat one
+    float outer_cosine = -2.0f; // of a spot
+    bool is_parallel = false;   // I is E [lx], the axis where it goes
+    bool is_everywhere = false; // I is E, whatever faces where
 };
 
 float luminance_of(vec3 rgb) { return static_cast<float>(luminance(glm::dvec3(rgb))); }
@@ -35,11 +35,14 @@ float mean_luminance(const Scene& scene, int texture) {
         [](const auto& texels) {
             const std::size_t count = texels.size() / 4;
             const std::size_t step = std::max<std::size_t>(1, count / 1021); // a prime: no column of its own
-            const auto most = static_cast<double>(std::numeric_limits<std::decay_t<decltype(texels[0])>>::max());
+            const auto most =
+                static_cast<double>(std::numeric_limits<std::decay_t<decltype(texels[0])>>::max());
             double sum = 0.0;
             std::size_t taken = 0;
             for (std::size_t i = 0; i < count; i += step, ++taken)
-                sum += std::pow(luminance({texels[4 * i] / most, texels[4 * i + 1] / most, texels[4 * i + 2] / most}), 2.2);
+                sum += std::pow(
+                    luminance({texels[4 * i] / most, texels[4 * i + 1] / most, texels[4 * i + 2] / most}),
+                    2.2);
             return taken > 0 ? static_cast<float>(sum / static_cast<double>(taken)) : 0.0f;
         },
         image.texels);
@@ -56,7 +59,8 @@ public:
         all.push_back({light.position, vec3(0.0f), I, pi * light.radius * light.radius});
     }
     void operator()(const SpotLight& light) {
-        Source source{light.position, light.direction, luminance_of(light.I), pi * light.radius * light.radius};
+        Source source{light.position, light.direction, luminance_of(light.I),
+                      pi * light.radius * light.radius};
         source.outer_cosine = std::cos(light.outer_angle);
         all.push_back(source);
     }
@@ -76,7 +80,8 @@ public:
         all.push_back({light.center, vec3(0.0f), disk * luminance_of(light.L), disk});
     }
     void operator()(const TubeLight& light) {
-        const float side = 4.0f * light.radius * glm::length(light.half_axis) + pi * light.radius * light.radius;
+        const float side =
+            4.0f * light.radius * glm::length(light.half_axis) + pi * light.radius * light.radius;
         all.push_back({light.center, vec3(0.0f), side * luminance_of(light.L), side});
     }
     void operator()(const RectangleLight& light) { flat(light, light.center, light.map.texture); }
@@ -92,7 +97,8 @@ public:
             const vec3 across = glm::cross(c[1] - c[0], c[2] - c[0]);
             const float doubled = glm::length(across);
             if (doubled > 0.0f)
-                add_flat((c[0] + c[1] + c[2]) / 3.0f, across / doubled, 0.5f * doubled, L, light.is_two_sided);
+                add_flat((c[0] + c[1] + c[2]) / 3.0f, across / doubled, 0.5f * doubled, L,
+                         light.is_two_sided);
         }
     }
 
@@ -101,8 +107,8 @@ public:
 private:
     template<class Flat>
     void flat(const Flat& light, vec3 center, int texture) {
-        add_flat(center, light.normal(), light.area(), luminance_of(light.L) * mean_luminance(scene_, texture),
-                 light.is_two_sided);
+        add_flat(center, light.normal(), light.area(),
+                 luminance_of(light.L) * mean_luminance(scene_, texture), light.is_two_sided);
     }
     void add_flat(vec3 center, vec3 normal, float area, float L, bool is_two_sided) {
         all.push_back({center, normal, L * area, area, true, is_two_sided});
@@ -122,7 +128,8 @@ float irradiance(const Source& source, vec3 x, vec3 n) {
     float cos_y = source.is_flat ? -glm::dot(source.axis, wi) : 1.0f;
     if (source.is_two_sided) cos_y = std::abs(cos_y);
     if (source.outer_cosine > -glm::dot(source.axis, wi)) return 0.0f;
-    return source.I * std::max(cos_y, 0.0f) * std::max(glm::dot(n, wi), 0.0f) / std::max(d2, source.area / pi);
+    return source.I * std::max(cos_y, 0.0f) * std::max(glm::dot(n, wi), 0.0f)
+           / std::max(d2, source.area / pi);
 }
 
 /// What a point of the picture sees.
@@ -223,7 +230,8 @@ void draw(Picture& picture, const Scene& scene) {
         for (std::size_t t = 0; t + 2 < mesh.indices.size(); t += 3) {
             std::array<vec3, 3> corners;
             for (std::size_t i = 0; i < 3; ++i)
-                corners[i] = vec3(instance.world_from_object * vec4(mesh.positions[mesh.indices[t + i]], 1.0f));
+                corners[i] =
+                    vec3(instance.world_from_object * vec4(mesh.positions[mesh.indices[t + i]], 1.0f));
             picture.draw(corners, material, mirrors);
         }
     }
@@ -251,15 +259,17 @@ std::optional<float> lit_share(const Scene& scene, std::span<const Light> lights
         for (std::size_t i = 0; i < sources.all.size(); i += step)
             E += static_cast<float>(step) * irradiance(sources.all[i], seen.x, seen.n);
         lit.push_back(E / pi);
-        const float L_e = seen.material->is_emissive() ? luminance_of(seen.material->emission)
-                                                             * mean_luminance(scene, seen.material->emission_texture.texture)
-                                                       : 0.0f;
+        const float L_e = seen.material->is_emissive()
+                              ? luminance_of(seen.material->emission)
+                                    * mean_luminance(scene, seen.material->emission_texture.texture)
+                              : 0.0f;
         bright.push_back(E / pi + L_e);
     }
     if (lit.empty()) return std::nullopt;
     const auto at = static_cast<std::ptrdiff_t>(0.95 * static_cast<double>(bright.size()));
     std::nth_element(bright.begin(), bright.begin() + at, bright.end());
-    const float least = std::max(bright[static_cast<std::size_t>(at)] / 200.0f, std::numeric_limits<float>::min());
+    const float least =
+        std::max(bright[static_cast<std::size_t>(at)] / 200.0f, std::numeric_limits<float>::min());
     return static_cast<float>(std::ranges::count_if(lit, [&](float L) { return L >= least; }))
            / static_cast<float>(lit.size());
 }

@@ -27,7 +27,7 @@ struct StageOptions {
 };
 
 struct Stage {
-    Scene scene; // with a surface for every visible light, unless emitters are hidden
+    Scene scene;               // with a surface for every visible light, unless emitters are hidden
     std::vector<Light> lights; // the scene's emitters, then its environment, then the rig
     Camera camera;
     Rig rig = Rig::none; // that lights the scene

@@ -210,7 +210,8 @@ private:
 
     /// A light that the file did not have: a rectangle, a sphere or a point.
     void add_light(const scene::Light& light, bool is_on) {
-        if (std::holds_alternative<scene::EnvironmentLight>(light)) return; // the studio comes by itself, where it is due
+        if (std::holds_alternative<scene::EnvironmentLight>(light))
+            return; // the studio comes by itself, where it is due
         ordered_json node{{"name", std::visit([](const auto& l) { return l.name; }, light)}};
         ordered_json steradian;
         if (const auto* flat = std::get_if<scene::RectangleLight>(&light)) {

@@ -35,7 +35,8 @@ void expect_lawful(const scene::EnvironmentLight& light) {
     const render::GpuScene scene(nothing, std::vector{view.light});
     expect_counts(view, scene,
                   evaluate("#include \"light/sample_light.glsl\"",
-                           "return vec4(light_along(0, a.xyz, b.xyz).p, 0.0, 0.0, 0.0);", grid(view), &scene));
+                           "return vec4(light_along(0, a.xyz, b.xyz).p, 0.0, 0.0, 0.0);", grid(view),
+                           &scene));
 }
 
 const Test sampling("law.emitter.environment.sampling_matches_density", [] {
@@ -52,22 +53,24 @@ const Test twin("law.emitter.environment.is_the_scenes_own", [] {
     const std::vector<scene::Light> lights{light};
     const render::GpuScene scene(nothing, lights);
     const std::vector<Row> rows = grid({light, {0, 0, 0}, {0, 1, 0}, pi});
-    const auto values =
-        evaluate("#include \"light/sample_light.glsl\"",
-                 "LightSample s = light_along(0, a.xyz, b.xyz); return vec4(s.Li_over_p * s.p, s.p);", rows, &scene);
+    const auto values = evaluate(
+        "#include \"light/sample_light.glsl\"",
+        "LightSample s = light_along(0, a.xyz, b.xyz); return vec4(s.Li_over_p * s.p, s.p);", rows, &scene);
     int wrong = 0;
     for (std::size_t i = 0; i < rows.size(); i += 17) {
         const vec3 w(rows[i][1]);
         const float L = light.radiance(w).g;
         const double p = light.map->density(light.map_from_world() * w);
-        wrong += std::abs(values[i].y - L) > 1e-3f * L + 1e-3f || std::abs(values[i].w - p) > 1e-3 * p + 1e-12;
+        wrong +=
+            std::abs(values[i].y - L) > 1e-3f * L + 1e-3f || std::abs(values[i].w - p) > 1e-3 * p + 1e-12;
     }
     EXPECT_LE(wrong, 20) << "on the very edges of texels";
 });
 
 /// The mean of a picture's red channel over the plane, which looks at the origin alone.
 double plane_under(const scene::EnvironmentLight& light, render::Visibility visibility, int samples) {
-    const auto image = picture(lambert_plane(1.0f), std::vector<scene::Light>{light}, camera_from_above(1e-6f), 16, samples, 0, visibility);
+    const auto image = picture(lambert_plane(1.0f), std::vector<scene::Light>{light},
+                               camera_from_above(1e-6f), 16, samples, 0, visibility);
     double sum = 0.0;
     for (int i = 0; i < 16 * 16; ++i) {
         EXPECT_TRUE(std::isfinite(image.pixels[static_cast<std::size_t>(4 * i)]));
@@ -82,10 +85,12 @@ const Test furnace("law.emitter.environment.furnace", [] {
     light.L = vec3(3.0f);
     EXPECT_NEAR(plane_under(light, render::Visibility::none, 256) / 3.0, 1.0, 2e-3);
     EXPECT_NEAR(plane_under(light, render::Visibility::ray, 256) / 3.0, 1.0, 2e-3);
-    EXPECT_NEAR(plane_under(with(std::vector<vec3>(32, vec3(1.0f)), 8), render::Visibility::ray, 256), 1.0, 2e-3);
+    EXPECT_NEAR(plane_under(with(std::vector<vec3>(32, vec3(1.0f)), 8), render::Visibility::ray, 256), 1.0,
+                2e-3);
 });
 
-// E of a map, by the midpoints of a fine grid over its hemisphere; a texel of 10^9 neither burns nor vanishes.
+// E of a map, by the midpoints of a fine grid over its hemisphere; a texel of 10^9 neither burns nor
+// vanishes.
 const Test hot("law.emitter.environment.a_hot_texel_is_sampled_not_clamped", [] {
     for (const float hottest : {2.0f, 1e4f, 1e9f}) {
         const scene::EnvironmentLight light = uneven(hottest);
@@ -93,8 +98,10 @@ const Test hot("law.emitter.environment.a_hot_texel_is_sampled_not_clamped", [] 
         constexpr int rings = 600, sectors = 1200;
         for (int r = 0; r < rings; ++r)
             for (int s = 0; s < sectors; ++s) {
-                const double y = (r + 0.5) / rings, phi = 2.0 * pi * (s + 0.5) / sectors, across = std::sqrt(1.0 - y * y);
-                E += light.radiance(vec3(across * std::cos(phi), y, across * std::sin(phi))).r * y * 2.0 * pi / (rings * sectors);
+                const double y = (r + 0.5) / rings, phi = 2.0 * pi * (s + 0.5) / sectors,
+                             across = std::sqrt(1.0 - y * y);
+                E += light.radiance(vec3(across * std::cos(phi), y, across * std::sin(phi))).r * y * 2.0 * pi
+                     / (rings * sectors);
             }
         EXPECT_NEAR(plane_under(light, render::Visibility::ray, 512) * pi / E, 1.0, 5e-3) << hottest;
     }
@@ -107,7 +114,8 @@ const Test white("law.emitter.environment.white_is_1_under_the_studio", [] {
     constexpr int rows = 300, columns = 600;
     for (int j = 0; j < rows; ++j)
         for (int i = 0; i < columns; ++i) {
-            const double y = 2.0 * (j + 0.5) / rows - 1.0, phi = 2.0 * pi * (i + 0.5) / columns, across = std::sqrt(1.0 - y * y);
+            const double y = 2.0 * (j + 0.5) / rows - 1.0, phi = 2.0 * pi * (i + 0.5) / columns,
+                         across = std::sqrt(1.0 - y * y);
             const vec3 w(across * std::cos(phi), y, across * std::sin(phi));
             E += std::max(glm::dot(n, w), 0.0f) * studio.radiance(w).g * 4.0 * pi / (rows * columns);
         }

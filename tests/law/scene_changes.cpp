@@ -43,7 +43,8 @@ public:
         for (vec3& corner : light.corners) corner = place(corner);
         if (is_mirror_) std::reverse(light.corners.begin(), light.corners.end());
     }
-    void operator()(scene::EnvironmentLight&) const {} // it turns around +Y alone, so generated scenes have none
+    void operator()(scene::EnvironmentLight&) const {
+    }                                           // it turns around +Y alone, so generated scenes have none
     void operator()(scene::MeshLight&) const {} // a surface of the scene: it moves with its instance
 
 private:

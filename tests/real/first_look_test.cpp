@@ -1,4 +1,5 @@
-// The first look at somebody's own model: what no lamp of a file lights looks right under the studio, as a screen shows it.
+// The first look at somebody's own model: what no lamp of a file lights looks right under the studio, as a
+// screen shows it.
 #include "core/error.hpp"
 #include "gltf/load.hpp"
 #include "image/display.hpp"
@@ -28,8 +29,7 @@ struct Shares {
 };
 
 Shares shares_of(const image::Image& film) {
-    const image::Image screen =
-        image::displayed(film, image::auto_ev100(film), image::ToneCurve::neutral);
+    const image::Image screen = image::displayed(film, image::auto_ev100(film), image::ToneCurve::neutral);
     Shares shares;
     for (int y = 0; y < film.height; ++y)
         for (int x = 0; x < film.width; ++x) {
@@ -60,8 +60,8 @@ std::optional<image::Image> first_look(const fs::path& file) {
     }
 }
 
-/// What of a file is black by its own materials, most of the covered pixels that may be below code 8: rows of balls
-/// of black base colour and a specular factor of 0, and panels of nothing but a coat.
+/// What of a file is black by its own materials, most of the covered pixels that may be below code 8: rows of
+/// balls of black base colour and a specular factor of 0, and panels of nothing but a coat.
 double most_black(const fs::path& file) {
     if (file.filename() == "ClearCoatTest.glb") return 0.22;
     if (file.filename() == "SpecularTest.glb") return 0.35;
@@ -72,9 +72,11 @@ double most_black(const fs::path& file) {
 std::vector<fs::path> files_below(const fs::path& folder) {
     std::vector<fs::path> files;
     const std::set<std::string> left_out{"hostile", "compare", "nan"};
-    for (auto entry = fs::recursive_directory_iterator(folder); entry != fs::recursive_directory_iterator(); ++entry) {
+    for (auto entry = fs::recursive_directory_iterator(folder); entry != fs::recursive_directory_iterator();
+         ++entry) {
         if (left_out.contains(entry->path().filename().string())) entry.disable_recursion_pending();
-        if (entry->path().extension() == ".glb" || entry->path().extension() == ".gltf") files.push_back(entry->path());
+        if (entry->path().extension() == ".glb" || entry->path().extension() == ".gltf")
+            files.push_back(entry->path());
     }
     std::ranges::sort(files);
     return files;
@@ -92,8 +94,9 @@ const Test look("real.first_look.is_neither_burnt_nor_black", [] {
         const auto film = first_look(file);
         if (!film) continue;
         const Shares shares = shares_of(*film);
-        fmt::print("{:<40} {:>6} covered, {:5.2f} % burnt, {:5.2f} % black, brightest {}\n", file.filename().string(),
-                   shares.covered, 100.0 * shares.burnt, 100.0 * shares.black, shares.brightest);
+        fmt::print("{:<40} {:>6} covered, {:5.2f} % burnt, {:5.2f} % black, brightest {}\n",
+                   file.filename().string(), shares.covered, 100.0 * shares.burnt, 100.0 * shares.black,
+                   shares.brightest);
         if (shares.covered == 0) continue;
         ++looked_at;
         EXPECT_LE(shares.burnt, 0.02) << file;

@@ -35,13 +35,15 @@ scene::Mesh ball() {
     return mesh;
 }
 
-/// A coloured, turned environment of few texels, with black ones and one that is much brighter than the others.
+/// A coloured, turned environment of few texels, with black ones and one that is much brighter than the
+/// others.
 scene::EnvironmentLight sky() {
     constexpr int width = 16, height = 9;
     std::vector<vec3> texels;
     for (int i = 0; i < width * height; ++i)
         texels.push_back(i % 7 == 3 ? vec3(0.0f)
-                                    : 0.2f * vec3(1 + i % 5, 1 + i % 3, 2 + i / width) / static_cast<float>(1 + i % 2));
+                                    : 0.2f * vec3(1 + i % 5, 1 + i % 3, 2 + i / width)
+                                          / static_cast<float>(1 + i % 2));
     texels[3 * width + 1] = vec3(12.0f, 10.0f, 6.0f);
     scene::EnvironmentLight light;
     light.map = std::make_shared<const scene::EnvironmentMap>(width, height, std::move(texels));

@@ -86,7 +86,8 @@ Measured rendered_ball(std::string_view brdf, std::string_view light) {
     const render::GpuScene gpu_scene(scene, scene.lights, render::Visibility::ray);
     // All pixels of a frame share the place within the pixel, which is most of the noise under a point: few
     // large pixels are as good there, and sets have to be told apart by whole pixels.
-    const Samples samples{2, 8, light == "environment" ? 16 : 8}; // half of an environment is below the horizon
+    const Samples samples{2, 8,
+                          light == "environment" ? 16 : 8}; // half of an environment is below the horizon
     std::vector<image::Image> sets = sets_of(gpu_scene, ball_camera(), ball_size, samples);
     for (image::Image& set : sets) set = reduced(set, samples.enlargement);
     return with_shared_noise(measured(sets, 1));

@@ -15,7 +15,8 @@ namespace {
 /// Texels of uneven light, one of them as hot as the sun.
 EnvironmentMap uneven() {
     std::vector<vec3> texels;
-    for (int i = 0; i < 16 * 7; ++i) texels.emplace_back(0.1f * static_cast<float>(i % 11), 0.5f, 0.01f * static_cast<float>(i));
+    for (int i = 0; i < 16 * 7; ++i)
+        texels.emplace_back(0.1f * static_cast<float>(i % 11), 0.5f, 0.01f * static_cast<float>(i));
     texels[40] = vec3(1e9f);
     return {16, 7, texels};
 }
@@ -41,7 +42,9 @@ const Test rotation("unit.scene.environment.rotation_is_counter_clockwise_seen_f
 
 const Test bilinear("unit.scene.environment.radiance_is_bilinear_and_goes_around", [] {
     const EnvironmentMap map(4, 2, {vec3(0), vec3(1), vec3(2), vec3(3), vec3(4), vec3(5), vec3(6), vec3(7)});
-    const auto at = [&](float x, float y) { return map.radiance(EnvironmentMap::direction_of({x / 4, y / 2})).x; };
+    const auto at = [&](float x, float y) {
+        return map.radiance(EnvironmentMap::direction_of({x / 4, y / 2})).x;
+    };
     EXPECT_NEAR(at(1.5f, 0.5f), 1.0f, 1e-5f);
     EXPECT_NEAR(at(2.0f, 1.0f), 3.5f, 1e-5f);
     EXPECT_NEAR(at(4.0f, 0.5f), 1.5f, 1e-4f) << "between the last column and the first";
