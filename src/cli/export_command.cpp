@@ -1,5 +1,6 @@
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
+#include "core/output.hpp"
 #include "gltf/load.hpp"
 #include "mitsuba/write.hpp"
 #include "scene/emitters.hpp"
@@ -42,13 +43,13 @@ void export_scene(const ExportCommand& command) {
     gltf::LoadOptions options = command.moment;
     options.scene = command.scene_index;
     gltf::Loaded loaded = gltf::load(command.scene, options);
-    for (const std::string& warning : loaded.warnings) fmt::print(stderr, "{}\n", warning);
+    for (const std::string& warning : loaded.warnings) write_remark(warning);
     const scene::Stage stage = staged(command, asked, std::move(loaded.scene));
-    for (const std::string& remark : stage.remarks) fmt::print(stderr, "{}\n", remark);
+    for (const std::string& remark : stage.remarks) write_remark(remark);
     const Size size = asked.value_or(picture_size(stage.camera.aspect_ratio()));
     const auto warnings =
         mitsuba::write({stage.scene, stage.camera, size.width, size.height}, command.folder);
-    for (const std::string& warning : warnings) fmt::print(stderr, "{}: {}\n", command.scene, warning);
+    for (const std::string& warning : warnings) print_remark("{}: {}", command.scene, warning);
 }
 
 } // namespace

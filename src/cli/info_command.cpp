@@ -1,5 +1,7 @@
 #include "cli/commands.hpp"
 #include "cli/light_description.hpp"
+#include "core/output.hpp"
+#include "core/text.hpp"
 #include "gl/context.hpp"
 #include "gltf/extensions.hpp"
 #include "gltf/load.hpp"
@@ -37,15 +39,15 @@ ordered_json backends_json() {
 }
 
 void print_backends(const ordered_json& backends) {
-    fmt::print("Steradian {}\n\nOpenGL backends, in the order in which --backend auto tries them:\n",
+    print_data("Steradian {}\n\nOpenGL backends, in the order in which --backend auto tries them:\n",
                STERADIAN_VERSION);
     for (const auto& entry : backends) {
         if (entry["works"])
-            fmt::print("  {:<8} {}\n           OpenGL {}, GLSL {} ({})\n", entry["name"].get<std::string>(),
+            print_data("  {:<8} {}\n           OpenGL {}, GLSL {} ({})\n", entry["name"].get<std::string>(),
                        entry["GL_RENDERER"].get<std::string>(), entry["GL_VERSION"].get<std::string>(),
                        entry["GLSL_VERSION"].get<std::string>(), entry["kind"].get<std::string>());
         else
-            fmt::print("  {:<8} does not work here: {}\n", entry["name"].get<std::string>(),
+            print_data("  {:<8} does not work here: {}\n", entry["name"].get<std::string>(),
                        entry["failure"].get<std::string>());
     }
 }
@@ -123,13 +125,13 @@ ordered_json scene_json(const std::string& file) {
 void print_scene(const ordered_json& json) {
     for (const auto& [key, value] : json.items()) {
         if (!value.is_array() && !value.is_object())
-            fmt::print("{:<22} {}\n", key, value.is_string() ? value.get<std::string>() : value.dump());
+            print_data("{:<22} {}\n", key, value.is_string() ? shown(value.get<std::string>()) : value.dump());
         else if (value.empty())
-            fmt::print("{:<22} none\n", key);
+            print_data("{:<22} none\n", key);
         else
             for (const auto& [name, entry] : value.items())
-                fmt::print("{:<22} {}{}\n", key, value.is_object() ? name + " " : "",
-                           key == "lights" ? line_of(entry) : text_of(entry));
+                print_data("{:<22} {}{}\n", key, value.is_object() ? name + " " : "",
+                           shown(key == "lights" ? line_of(entry) : text_of(entry)));
     }
 }
 
@@ -151,7 +153,7 @@ void add_info_command(CLI::App& app) {
         const bool is_scene = !arguments->scene.empty();
         const ordered_json json = is_scene ? scene_json(arguments->scene) : backends_json();
         if (arguments->json)
-            fmt::print("{}\n", json.dump(2, ' ', false, ordered_json::error_handler_t::replace));
+            write_json(json.dump(2, ' ', false, ordered_json::error_handler_t::replace));
         else if (is_scene)
             print_scene(json);
         else

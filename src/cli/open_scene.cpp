@@ -1,6 +1,7 @@
 #include "cli/open_scene.hpp"
 
 #include "core/error.hpp"
+#include "core/output.hpp"
 #include "gltf/load.hpp"
 
 #include <algorithm>
@@ -86,7 +87,7 @@ void remark_on_estimator(const RenderCommand& command, const scene::Stage& stage
     for (const scene::Light& light : stage.lights) {
         const auto* mesh = std::get_if<scene::MeshLight>(&light);
         if (mesh && mesh->triangles.size() > render::most_outlined_triangles)
-            fmt::print(stderr, "{}: '{}' has {} emissive triangles, more than {}: it is sampled\n",
+            print_remark("{}: '{}' has {} emissive triangles, more than {}: it is sampled",
                        command.scene, mesh->name, mesh->triangles.size(), render::most_outlined_triangles);
     }
 }
@@ -103,7 +104,7 @@ OpenScene open_scene(const RenderCommand& command, PhaseTimes& times) {
     Opened opened = loading.get();
     times.end("wait for load");
     times.add("load (beside start)", opened.seconds);
-    for (const std::string& warning : opened.asset.warnings()) fmt::print(stderr, "{}\n", warning);
+    for (const std::string& warning : opened.asset.warnings()) write_remark(warning);
     OpenScene result{std::move(context),
                      {},
                      {},
@@ -116,7 +117,7 @@ OpenScene open_scene(const RenderCommand& command, PhaseTimes& times) {
         result.stage = scene::set_stage(std::move(result.stage.scene), command.scene, result.stage_options);
     else
         show_frame(result, command, result.frames.front());
-    for (const std::string& remark : result.stage.remarks) fmt::print(stderr, "{}\n", remark);
+    for (const std::string& remark : result.stage.remarks) write_remark(remark);
     remark_on_estimator(command, result.stage);
     result.size = command.size.value_or(picture_size(result.stage.camera.aspect_ratio()));
     times.end("stage");

@@ -1,5 +1,7 @@
 #include "cli/outputs.hpp"
 
+#include "core/output.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -70,13 +72,13 @@ void remark_on(const image::Image& film, const RenderCommand& command, const sce
     }
     const auto& file = command.scene;
     if (broken > 0)
-        fmt::print(stderr, "{}: {} pixels are not finite: they are magenta in .png and .jpg\n", file, broken);
+        print_remark("{}: {} pixels are not finite: they are magenta in .png and .jpg", file, broken);
     if (stage.scene.instances.empty()) return; // the loader has said so
     if (covered == 0)
-        fmt::print(stderr, "{}: camera '{}' sees no surface: --camera auto frames the scene\n", file,
+        print_remark("{}: camera '{}' sees no surface: --camera auto frames the scene", file,
                    stage.camera.name);
     else if (lit == 0)
-        fmt::print(stderr, "{}: no light reaches what camera '{}' sees: the picture is black\n", file,
+        print_remark("{}: no light reaches what camera '{}' sees: the picture is black", file,
                    stage.camera.name);
 }
 

@@ -13,6 +13,7 @@ namespace sr::gltf {
 class Decoding {
 public:
     /// Starts at once. `sources` are indices into `document.images`; the document must outlive this.
+    /// @throws Error if they have more texels in all than the limit
     Decoding(const Document& document, std::vector<int> sources);
     /// Waits for the images that are being decoded, and skips the rest.
     ~Decoding();
@@ -25,10 +26,14 @@ public:
     std::vector<scene::TextureImage> images();
 
 private:
+    /// Reads what is to be decoded, and counts its texels before any are allocated.
+    void read_files();
     void work();
 
     const Document& document_;
     std::vector<int> sources_;
+    std::vector<std::vector<std::uint8_t>> files_;
+    std::vector<Bytes> bytes_; // in files_ or in a buffer
     std::vector<scene::TextureImage> images_;
     std::vector<std::exception_ptr> errors_;
     std::atomic<std::size_t> next_{0};

@@ -1,6 +1,8 @@
 #include "gltf/json.hpp"
 
 #include "core/error.hpp"
+#include "core/json_scan.hpp"
+#include "core/limits.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -11,26 +13,6 @@ namespace {
 using nlohmann::json;
 
 constexpr int deepest = 128;
-
-// Counted on the text: nlohmann's parser callback, which is told the depth, makes parsing quadratic in the
-// length of arrays (3.11 looks through all earlier siblings after each element).
-bool is_too_deep(std::string_view text) {
-    int depth = 0;
-    bool is_in_string = false;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const char c = text[i];
-        if (c == '"')
-            is_in_string = !is_in_string;
-        else if (is_in_string)
-            i += c == '\\' ? 1 : 0;
-        else if (c == '{' || c == '[')
-            ++depth;
-        else if (c == '}' || c == ']')
-            --depth;
-        if (depth > deepest) return true;
-    }
-    return false;
-}
 
 // nlohmann's text is "[json.exception…] parse error at line 3, column 5: <what>"; `what` may quote the file's
 // bytes.
@@ -66,7 +48,9 @@ std::string description(const std::exception& error) {
 } // namespace
 
 json parse(const Container& container, const std::string& name) {
-    if (is_too_deep(container.json))
+    const JsonExtent extent = json_extent(container.json);
+    check_limit(Limit::json_values, extent.values, name);
+    if (extent.depth > deepest)
         throw Error({name}, fmt::format("the JSON is nested deeper than {} levels", deepest),
                     "flatten the extras or extensions that do so");
     try {
@@ -76,7 +60,7 @@ json parse(const Container& container, const std::string& name) {
     } catch (const json::parse_error& error) {
         fail_at(error.byte, error, container, name);
     } catch (const json::exception& error) { // a number that fits no double
-        throw Error({name}, "the JSON cannot be read (" + description(error) + ")", "export the file again");
+        fail_at(overflowing_number(container.json).value_or(0) + 1, error, container, name);
     }
 }
 

@@ -1,12 +1,12 @@
 #include "gltf/uri.hpp"
 
 #include "core/error.hpp"
+#include "core/file.hpp"
 #include "gltf/text.hpp"
 
 #include <algorithm>
 #include <array>
 #include <fmt/format.h>
-#include <fstream>
 #include <optional>
 
 namespace sr::gltf {
@@ -117,26 +117,6 @@ fs::path contained(std::string_view uri, const fs::path& folder, const UriPlace&
 }
 
 } // namespace
-
-std::vector<std::uint8_t> read_file(const fs::path& file, const std::string& name,
-                                    const std::string& problem_prefix) {
-    std::error_code ignored;
-    const auto fail_to = [&](std::string_view problem, std::string_view remedy) {
-        throw Error({name}, problem_prefix + std::string(problem), remedy);
-    };
-    const fs::file_status status = fs::status(file, ignored);
-    if (!fs::exists(status)) fail_to("no such file", "check the path");
-    if (fs::is_directory(status)) fail_to("this is a folder", "name a file");
-    if (!fs::is_regular_file(status)) fail_to("this is not a regular file", "name a file");
-    std::ifstream stream(file, std::ios::binary | std::ios::ate);
-    if (!stream) fail_to("the file cannot be opened", "check its permissions");
-    const std::streamoff size = stream.tellg();
-    std::vector<std::uint8_t> bytes(static_cast<std::size_t>(std::max<std::streamoff>(size, 0)));
-    stream.seekg(0);
-    stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-    if (!stream && !bytes.empty()) fail_to("the file cannot be read to its end", "check the disk");
-    return bytes;
-}
 
 std::vector<std::uint8_t> read_uri(std::string_view uri, const fs::path& folder, const UriPlace& place) {
     if (uri.starts_with("data:")) return read_data_uri(uri, place);

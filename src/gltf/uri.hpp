@@ -21,9 +21,4 @@ struct UriPlace {
 std::vector<std::uint8_t> read_uri(std::string_view uri, const std::filesystem::path& folder,
                                    const UriPlace& place);
 
-/// The whole file. @throws Error calling it `name`, followed by `problem_prefix` where the caller needs
-/// context.
-std::vector<std::uint8_t> read_file(const std::filesystem::path& file, const std::string& name,
-                                    const std::string& problem_prefix = "");
-
 } // namespace sr::gltf

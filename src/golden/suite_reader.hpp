@@ -30,6 +30,9 @@ public:
     std::vector<SuiteReader> objects(const std::string& key) const;
     /// A required text.
     std::string required_text(const std::string& key) const;
+    /// `text`, which stands at `key`, as a path in `folder`. @throws Error if the system takes no such path
+    std::filesystem::path path(const std::string& key, const std::string& text,
+                               const std::filesystem::path& folder) const;
 
     /// @throws Error at the first member that is not among `keys`.
     void allow_only(std::initializer_list<const char*> keys) const;
@@ -40,6 +43,8 @@ public:
                               const std::string& what_to_do) const;
 
 private:
+    void refuse_nul(const std::string& key, const nlohmann::json& text) const;
+
     const JsonText* text_;
     Pointer place_;
 };

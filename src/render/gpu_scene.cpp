@@ -1,6 +1,7 @@
 #include "render/gpu_scene.hpp"
 
 #include "core/error.hpp"
+#include "core/parallel.hpp"
 #include "render/gpu_texture.hpp"
 #include "render/light_table.hpp"
 #include "scene/transform.hpp"
@@ -153,8 +154,9 @@ void GpuScene::upload_textures(const scene::Scene& scene) {
     std::vector<std::future<ReadyImage>> ready;
     ready.reserve(uses.size());
     for (const ImageUse& use : uses)
-        ready.push_back(
-            std::async(std::launch::async, make_ready, std::cref(scene.images[use.image]), use.color_space));
+        ready.push_back(started([&image = scene.images[use.image], space = use.color_space] {
+            return make_ready(image, space);
+        }));
     for (std::size_t i = 0; i < uses.size(); ++i) {
         const ReadyImage image = ready[i].get();
         images_.push_back(upload(image.rounded ? *image.rounded : scene.images[uses[i].image],

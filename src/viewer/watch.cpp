@@ -1,6 +1,8 @@
 #include "viewer/watch.hpp"
 
-#include <fstream>
+#include "core/error.hpp"
+#include "core/file.hpp"
+
 #include <nlohmann/json.hpp>
 
 namespace sr::viewer {
@@ -35,23 +37,20 @@ void collect(const json& value, const fs::path& folder, std::vector<fs::path>& f
 }
 
 /// The JSON of a .gltf, or the first chunk of a .glb (glTF 2.0, section 4.4).
+/// The JSON of a .gltf or .glb; empty if the file cannot be read.
 std::string json_of(const fs::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    std::string head(20, '\0');
-    in.read(head.data(), static_cast<std::streamsize>(head.size()));
-    if (in && head.starts_with("glTF")) {
-        std::uint32_t length = 0;
-        for (std::size_t i = 0; i < 4; ++i)
-            length |= static_cast<std::uint32_t>(static_cast<unsigned char>(head[12 + i])) << (8 * i);
-        std::error_code failure;
-        if (length > fs::file_size(file, failure) || failure) return {};
-        std::string text(length, '\0');
-        in.read(text.data(), length);
-        return text;
+    std::string text;
+    try {
+        text = read_text(file);
+    } catch (const Error&) { // it will be read again, and then the user is told
+        return {};
     }
-    in.clear();
-    in.seekg(0);
-    return {std::istreambuf_iterator<char>(in), {}};
+    constexpr std::size_t head = 20; // of the GLB and of its first chunk
+    if (text.size() < head || !text.starts_with("glTF")) return text;
+    std::uint32_t length = 0;
+    for (std::size_t i = 0; i < 4; ++i)
+        length |= static_cast<std::uint32_t>(static_cast<unsigned char>(text[12 + i])) << (8 * i);
+    return text.substr(head, length);
 }
 
 } // namespace
