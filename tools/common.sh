@@ -5,6 +5,7 @@ cd "$root"
 
 say() { printf '\033[1m== %s\033[0m\n' "$*" >&2; }
 fail() { printf '%s\n' "$*" >&2; exit 3; }
+refuse() { printf '%s: see %s --help\n' "$*" "$0" >&2; exit 2; } # an argument that a script does not know
 
 # Runs a phase, says how long it took, and returns its status. (Within it `set -e` is off: join commands with &&.)
 phase() {
@@ -21,6 +22,10 @@ help_if_asked() {
   case " $* " in
     *' --help '* | *' -h '*) sed -n '2,/^$/s/^# \{0,1\}//p' "$0"; exit 0 ;;
   esac
+}
+
+require_writable_checkout() {
+  [[ -w . ]] || fail "$root: cannot be written: clone it (git clone '$root' DIR), or build elsewhere (cmake -S '$root' -B DIR)"
 }
 
 configure_and_build() { # PRESET [TARGET...]

@@ -8,6 +8,6 @@ LightSample point_on_light(int k, Surface x) {
     return sample_from_point(k, map_point(k, 0), x.position);
 }
 
-float V_of_point(int k, Surface x, LightSample light) {
+vec3 V_of_point(int k, Surface x, LightSample light) {
     return V_by_map(x, map_point(k, 0), light.wi, light.distance, k);
 }

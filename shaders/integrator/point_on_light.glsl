@@ -7,4 +7,6 @@
 
 LightSample point_on_light(int k, Surface x) { return sample_light(k, x.position, random_point(uint(k) + 1u)); }
 
-float V_of_point(int k, Surface x, LightSample light) { return visibility(x, light.wi, light.distance, k, towards_light); }
+vec3 V_of_point(int k, Surface x, LightSample light) {
+    return vec3(visibility(x, light.wi, light.distance, k, towards_light));
+}

@@ -19,8 +19,7 @@
 vec3 integrand_over_p(Surface x, LightSample light, vec3 wo, int k, int ray) {
     float cos_i = cosine(x, light.wi);
     if (!(cos_i > 0.0) || light.Li_over_p == vec3(0.0)) return vec3(0.0);
-    float V = visibility(x, light.wi, light.distance, k, ray);
-    return f_r(x, light.wi, wo) * light.Li_over_p * V * cos_i;
+    return f_r(x, light.wi, wo) * light.Li_over_p * visibility(x, light.wi, light.distance, k, ray) * cos_i;
 }
 
 // The share of the integral that a point of density p answers for, where another could have come with density q.

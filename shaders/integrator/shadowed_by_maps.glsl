@@ -19,14 +19,14 @@ vec3 shadowed(vec3 U, int k, Surface x, vec3 wo) {
     vec3 w_V = vec3(0.0);
     vec3 w_sum = vec3(0.0);
     float n = 0.0;
-    float m = 0.0;
-    float V = 0.0; // in the end that of the middle, where it is needed
+    vec3 m = vec3(0.0);
+    vec3 V = vec3(0.0); // in the end that of the middle, where it is needed
     for (int i = 0; i < N || (i == N && n < 2.0); ++i) {
         MapPoint y = map_point(k, i);
         LightSample light = sample_from_point(k, y, x.position);
         float cos_i = cosine(x, light.wi);
         bool shines = light.Li_over_p != vec3(0.0);
-        V = 0.0;
+        V = vec3(0.0);
         if (shines) V = V_by_map(x, y, light.wi, light.distance, k);
         if (i == N || !shines || !(cos_i > 0.0)) continue;
         vec3 w = f_r(x, light.wi, wo) * light.Li_over_p * cos_i;

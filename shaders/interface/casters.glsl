@@ -15,6 +15,7 @@ struct Caster {
     int first_light;  // the lights that this surface is
     int end_light;
     float own_share;  // a ray to one of them ignores hits within this last part of its length
+    float front;      // of a single-sided surface: 1 on the side of cross(1 - 0, 2 - 0), -1 on the other; 0: both sides block
     int alpha_mode;
     int wrap_u;       // of the alpha map: scene::Wrap
     int wrap_v;
@@ -26,6 +27,7 @@ struct Caster {
 Caster caster_at(int texel) {
     vec4 t0 = texelFetch(caster_data, texel);
     vec4 t1 = texelFetch(caster_data, texel + 1);
-    int modes = int(t0.w); // alpha_mode + 4 wrap_u + 16 wrap_v
-    return Caster(int(t0.x), int(t0.y), t0.z, modes & 3, (modes >> 2) & 3, modes >> 4, t1.x, int(t1.y), ivec2(t1.zw));
+    int modes = int(t0.w); // alpha_mode + 4 wrap_u + 16 wrap_v + 64 (0, 1 or 2: front 0, 1 or -1)
+    float front = modes < 64 ? 0.0 : modes < 128 ? 1.0 : -1.0;
+    return Caster(int(t0.x), int(t0.y), t0.z, front, modes & 3, (modes >> 2) & 3, (modes >> 4) & 3, t1.x, int(t1.y), ivec2(t1.zw));
 }

@@ -28,6 +28,7 @@ const bool has_clearcoat = false;
 const bool has_sheen = false;
 const bool has_iridescence = false;
 const bool has_energy_compensation = false;
+const bool is_specular_glossiness = false;
 const bool has_anisotropy_texture = true;
 const bool has_clearcoat_texture = true;
 const bool has_clearcoat_roughness_texture = true;

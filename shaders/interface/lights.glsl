@@ -42,6 +42,9 @@ Light light_at(int index) {
     vec4 t5 = texelFetch(light_table, 8 * index + 5);
     vec4 t6 = texelFetch(light_table, 8 * index + 6);
     vec4 t7 = texelFetch(light_table, 8 * index + 7);
-    return Light(int(t0.w), t0.xyz, t1.xyz, t2.rgb, t1.w, t2.w, t3.w, t3.xyz, t4.xyz, t4.w != 0.0, t5.x, int(t5.y),
+    return Light(int(t0.w), t0.xyz, t1.xyz, t2.rgb, t1.w, t2.w, t3.w, t3.xyz, t4.xyz, (int(t4.w) & 1) != 0, t5.x, int(t5.y),
                  int(t5.z), int(t5.w), int(t6.x), t6.yz, t7.xy, t7.zw);
 }
+
+// Whether single-sided faces that the light meets from behind cast no shadow of it (scene::passes_back_faces).
+bool passes_back_faces(int index) { return texelFetch(light_table, 8 * index + 4).w >= 2.0; }

@@ -1,5 +1,6 @@
 // surface_at_fragment(): from interpolated vertices and textures to the point x of the equation.
 #include "brdf/coat.glsl"
+#include "brdf/lobe_sum.glsl"
 #include "interface/frame.glsl"
 #include "interface/object.glsl"
 #include "surface/shading_normal.glsl"
@@ -67,6 +68,8 @@ Surface surface_at_fragment() {
     x.alpha = alpha_of(rm.x);
     x.F0_dielectric = min(F0_from_ior * layer.rgb, vec3(1.0));
     x.specular = layer.a;
+    // KHR_materials_pbrSpecularGlossiness: c_diff = diffuse (1 - max F0); its F0 is the specular colour (F0_from_ior = 1).
+    if (is_specular_glossiness) x.base_color *= 1.0 - largest(x.F0_dielectric);
     x.specular_color = layer.rgb;
     x.ior = ior_factor.rgb;
     x.extinction = extinction_factor.rgb;

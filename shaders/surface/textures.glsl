@@ -17,8 +17,16 @@ vec4 base_color() {
     return color;
 }
 
+// 1 - roughness is the factor's times the texel's alpha (KHR_materials_pbrSpecularGlossiness).
+float roughness_of_glossiness() {
+    float glossiness = 1.0 - roughness_factor;
+    if (has_specular_color_texture) glossiness *= texture(specular_color_texture, uv(specular_color_slot)).a;
+    return 1.0 - glossiness;
+}
+
 // (roughness, metallic)
 vec2 roughness_metallic() {
+    if (is_specular_glossiness) return vec2(roughness_of_glossiness(), 0.0);
     vec2 factors = vec2(roughness_factor, metallic_factor);
     if (has_metallic_roughness_texture)
         factors *= texture(metallic_roughness_texture, uv(metallic_roughness_slot)).gb;

@@ -5,8 +5,8 @@
 
 uniform samplerBuffer answers;
 
-float visibility(Surface x, vec3 wi, float distance, int light, int ray) {
+vec3 visibility(Surface x, vec3 wi, float distance, int light, int ray) {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     int plane = light * rays_per_light + ray - first_ray;
-    return texelFetch(answers, plane * plane_size + (pixel.y - first_row) * row_size + pixel.x).r;
+    return vec3(texelFetch(answers, plane * plane_size + (pixel.y - first_row) * row_size + pixel.x).r);
 }

@@ -12,10 +12,10 @@ const float smallest_direction = 1e-30; // in place of 0, whose inverse times 0 
 
 vec3 inverse_direction(vec3 d) { return 1.0 / mix(d, vec3(smallest_direction), equal(d, vec3(0.0))); }
 
-float transmittance(Ray ray, int light) {
+vec3 transmittance(Ray ray, int light) {
     vec3 inverse = inverse_direction(ray.direction);
     int count = textureSize(bvh_nodes) / 2;
-    float V = 1.0;
+    vec3 V = vec3(1.0);
     for (int node = 0; node < count;) {
         ivec4 low = texelFetch(bvh_nodes, 2 * node);      // w: the node to skip to
         ivec4 high = texelFetch(bvh_nodes, 2 * node + 1); // w: 0, or of a leaf 8 * first place + count
@@ -28,7 +28,7 @@ float transmittance(Ray ray, int light) {
         node = is_met && high.w == 0 ? node + 1 : low.w;
         if (!is_met || high.w == 0) continue;
         for (int i = 0; i < (high.w & 7); ++i) V *= through_triangle(ray, light, (high.w >> 3) + i);
-        if (V == 0.0) return 0.0;
+        if (V == vec3(0.0)) return V;
     }
     return V;
 }

@@ -3,6 +3,7 @@
 // The signs of the ray's volumes with the edges decide, which two triangles that share an edge compute alike, so no ray
 // slips between them.
 #include "interface/features.glsl"
+#include "interface/lights.glsl"
 #include "visibility/alpha.glsl"
 #include "visibility/origin.glsl"
 
@@ -26,16 +27,19 @@ vec4 meeting(Ray ray, vec3 p0, vec3 p1, vec3 p2) {
     return vec4(dot(a, n) / towards, volumes / sum);
 }
 
-float through_triangle(Ray ray, int light, int place) {
+// The share of the light that goes through, where the ray meets the triangle.
+vec3 through_triangle(Ray ray, int light, int place) {
     vec4 p0 = texelFetch(caster_triangles, 3 * place);
     vec4 p1 = texelFetch(caster_triangles, 3 * place + 1);
     vec4 p2 = texelFetch(caster_triangles, 3 * place + 2);
     vec4 at = meeting(ray, p0.xyz, p1.xyz, p2.xyz);
-    if (at.x < 0.0 || at.x > ray.end) return 1.0;
-    if (p0.w < 0.0) return 0.0;
+    if (at.x < 0.0 || at.x > ray.end) return vec3(1.0);
+    if (p0.w < 0.0) return vec3(0.0);
     Caster caster = caster_at(int(p0.w));
     bool is_own = caster.first_light <= light && light < caster.end_light;
-    if (is_own && at.x >= ray.end * (1.0 - caster.own_share)) return 1.0;
-    if (!has_transparent_casters) return 0.0;
-    return transmittance_at(caster, int(p1.w), at.yzw);
+    if (is_own && at.x >= ray.end * (1.0 - caster.own_share)) return vec3(1.0);
+    bool is_front = caster.front * dot(cross(p1.xyz - p0.xyz, p2.xyz - p0.xyz), ray.direction) < 0.0;
+    if (is_front && passes_back_faces(light)) return vec3(1.0); // the light would come from behind
+    if (!has_transparent_casters) return vec3(0.0);
+    return vec3(transmittance_at(caster, int(p1.w), at.yzw));
 }

@@ -11,7 +11,7 @@
 
 // What the triangle lets through in this frame: nothing or all.
 float through_kept(Ray ray, int light, int triangle, uint map_seed) {
-    float T = through_triangle(ray, light, triangle);
+    float T = through_triangle(ray, light, triangle).x;
     if (T == 0.0 || T == 1.0) return T;
     return is_kept(triangle, map_seed, 1.0 - T) ? 0.0 : 1.0;
 }
@@ -32,7 +32,7 @@ void note(inout Candidates c, int triangle, int own) {
 
 // `distance`: from x along wi to the emitter's surface, beyond which y may lie. Drivers for CPUs do not jump over what a
 // condition leaves out, but they end loops: so a triangle is a turn of a loop, and what depths say is another.
-float V_by_map(Surface x, MapPoint y, vec3 wi, float distance, int light) {
+vec3 V_by_map(Surface x, MapPoint y, vec3 wi, float distance, int light) {
     MapPlace place = map_place(y, x.position);
     vec2 corner = floor(place.at + 0.5);
     Candidates c = Candidates(ivec4(-1), ivec4(-1), 0); // -1, no triangle, is known
@@ -50,11 +50,11 @@ float V_by_map(Surface x, MapPoint y, vec3 wi, float distance, int light) {
     }
     for (bool is_open = turns > 0 && V > 0.0; is_open; is_open = false)
         V = V_by_depths(x, y, place, corner, distance, light);
-    return V;
+    return vec3(V);
 }
 
 // Lights without extent, whose one point is where they are; of others integrator/shadowed_by_maps.glsl takes care.
-float visibility(Surface x, vec3 wi, float distance, int light, int ray) {
-    if (has_extent(light)) return 1.0;
+vec3 visibility(Surface x, vec3 wi, float distance, int light, int ray) {
+    if (has_extent(light)) return vec3(1.0);
     return V_by_map(x, map_point(light, 0), wi, distance, light);
 }

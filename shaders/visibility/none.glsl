@@ -1,4 +1,4 @@
 // V(x, y) = 1: every emitter is seen from everywhere (--visibility none).
 #include "surface/surface.glsl"
 
-float visibility(Surface x, vec3 wi, float distance, int light, int ray) { return 1.0; }
+vec3 visibility(Surface x, vec3 wi, float distance, int light, int ray) { return vec3(1.0); }

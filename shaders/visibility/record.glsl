@@ -6,11 +6,11 @@
 
 const float nowhere = 1e30; // the distance of lights that have no place
 
-float visibility(Surface x, vec3 wi, float distance, int light, int ray) {
+vec3 visibility(Surface x, vec3 wi, float distance, int light, int ray) {
     float name = float(light * rays_per_light + ray + 1);
     vec4 entry = distance < nowhere ? vec4(distance * wi, name) : vec4(wi, -name);
     int place = recorded_count - first_ray;
     if (place >= 0 && place < rays_a_pass) recorded[place] = entry;
     ++recorded_count;
-    return 0.0;
+    return vec3(0.0);
 }

@@ -137,7 +137,7 @@ ExitStatus look_at(BrdfCommand& command) {
     const auto context = gl::open_context({command.backend, false});
     if (command.specimen.is_delta()) {
         print_remark("{}: a delta has no values to check: it reflects its base colour from one direction",
-                   command.name);
+                     command.name);
         brdf::Trial trial(command.specimen);
         write_outputs(command, trial);
         return done;
@@ -174,7 +174,10 @@ void declare_parameters(CLI::App& command, BrdfCommand& o) {
             ->type_name("R,G,B");
     };
     const auto fraction = [&](const char* name, float& value, const char* help) {
-        command.add_option(name, value, help)->check(CLI::Range(0.0f, 1.0f))->capture_default_str();
+        command.add_option(name, value, help)
+            ->check(refusal_of_number)
+            ->check(CLI::Range(0.0f, 1.0f))
+            ->capture_default_str();
     };
     m.base_color = vec4(1.0f);
     m.roughness = 0.5f;
@@ -183,23 +186,32 @@ void declare_parameters(CLI::App& command, BrdfCommand& o) {
     fraction("--roughness", m.roughness, "of gltf, ggx, conductor, oren_nayar");
     fraction("--metallic", m.metallic, "of gltf");
     fraction("--specular", m.specular, "of gltf: weight of the dielectric's layer");
-    command.add_option("--ior", m.ior, "of gltf")->check(CLI::Range(1.0f, 100.0f))->capture_default_str();
+    command.add_option("--ior", m.ior, "of gltf")
+        ->check(refusal_of_number)
+        ->check(CLI::Range(1.0f, 100.0f))
+        ->capture_default_str();
     fraction("--anisotropy", m.anisotropy, "of gltf");
-    command.add_option("--rotation", m.anisotropy_rotation, "of the anisotropy [rad]")->capture_default_str();
+    command.add_option("--rotation", m.anisotropy_rotation, "of the anisotropy [rad]")
+        ->check(refusal_of_number)
+        ->capture_default_str();
     fraction("--clearcoat", m.clearcoat, "of gltf");
     fraction("--clearcoat-roughness", m.clearcoat_roughness, "of gltf");
     color("--sheen-color", "of gltf (default: 0)", [&m](vec3 v) { m.sheen_color = v; });
     fraction("--sheen-roughness", m.sheen_roughness, "of gltf");
     fraction("--iridescence", m.iridescence, "of gltf: weight of a thin film");
     command.add_option("--film-ior", m.film_ior, "of the thin film")
+        ->check(refusal_of_number)
         ->check(CLI::Range(1.0f, 10.0f))
         ->capture_default_str();
     command.add_option("--film-thickness", m.largest_film_thickness, "of the thin film [nm]")
+        ->check(refusal_of_number)
         ->check(CLI::NonNegativeNumber)
         ->capture_default_str();
     command.add_option("--roughness-across", m.roughness_across, "of ggx, conductor: across the tangent")
+        ->check(refusal_of_number)
         ->check(CLI::Range(0.0f, 1.0f));
     command.add_option("--exponent", m.exponent, "of phong, blinn_phong")
+        ->check(refusal_of_number)
         ->check(CLI::Range(0.0f, 1e6f))
         ->capture_default_str();
     color("--specular-color",

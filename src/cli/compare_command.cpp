@@ -1,3 +1,4 @@
+#include "cli/arguments.hpp"
 #include "cli/commands.hpp"
 #include "core/error.hpp"
 #include "core/output.hpp"
@@ -12,7 +13,9 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <fmt/format.h>
+#include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -50,7 +53,7 @@ golden::Encoding encoding_of(const CompareCommand& command) {
     const bool test = is_for_screens(command.test), reference = is_for_screens(command.reference);
     if (test != reference)
         print_remark("one image holds light and the other codes for a screen: their numbers are compared as "
-                   "they are (--encoding tells what they are)");
+                     "they are (--encoding tells what they are)");
     return test && reference ? display_referred : scene_referred;
 }
 
@@ -80,6 +83,8 @@ image::Image read_noise(const std::string& text) {
     char* end = nullptr;
     const float number = std::strtof(text.c_str(), &end);
     if (text.empty() || *end != '\0') return image::read(text);
+    if (!std::isfinite(number) || number < 0.0f)
+        throw CLI::ValidationError("--noise", "'" + text + "' is not a number from 0, nor an image");
     image::Image noise(1, 1, 1);
     noise.pixels[0] = number;
     return noise;
@@ -211,6 +216,7 @@ void declare_scope(CLI::App& command, CompareCommand& o) {
         ->type_name("START,STOP,COUNT")
         ->check(accepted_by(parsed_exposures, "START,STOP,COUNT, such as -2,6,9 (at most 64)"));
     command.add_option("--pixels-per-degree", o.options.pixels_per_degree, "of the screen, for FLIP")
+        ->check(refusal_of_number)
         ->check(CLI::Range(1.0f, 1000.0f))
         ->capture_default_str();
 }

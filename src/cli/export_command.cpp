@@ -1,5 +1,6 @@
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
+#include "cli/render_options.hpp"
 #include "core/output.hpp"
 #include "gltf/load.hpp"
 #include "mitsuba/write.hpp"
@@ -80,6 +81,7 @@ void add_export_command(CLI::App& app) {
         ->add_option("--at", options->moment.at,
                      "the moment of the animation (default: the file's rest pose)")
         ->type_name("SECONDS")
+        ->check(refusal_of_number)
         ->check(CLI::NonNegativeNumber);
     command->add_option("--animation", options->moment.animation,
                         "which one, as render's (default: the first)");
@@ -87,6 +89,7 @@ void add_export_command(CLI::App& app) {
     command->add_option("--rig", options->rig, "what lights a file without any light")
         ->check(CLI::IsMember({"studio", "none"}))
         ->capture_default_str();
+    command->add_flag("--strict", options->moment.is_strict, strict_help);
     command->footer("Examples:\n"
                     "  steradian export scene.glb --to mitsuba scene_for_mitsuba --size 640x360\n"
                     "  python scene_for_mitsuba/render.py -o truth.exr --spp 1024    (pip install mitsuba)\n"

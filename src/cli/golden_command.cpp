@@ -10,6 +10,7 @@
 #include "golden/run.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <fmt/format.h>
@@ -78,7 +79,7 @@ ExitStatus run_suite(GoldenArguments& arguments) {
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     print_data("{} in {:.1f} s; {}\n", summary(*result), seconds,
                shown(golden::report_file(options.output).string()));
-    if (result->count(golden::Outcome::broken) > 0) return worlds_fault; // no picture to judge
+    if (std::ranges::any_of(result->tests, &golden::TestResult::has_unreadable_file)) return worlds_fault;
     return result->passed() ? done : failed_check;
 }
 
@@ -86,8 +87,7 @@ void print_plan(const golden::ApprovalPlan& plan, bool force) {
     for (const std::string& remark : plan.remarks) write_remark(remark);
     for (const golden::Approval& approval : plan.approvals) {
         const char* what = approval.change == "new" ? "add" : approval.change == "equal" ? "keep" : "replace";
-        print_data("{:<8} {}{}{}\n", approval.bytes.empty() ? "-" : what,
-                   shown(approval.golden.string()),
+        print_data("{:<8} {}{}{}\n", approval.bytes.empty() ? "-" : what, shown(approval.golden.string()),
                    approval.change.empty() ? "" : ": ", approval.change);
         for (const golden::Refusal& refusal : approval.refusals)
             print_data("  {}: {}\n", force && refusal.yields_to_force ? "forced" : "refused",
@@ -104,7 +104,7 @@ ExitStatus approve(GoldenArguments& arguments) {
     if (plan.approvals.empty()) print_data("nothing to approve: every test of the last run passed\n");
     if (!plan.is_allowed(options.force)) {
         print_remark("nothing was approved: mend what is refused, or name the other tests{}",
-                   options.force ? "" : ", or use --force where you know better");
+                     options.force ? "" : ", or use --force where you know better");
         return failed_check;
     }
     if (!arguments.dry_run) golden::carry_out(plan);
@@ -157,7 +157,7 @@ void add_run(CLI::App& app, const std::shared_ptr<GoldenArguments>& arguments) {
         ->type_name("DIR");
     command->footer(
         "Writes results.json, junit.xml and report.html. Exit status 0 if every test passed,\n"
-        "1 if one differs or has no golden, 3 if one made no image that can be read.\n"
+        "1 if one did not, 3 if a candidate or golden is no image that can be read.\n"
         "Examples:\n  steradian golden run suite.json\n  steradian golden run suite.json -j 4 --filter "
         "'cornell*' -o out");
     command->callback([arguments] {

@@ -1,5 +1,7 @@
 #include "cli/commands.hpp"
 #include "cli/light_description.hpp"
+#include "cli/render_options.hpp"
+#include "cli/version.hpp"
 #include "core/output.hpp"
 #include "core/text.hpp"
 #include "gl/context.hpp"
@@ -39,8 +41,8 @@ ordered_json backends_json() {
 }
 
 void print_backends(const ordered_json& backends) {
-    print_data("Steradian {}\n\nOpenGL backends, in the order in which --backend auto tries them:\n",
-               STERADIAN_VERSION);
+    print_data("{}\n\nOpenGL backends, in the order in which --backend auto tries them:\n",
+               name_and_version());
     for (const auto& entry : backends) {
         if (entry["works"])
             print_data("  {:<8} {}\n           OpenGL {}, GLSL {} ({})\n", entry["name"].get<std::string>(),
@@ -91,8 +93,10 @@ ordered_json brdfs_json(const scene::Scene& s) {
     return list;
 }
 
-ordered_json scene_json(const std::string& file) {
-    const gltf::Loaded loaded = gltf::load(file);
+ordered_json scene_json(const std::string& file, bool is_strict) {
+    gltf::LoadOptions options;
+    options.is_strict = is_strict;
+    const gltf::Loaded loaded = gltf::load(file, options);
     const scene::Scene& s = loaded.scene;
     const scene::Bounds bounds = scene::bounds_of(s);
     ordered_json cameras = ordered_json::array(), lights = ordered_json::array();
@@ -125,7 +129,8 @@ ordered_json scene_json(const std::string& file) {
 void print_scene(const ordered_json& json) {
     for (const auto& [key, value] : json.items()) {
         if (!value.is_array() && !value.is_object())
-            print_data("{:<22} {}\n", key, value.is_string() ? shown(value.get<std::string>()) : value.dump());
+            print_data("{:<22} {}\n", key,
+                       value.is_string() ? shown(value.get<std::string>()) : value.dump());
         else if (value.empty())
             print_data("{:<22} none\n", key);
         else
@@ -141,17 +146,20 @@ void add_info_command(CLI::App& app) {
     struct Arguments {
         std::string scene;
         bool json = false;
+        bool is_strict = false;
     };
     const auto arguments = std::make_shared<Arguments>();
     CLI::App* command =
         app.add_subcommand("info", "what a scene holds; without a scene, what OpenGL this machine offers");
     command->add_option("SCENE", arguments->scene, "a .gltf or .glb file");
     command->add_flag("--json", arguments->json, "print JSON");
+    command->add_flag("--strict", arguments->is_strict, strict_help);
     command->footer("Examples:\n  steradian info\n  steradian info scene.glb\n  steradian info scene.glb "
                     "--json | jq .lights");
     command->callback([arguments] {
         const bool is_scene = !arguments->scene.empty();
-        const ordered_json json = is_scene ? scene_json(arguments->scene) : backends_json();
+        const ordered_json json =
+            is_scene ? scene_json(arguments->scene, arguments->is_strict) : backends_json();
         if (arguments->json)
             write_json(json.dump(2, ' ', false, ordered_json::error_handler_t::replace));
         else if (is_scene)

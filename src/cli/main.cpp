@@ -1,4 +1,5 @@
 #include "cli/commands.hpp"
+#include "cli/version.hpp"
 #include "core/error.hpp"
 #include "core/limits.hpp"
 #include "core/output.hpp"
@@ -10,6 +11,7 @@
 #include <new>
 #include <sstream>
 #include <system_error>
+#include <vector>
 
 namespace sr::cli {
 namespace {
@@ -52,7 +54,7 @@ std::string limits_help() {
 }
 
 void declare_commands(CLI::App& app) {
-    app.set_version_flag("--version", STERADIAN_VERSION);
+    app.set_version_flag("--version", name_and_version());
     app.require_subcommand(1);
     app.add_option_function<std::vector<std::string>>(
            "--limit",
@@ -73,9 +75,9 @@ void declare_commands(CLI::App& app) {
                "  steradian probe scene.glb --pixel 640,360        the equation at a pixel, term by term\n"
                "  steradian info                                   what OpenGL this machine offers\n"
                "  steradian render --help                          everything that render can do\n\n"
-               + limits_help() +
-               "Exit status: 0 done, 1 a difference or a failed check, 2 usage, 3 a file, shader or driver "
-               "is at fault.");
+               + limits_help()
+               + "Exit status: 0 done, 1 a difference or a failed check, 2 usage, 3 a file, shader or driver "
+                 "is at fault.");
     add_view_command(app);
     add_render_command(app);
     add_probe_command(app);
@@ -116,7 +118,8 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
     using namespace sr::cli;
     sr::occupy_standard_streams();
-    std::signal(SIGPIPE, SIG_IGN); // a reader that leaves is an error of write(), and no reason to lose a picture
+    std::signal(SIGPIPE,
+                SIG_IGN); // a reader that leaves is an error of write(), and no reason to lose a picture
     std::set_terminate(end_by_exception);
     int status = worlds_fault;
     try {

@@ -62,7 +62,11 @@ scene::Bounds extent_of(Opened& opened, const RenderCommand& command) {
 
 Opened open(const RenderCommand& command) {
     PhaseTimes times;
-    Opened opened{gltf::Asset(command.scene, {command.scene_index, command.variant}), {}, {}, {}, {}};
+    Opened opened{gltf::Asset(command.scene, {command.scene_index, command.variant, command.is_strict}),
+                  {},
+                  {},
+                  {},
+                  {}};
     if (command.frames || command.at) opened.animations = opened.asset.animations_named(command.animation);
     if (command.frames) opened.frames = frames_of(opened.asset, opened.animations, command);
     opened.scene = gltf::scene_of(opened.asset, {{}, command.at, command.animation, {}});
@@ -87,9 +91,15 @@ void remark_on_estimator(const RenderCommand& command, const scene::Stage& stage
     for (const scene::Light& light : stage.lights) {
         const auto* mesh = std::get_if<scene::MeshLight>(&light);
         if (mesh && mesh->triangles.size() > render::most_outlined_triangles)
-            print_remark("{}: '{}' has {} emissive triangles, more than {}: it is sampled",
-                       command.scene, mesh->name, mesh->triangles.size(), render::most_outlined_triangles);
+            print_remark("{}: '{}' has {} emissive triangles, more than {}: it is sampled", command.scene,
+                         mesh->name, mesh->triangles.size(), render::most_outlined_triangles);
     }
+}
+
+/// Prints the file's warnings that have not been printed yet: moments of an animation may have their own.
+void tell_new_warnings(OpenScene& open) {
+    for (const std::string& warning : open.asset.warnings())
+        if (open.told.insert(warning).second) write_remark(warning);
 }
 
 } // namespace
@@ -104,14 +114,15 @@ OpenScene open_scene(const RenderCommand& command, PhaseTimes& times) {
     Opened opened = loading.get();
     times.end("wait for load");
     times.add("load (beside start)", opened.seconds);
-    for (const std::string& warning : opened.asset.warnings()) write_remark(warning);
     OpenScene result{std::move(context),
                      {},
                      {},
                      std::move(opened.asset),
                      stage_options(command, opened),
                      std::move(opened.animations),
-                     std::move(opened.frames)};
+                     std::move(opened.frames),
+                     {}};
+    tell_new_warnings(result);
     result.stage.scene = std::move(opened.scene);
     if (result.frames.empty())
         result.stage = scene::set_stage(std::move(result.stage.scene), command.scene, result.stage_options);
@@ -130,6 +141,7 @@ void show_frame(OpenScene& open, const RenderCommand& command, int frame) {
     scene::Scene posed =
         open.asset.posed(std::move(open.stage.scene), {open.animations, seconds_of(frame, command)});
     open.stage = scene::set_stage(std::move(posed), command.scene, open.stage_options);
+    tell_new_warnings(open);
 }
 
 render::GpuScene uploaded(const OpenScene& open, const RenderCommand& command) {

@@ -6,6 +6,8 @@
 #include "render/renderer.hpp"
 
 #include <memory>
+#include <set>
+#include <string>
 #include <vector>
 
 namespace sr::cli {
@@ -18,6 +20,7 @@ struct OpenScene {
     scene::StageOptions stage_options;
     std::vector<int> animations; // that play
     std::vector<int> frames;     // of the sequence that was asked for; empty: a single picture
+    std::set<std::string> told;  // warnings that were printed
 };
 
 /// Opens a context and loads the scene beside it, at the moment that is asked for, or at the first frame;

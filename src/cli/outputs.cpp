@@ -76,10 +76,10 @@ void remark_on(const image::Image& film, const RenderCommand& command, const sce
     if (stage.scene.instances.empty()) return; // the loader has said so
     if (covered == 0)
         print_remark("{}: camera '{}' sees no surface: --camera auto frames the scene", file,
-                   stage.camera.name);
+                     stage.camera.name);
     else if (lit == 0)
         print_remark("{}: no light reaches what camera '{}' sees: the picture is black", file,
-                   stage.camera.name);
+                     stage.camera.name);
 }
 
 bool holds_layers(const std::string& output) { return output.ends_with(".exr") || output.ends_with(".EXR"); }

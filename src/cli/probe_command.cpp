@@ -160,10 +160,10 @@ ExitStatus probe(const ProbeCommand& command) {
         print_remark("interrupted: nothing was printed");
         return interrupted;
     }
-    if (terms->coverage == 0.0f)
-        print_remark("no surface covers this pixel: it shows the background");
+    if (terms->coverage == 0.0f) print_remark("no surface covers this pixel: it shows the background");
     if (command.rendering.json)
-        write_json(as_json(command, open, *terms).dump(2, ' ', false, ordered_json::error_handler_t::replace));
+        write_json(
+            as_json(command, open, *terms).dump(2, ' ', false, ordered_json::error_handler_t::replace));
     else
         print(command, open, *terms);
     return done;

@@ -132,12 +132,12 @@ void remark_on_stop(const Picture& picture, const RenderCommand& command) {
     const int samples = picture.samples.most;
     if (picture.stop.by == StoppedBy::interruption)
         print_remark("interrupted after {} of {} samples: what there is was written{}", samples,
-                   command.stop.samples,
-                   command.light_layers || !command.aovs.empty() ? ", not all layers" : "");
+                     command.stop.samples,
+                     command.light_layers || !command.aovs.empty() ? ", not all layers" : "");
     else if (command.stop.error && picture.stop.by != StoppedBy::error)
         print_remark("{}: stopped by {} after {} samples with an estimated error of {:.3g} %, not {:.3g} %",
-                   command.scene, name_of(picture.stop.by), samples,
-                   100.0 * picture.stop.error.value_or(INFINITY), 100.0 * *command.stop.error);
+                     command.scene, name_of(picture.stop.by), samples,
+                     100.0 * picture.stop.error.value_or(INFINITY), 100.0 * *command.stop.error);
 }
 
 /// Draws, and writes the files. @return absent if nothing was: half a frame of a sequence is not
@@ -145,8 +145,7 @@ std::optional<std::pair<Picture, std::optional<float>>> make_picture(const Work&
                                                                      const gl::Context& context) {
     Picture picture = draw(work);
     if (work.interruption.asks_to_leave()) {
-        print_remark("asked to leave after {} samples: nothing was written",
-                   work.renderer.sample_count());
+        print_remark("asked to leave after {} samples: nothing was written", work.renderer.sample_count());
         return std::nullopt;
     }
     if (work.command.frames && work.interruption.has_come()) {

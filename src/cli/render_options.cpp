@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 namespace sr::cli {
 namespace {
@@ -66,6 +67,7 @@ void declare_picture(CLI::App& command, RenderCommand& o) {
         "up=X,Y,Z fov=DEGREES near= far= if wanted, as the viewer copies it (default: the first, or auto)");
     command.add_option("--scene", o.scene_index, "which of the file's scenes (default: the file's choice)")
         ->check(CLI::NonNegativeNumber);
+    command.add_flag("--strict", o.is_strict, strict_help);
     command
         .add_option("--samples", o.stop.samples,
                     "samples a pixel: sub-pixel positions and points on each emitter")
@@ -105,6 +107,7 @@ void declare_moment(CLI::App& command, RenderCommand& o) {
         .add_option("--at", o.at,
                     "show the animation at this time (default: the file's rest pose, without its animations)")
         ->type_name("SECONDS")
+        ->check(refusal_of_number)
         ->check(CLI::NonNegativeNumber);
     command
         .add_option("--animation", o.animation,
@@ -121,6 +124,7 @@ void declare_sequence(CLI::App& command, RenderCommand& o) {
         "A:B|A:", parsed_frames, [&o](FrameRange range) { o.frames = range; });
     frames->excludes(command.get_option("--at"));
     command.add_option("--fps", o.fps, "frames a second: frame n is at n / fps seconds")
+        ->check(refusal_of_number)
         ->check(CLI::Range(1e-3, 1e6))
         ->needs(frames)
         ->capture_default_str();

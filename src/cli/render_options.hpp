@@ -52,8 +52,13 @@ struct RenderCommand {
     gl::Backend backend = gl::Backend::automatic;
     bool gl_debug = false;
     std::vector<std::string> shaders;
+    bool is_strict = false; // what the file has broken is an error, and no warning
     bool json = false;
 };
+
+/// What --strict does.
+inline constexpr const char* strict_help =
+    "what is broken in the file, or not supported, is an error (status 3) instead of a warning";
 
 /// Declares the options on `command`; parsing fills `options`.
 void declare(CLI::App& command, RenderCommand& options);

@@ -52,6 +52,7 @@ viewer::Options viewer_options(const ViewCommand& command) {
         options.width = r.size->width;
         options.height = r.size->height;
     }
+    options.is_strict = r.is_strict;
     options.is_fullscreen = command.is_fullscreen;
     options.has_inertia = command.has_inertia;
     options.is_verbose = command.is_verbose;

@@ -23,7 +23,7 @@ public:
         // O_NONBLOCK: a FIFO opens at once, and is refused by what it is.
         descriptor_ = open(file.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY);
         if (descriptor_ < 0) refuse(errno);
-        struct stat status{};
+        struct stat status {};
         if (fstat(descriptor_, &status) != 0) refuse_open(errno);
         if (S_ISDIR(status.st_mode)) refuse_open(EISDIR);
         if (!S_ISREG(status.st_mode)) refuse_open(ENXIO);
@@ -60,8 +60,7 @@ private:
         case ENODEV: fail("this is not a regular file", "name a file");
         case EACCES:
         case EPERM: fail("the file cannot be opened", "check its permissions");
-        default:
-            fail(fmt::format("the file cannot be opened ({})", std::strerror(cause)), "check the path");
+        default: fail(fmt::format("the file cannot be opened ({})", std::strerror(cause)), "check the path");
         }
     }
 

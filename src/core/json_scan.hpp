@@ -11,8 +11,9 @@ struct JsonExtent {
     int depth = 0;            // of objects and arrays
 };
 
-/// Counts on the text, which need not be valid. nlohmann's parser callback, which is told the depth, would make
-/// parsing quadratic in the length of arrays (3.11 looks through all earlier siblings after each element).
+/// Counts on the text, which need not be valid. nlohmann's parser callback, which is told the depth, would
+/// make parsing quadratic in the length of arrays (3.11 looks through all earlier siblings after each
+/// element).
 JsonExtent json_extent(std::string_view text);
 
 /// Where the first number begins that no double can hold; nlohmann does not tell.

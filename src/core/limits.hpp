@@ -8,7 +8,18 @@
 namespace sr {
 
 /// The numbers stand in README.md, "Limits".
-enum class Limit { file_bytes, json_values, elements, materials, instances, vertices, values, names, texels, pixels };
+enum class Limit {
+    file_bytes,
+    json_values,
+    elements,
+    materials,
+    instances,
+    vertices,
+    values,
+    names,
+    texels,
+    pixels
+};
 
 struct LimitDescription {
     const char* name; // as --limit takes it

@@ -6,6 +6,7 @@
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
+#include <cstdlib>
 #include <fmt/format.h>
 
 namespace sr::gl {
@@ -15,6 +16,16 @@ std::string glfw_failure() {
     const char* text = nullptr;
     glfwGetError(&text);
     return text ? text : "unknown reason";
+}
+
+/// GLFW 3.4 tries Wayland first where no session says what it is, and libwayland then writes an error to
+/// stderr.
+void choose_platform() {
+#ifdef GLFW_PLATFORM_X11
+    if (!std::getenv("WAYLAND_DISPLAY") && !std::getenv("WAYLAND_SOCKET")
+        && glfwPlatformSupported(GLFW_PLATFORM_X11))
+        glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
+#endif
 }
 
 void hint(const WindowOptions& options) {
@@ -41,6 +52,7 @@ GLFWwindow* open(const WindowOptions& options) {
 } // namespace
 
 Window::Window(const WindowOptions& options) {
+    choose_platform();
     if (!glfwInit())
         throw Error(fmt::format("window: {}", glfw_failure()),
                     options.is_visible ? "set DISPLAY to a display that can be reached, or render without a "

@@ -2,6 +2,7 @@
 // Where GLSL sources come from. A shader path is a list of roots; the first that has a file wins, so a root
 // put in front of the others is an overlay.
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>

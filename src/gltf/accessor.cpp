@@ -54,7 +54,7 @@ Elements elements_of(const Document& document, int accessor, std::size_t element
 // than its file has bytes.
 void check_zeros(const Document& document, int accessor) {
     std::size_t bytes = 1 << 16;
-    for (const auto& buffer : document.buffers) bytes += buffer ? buffer->size() : 0;
+    for (const auto& buffer : document.buffers) bytes += buffer.bytes ? buffer.bytes->size() : 0;
     if (at(document, accessor).count > bytes)
         document.fail(fmt::format("/accessors/{} has {} elements and no bufferView", accessor,
                                   at(document, accessor).count),

@@ -47,6 +47,37 @@ Track track_of(const Document& document, const AnimationSource::Sampler& source,
     return track;
 }
 
+/// /animations/A/channels/C
+struct ChannelPlace {
+    std::size_t animation = 0;
+    std::size_t channel = 0;
+};
+
+/// Appends the channel, if it moves anything, and prolongs the animation to its last key in any case.
+void read_channel(Document& document, const ChannelPlace& place, Animation& to, Warnings& warnings) {
+    const AnimationSource& source = document.animations[place.animation];
+    const AnimationSource::Channel& channel = source.channels[place.channel];
+    const std::string pointer = fmt::format("/animations/{}/channels/{}", place.animation, place.channel);
+    if (channel.sampler >= source.samplers.size())
+        document.fail(fmt::format("{}/sampler is {}, and there are {}", pointer, channel.sampler,
+                                  source.samplers.size()),
+                      export_again);
+    const AnimationSource::Sampler& sampler = source.samplers[channel.sampler];
+    if (sampler.input < 0) return; // lost, and warned of
+    const std::string sampler_pointer =
+        fmt::format("/animations/{}/samplers/{}", place.animation, channel.sampler);
+    const double end = times_of(document, sampler.input, sampler_pointer).back();
+    to.duration = std::max(to.duration, end);
+    if (channel.pointer.empty())
+        return warnings.add(fmt::format("{}/target names no node", pointer), "that channel moves nothing");
+    std::optional<Property> property = property_at(document, channel.pointer);
+    if (!property)
+        return warnings.add(fmt::format("{} moves {}", pointer, in_quotes(channel.pointer)),
+                            "that stays as it is: it is not supported, or is not there");
+    to.channels.push_back(
+        {track_of(document, sampler, property->form(), sampler_pointer), *std::move(property)});
+}
+
 } // namespace
 
 void Animation::apply(double seconds) {
@@ -61,24 +92,12 @@ std::vector<Animation> animations_of(Document& document, Warnings& warnings) {
     std::vector<Animation> animations;
     for (std::size_t a = 0; a < document.animations.size(); ++a) {
         const AnimationSource& source = document.animations[a];
-        Animation animation{source.name, 0.0, {}};
+        Animation animation{source.name, 0.0, !document.has_lost(fmt::format("/animations/{}", a)), {}};
         for (std::size_t c = 0; c < source.channels.size(); ++c) {
-            const AnimationSource::Channel& channel = source.channels[c];
-            if (channel.sampler >= source.samplers.size())
-                document.fail(fmt::format("/animations/{}/channels/{}/sampler is {}, and there are {}", a, c,
-                                          channel.sampler, source.samplers.size()),
-                              export_again);
-            if (channel.pointer.empty()) continue;
-            std::optional<Property> property = property_at(document, channel.pointer);
-            if (!property) {
-                warnings.add(fmt::format("an animation moves {}", in_quotes(channel.pointer)),
-                             "that stays as it is: it is not supported, or is not there");
-                continue;
-            }
-            Track track = track_of(document, source.samplers[channel.sampler], property->form(),
-                                   fmt::format("/animations/{}/samplers/{}", a, channel.sampler));
-            animation.duration = std::max(animation.duration, double{track.times.back()});
-            animation.channels.push_back({std::move(track), *std::move(property)});
+            const bool is_read = warnings.attempt("what that channel moves stays as it is", [&] {
+                read_channel(document, {a, c}, animation, warnings);
+            });
+            animation.is_whole = animation.is_whole && is_read;
         }
         animations.push_back(std::move(animation));
     }

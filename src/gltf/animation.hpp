@@ -17,6 +17,7 @@ struct Channel {
 struct Animation {
     std::string name;
     double duration = 0.0; // time of the last key [s]
+    bool is_whole = true;  // false: channels are lost, which may have had later keys
     std::vector<Channel> channels;
 
     /// Sets the properties to their values at a time [s].
@@ -25,8 +26,8 @@ struct Animation {
     void reset();
 };
 
-/// Channels that move nothing, or what is not supported, are left out, the latter with a warning.
-/// @throws Error if a sampler is none, or its keys are not in order, not finite, or not as many as its values
+/// Channels that are broken (a sampler that is not there; keys that are not in order, not finite, or not as
+/// many as values), move nothing, or move what is not supported, are left out, with a warning each.
 std::vector<Animation> animations_of(Document& document, Warnings& warnings);
 
 } // namespace sr::gltf

@@ -4,6 +4,8 @@
 
 #include <cmath>
 #include <fmt/format.h>
+#include <optional>
+#include <variant>
 
 namespace sr::gltf {
 namespace {
@@ -22,9 +24,6 @@ Flat flat(const Document& document, const LightFrame& frame, double size, double
         document.fail(fmt::format("{} has the size {}, the aspect {} and the scale {}", title, size, aspect,
                                   frame.scale),
                       "give positive ones");
-    if (!(glm::length(frame.u) > 0.0))
-        document.fail(fmt::format("{} is scaled to nothing", title),
-                      "give its node a scale that is not zero");
     Flat result;
     result.center = vec3(frame.position);
     result.half_u = vec3(half_width * frame.u);
@@ -32,37 +31,51 @@ Flat flat(const Document& document, const LightFrame& frame, double size, double
     return result;
 }
 
+/// What EXT_lights_area itself says of a light.
+struct AreaSource {
+    std::variant<scene::DiskLight, scene::RectangleLight> light; // its place and size
+    dvec3 own{0.0};                                              // colour times intensity
+};
+
+AreaSource source_of(const Document& document, const PlacedNode& placed, const Value& light,
+                     const std::string& title) {
+    std::string type = text_in(light, "type");
+    if (type.empty()) type = text_in(light, "shape"); // its name in the draft's first versions
+    if (type != "rect" && type != "disk")
+        document.fail(fmt::format("{} has the type {}", title, in_quotes(type)), "give \"rect\" or \"disk\"");
+    const LightFrame frame = sided_frame_of(document, placed, title);
+    const double size = number_in(light, "size", 1.0);
+    const dvec3 own = emitted_color(document, color_in(light), number_in(light, "intensity", 1000.0), title);
+    if (type == "disk") return {flat<scene::DiskLight>(document, frame, size, 1.0, title), own};
+    const double aspect = light.Has("rect") ? number_in(light.Get("rect"), "aspect", 1.0) : 1.0;
+    return {flat<scene::RectangleLight>(document, frame, size, aspect, title), own};
+}
+
 } // namespace
 
-void LightTable::append_area(const PlacedNode& placed) {
+void LightTable::append_area(const PlacedNode& placed, Warnings& warnings) {
     const tinygltf::Node& node = document_.model.nodes[static_cast<std::size_t>(placed.node)];
     const Value* reference = extension(node.extensions, "EXT_lights_area");
     if (!reference) return;
     const int index = whole_in(*reference, "light", 0);
+    if (document_.is_lost(fmt::format("/extensions/EXT_lights_area/lights/{}", index))) return;
     const Value& light = extension(document_.model.extensions, "EXT_lights_area")->Get("lights").Get(index);
     const std::string name = text_in(light, "name");
     const std::string title = light_title("EXT_lights_area", index, name);
-    std::string type = text_in(light, "type");
-    if (type.empty()) type = text_in(light, "shape"); // its name in the draft's first versions
-    if (type != "rect" && type != "disk")
-        document_.fail(fmt::format("{} has the type {}", title, in_quotes(type)),
-                       "give \"rect\" or \"disk\"");
+    std::optional<AreaSource> source;
+    warnings.attempt(without_lamp, [&] { source = source_of(document_, placed, light, title); });
+    if (!source) return;
 
     const Value* stated = steradian_in(node.extras);
     if (stated && stated->Has("shape")) stated = nullptr; // that is a light of its own
-    const LightFrame frame = frame_of(document_, placed, title);
-    const double size = number_in(light, "size", 1.0);
-    const auto finish = [&](auto result) {
-        const dvec3 own =
-            emitted_color(document_, color_in(light), number_in(light, "intensity", 1000.0), title);
-        result.name = name.empty() ? node.name : name;
-        result.map = map_of(stated);
-        state_flat(document_, result, stated, own, title);
-        lights_.emplace_back(std::move(result));
-    };
-    if (type == "disk") return finish(flat<scene::DiskLight>(document_, frame, size, 1.0, title));
-    const double aspect = light.Has("rect") ? number_in(light.Get("rect"), "aspect", 1.0) : 1.0;
-    finish(flat<scene::RectangleLight>(document_, frame, size, aspect, title));
+    std::visit(
+        [&](auto& result) {
+            result.name = name.empty() ? node.name : name;
+            result.map = map_of(stated);
+            state_flat(document_, result, stated, source->own, title);
+            lights_.emplace_back(std::move(result));
+        },
+        source->light);
 }
 
 } // namespace sr::gltf

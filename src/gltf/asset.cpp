@@ -14,14 +14,16 @@
 #include <charconv>
 #include <fmt/format.h>
 #include <numeric>
+#include <set>
 
 namespace sr::gltf {
 
 class Asset::Impl {
 public:
     Impl(const std::filesystem::path& file, const AssetOptions& options)
-        : document_(read_document(file)),
-          warnings_(document_.name),
+        : is_strict_(options.is_strict),
+          warnings_(file.string(), is_strict_),
+          document_(read_document(file, warnings_)),
           scene_index_(options.scene),
           animations_(animations_of(document_, warnings_)),
           drawn_(document_, placed_nodes(document_, options.scene),
@@ -33,15 +35,15 @@ public:
         drawn_.ask_for(materials_);
         scene_.materials = materials_.materials();
         scene_.measured = measured_.brdfs();
-        place_lights(placed_nodes(document_, scene_index_));
+        place_lights(placed_nodes(document_, scene_index_), warnings_);
         scene_.profiles = lights_.profiles();
         scene_.units = unit_system_of(document_);
         scene_.textures = materials_.textures().textures();
         Decoding decoding(document_, materials_.textures().image_sources());
         drawn_.read(materials_, scene_, warnings_);
         mesh_count_ = scene_.meshes.size();
+        scene_.images = decoding.images(warnings_, lost_images_);
         arrange(scene_, materials_);
-        scene_.images = decoding.images();
         list_contents();
         contents_.light_nodes = light_nodes_;
         contents_.material_numbers = materials_.numbers();
@@ -59,7 +61,7 @@ public:
         for (const int animation : moment.animations)
             animations_[static_cast<std::size_t>(animation)].apply(moment.seconds);
         Warnings heard_before(document_.name);
-        MaterialTable materials(document_, measured_, heard_before);
+        MaterialTable materials(document_, measured_, heard_before); // the same as at rest
         drawn_.ask_for(materials);
         scene.materials = materials.materials();
         scene.meshes.resize(mesh_count_);
@@ -77,25 +79,49 @@ private:
         const std::vector<PlacedNode> placed = placed_nodes(document_, scene_index_);
         const std::vector<bool> is_visible = drawn_.pose(placed, scene);
         materials.share_fluxes(scene); // a lamp that is switched off keeps its radiance
+        drop_lost_textures(scene);
         std::erase_if(scene.instances, [&](const scene::Instance& instance) {
             return !is_visible[static_cast<std::size_t>(&instance - scene.instances.data())];
         });
-        scene.lights = place_lights(placed);
+        Warnings here(document_.name, is_strict_);
+        scene.lights = place_lights(placed, here);
         scene.cameras.clear();
         for (const PlacedNode& node : placed)
-            if (document_.model.nodes[static_cast<std::size_t>(node.node)].camera >= 0)
-                scene.cameras.push_back(camera_at(document_, node));
+            if (is_camera(node))
+                here.attempt("that camera is left out",
+                             [&] { scene.cameras.push_back(camera_at(document_, node)); });
+        warnings_.add_new(here);
+    }
+
+    bool is_camera(const PlacedNode& node) const {
+        const int camera = document_.model.nodes[static_cast<std::size_t>(node.node)].camera;
+        return camera >= 0 && !document_.is_lost(fmt::format("/cameras/{}", camera));
+    }
+
+    /// Takes the textures away whose image could not be decoded. What is left of a material is its factors;
+    /// of emission, nothing: most of such a map is black, and a surface that glows all over lights the scene.
+    void drop_lost_textures(scene::Scene& scene) const {
+        const auto is_lost = [&](int texture) {
+            return texture >= 0
+                   && lost_images_.contains(scene.textures[static_cast<std::size_t>(texture)].image);
+        };
+        if (lost_images_.empty()) return;
+        for (scene::Material& material : scene.materials) {
+            if (is_lost(material.emission_texture.texture)) material.emission = vec3(0.0f);
+            for (scene::TextureSlot* slot : scene::texture_slots(material))
+                if (is_lost(slot->texture)) *slot = {};
+        }
     }
 
     /// All lights ask for their textures, so that these have the same numbers at every moment; those that are
     /// visible are given back.
-    std::vector<scene::Light> place_lights(const std::vector<PlacedNode>& placed) {
+    std::vector<scene::Light> place_lights(const std::vector<PlacedNode>& placed, Warnings& warnings) {
         std::vector<scene::Light> visible;
         lights_.clear();
         light_nodes_.clear();
         for (const PlacedNode& node : placed) {
             const std::size_t before = lights_.lights().size();
-            lights_.append(node);
+            lights_.append(node, warnings);
             if (!node.is_visible) continue;
             visible.insert(visible.end(), lights_.lights().begin() + static_cast<std::ptrdiff_t>(before),
                            lights_.lights().end());
@@ -106,7 +132,8 @@ private:
 
     void list_contents() {
         for (const Animation& animation : animations_)
-            contents_.animations.push_back({animation.name, animation.duration, animation.channels.size()});
+            contents_.animations.push_back(
+                {animation.name, animation.duration, animation.channels.size(), animation.is_whole});
         contents_.variants = variants_of(document_);
         contents_.skins = document_.skins.size();
         for (const tinygltf::Mesh& mesh : document_.model.meshes)
@@ -116,8 +143,9 @@ private:
         contents_.extensions_required = document_.extensions_required;
     }
 
-    Document document_;
+    bool is_strict_ = false;
     Warnings warnings_;
+    Document document_;
     std::optional<int> scene_index_;
     std::vector<Animation> animations_; // they point into the document
     DrawnMeshes drawn_;
@@ -126,7 +154,8 @@ private:
     LightTable lights_;
     std::vector<int> light_nodes_; // of those that were placed last
     Contents contents_;
-    scene::Scene scene_; // until it is given away
+    scene::Scene scene_;        // until it is given away
+    std::set<int> lost_images_; // those of the scene that could not be decoded
     std::size_t mesh_count_ = 0;
     bool is_given_ = false;
 };
@@ -176,6 +205,10 @@ double Asset::duration(const std::vector<int>& animations) const {
 
 void Asset::require_within(const Moment& moment) const {
     const double end = duration(moment.animations);
+    // Where channels are lost, nobody knows when they would have ended.
+    for (const int animation : moment.animations)
+        if (!contents().animations[static_cast<std::size_t>(animation)].is_whole && moment.seconds >= 0.0)
+            return;
     if (moment.seconds >= 0.0 && static_cast<float>(moment.seconds) <= static_cast<float>(end)) return;
     impl_->document().fail(
         fmt::format("{} s is beyond its animation, which ends at {:.6g} s", moment.seconds, end),

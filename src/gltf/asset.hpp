@@ -19,6 +19,8 @@ struct AssetOptions {
     std::optional<int> scene{};
     /// A name of KHR_materials_variants; empty: the materials that the primitives name themselves.
     std::string variant{};
+    /// Whatever would be a warning is an Error.
+    bool is_strict = false;
 };
 
 /// What a file has besides what its Scene shows.
@@ -27,6 +29,7 @@ struct Contents {
         std::string name;
         double duration = 0.0;    // [s]
         std::size_t channels = 0; // that move something
+        bool is_whole = true;     // false: channels are broken; it may have been longer
     };
     std::vector<Animation> animations;
     std::vector<std::string> variants;
@@ -57,7 +60,8 @@ public:
     Asset& operator=(Asset&&) noexcept;
 
     const Contents& contents() const;
-    /// One line each, already prefixed with the file's name: what the file asks for and does not get.
+    /// One line each, already prefixed with the file's name: what the file asks for and does not get, at rest
+    /// and at the moments that it was posed at so far. New ones come last.
     std::vector<std::string> warnings() const;
 
     /// The scene as the file has it without its animations. To be called once: the images go with it.

@@ -5,10 +5,10 @@
 
 namespace sr::gltf {
 
-/// Whether this build reads EXT_meshopt_compression.
+/// Whether this build reads EXT_meshopt_compression and KHR_meshopt_compression.
 bool reads_meshopt();
 
-/// Unpacks the buffer views that EXT_meshopt_compression packs: they come to lie in buffers of their own.
+/// Unpacks the buffer views that these extensions pack: they come to lie in buffers of their own.
 /// @throws Error naming a view whose data is broken, cut short, or states a size that it cannot hold
 void unpack_meshopt(Document& document);
 

@@ -1,6 +1,7 @@
 #include "gltf/decode.hpp"
 
 #include "core/error.hpp"
+#include "core/limits.hpp"
 #include "gltf/text.hpp"
 #include "gltf/uri.hpp"
 #include "image/file.hpp"
@@ -17,8 +18,7 @@ Bytes bytes_of(const Document& document, int source, std::vector<std::uint8_t>& 
     const ImageSource& image = document.images[static_cast<std::size_t>(source)];
     const std::string pointer = fmt::format("/images/{}", source);
     if (image.buffer_view >= 0) return document.view(image.buffer_view, pointer);
-    if (image.uri.empty())
-        document.fail(pointer + " has neither bufferView nor uri", "export the file again");
+    if (image.uri.empty()) document.fail(pointer + " has neither bufferView nor uri", export_again);
     file = read_uri(image.uri, document.folder, {document.name, pointer + "/uri"});
     return file;
 }
@@ -34,7 +34,13 @@ scene::TextureImage decoded(const Document& document, int source, Bytes bytes) {
 } // namespace
 
 Decoding::Decoding(const Document& document, std::vector<int> sources)
-    : document_(document), sources_(std::move(sources)), files_(sources_.size()), bytes_(sources_.size()), images_(sources_.size()), errors_(sources_.size()) {
+    : document_(document),
+      sources_(std::move(sources)),
+      files_(sources_.size()),
+      bytes_(sources_.size()),
+      images_(sources_.size()),
+      errors_(sources_.size()),
+      failures_(sources_.size()) {
     read_files();
     const std::size_t cores = std::max(1u, std::thread::hardware_concurrency());
     try {
@@ -55,8 +61,8 @@ void Decoding::read_files() {
     for (std::size_t i = 0; i < sources_.size(); ++i) {
         try {
             bytes_[i] = bytes_of(document_, sources_[i], files_[i]);
-        } catch (const Error&) {
-            errors_[i] = std::current_exception();
+        } catch (const Error& error) {
+            errors_[i] = error;
         }
         texels.add(image::claimed_texels(bytes_[i]));
     }
@@ -68,17 +74,26 @@ void Decoding::work() {
             if (errors_[i]) continue;
             images_[i] = decoded(document_, sources_[i], bytes_[i]);
             files_[i] = {};
+        } catch (const Error& error) {
+            errors_[i] = error;
         } catch (...) {
-            errors_[i] = std::current_exception(); // rethrown by images(), on the caller's thread
+            failures_[i] = std::current_exception(); // rethrown by images(), on the caller's thread
         }
     }
 }
 
-std::vector<scene::TextureImage> Decoding::images() {
+std::vector<scene::TextureImage> Decoding::images(Warnings& warnings, std::set<int>& lost) {
     work(); // whatever no thread has begun
     for (std::thread& worker : workers_) worker.join();
-    for (const std::exception_ptr& error : errors_)
-        if (error) std::rethrow_exception(error);
+    for (const std::exception_ptr& failure : failures_)
+        if (failure) std::rethrow_exception(failure);
+    for (std::size_t i = 0; i < sources_.size(); ++i) {
+        const bool is_lost = document_.is_lost(fmt::format("/images/{}", sources_[i])); // warned of before
+        if (!errors_[i] && !is_lost) continue;
+        if (!is_lost) warnings.add_loss(*errors_[i], "materials are shown without textures of it");
+        lost.insert(static_cast<int>(i));
+        images_[i] = {images_[i].name, 1, 1, std::vector<std::uint8_t>{255, 255, 255, 255}};
+    }
     return std::move(images_);
 }
 

@@ -5,6 +5,8 @@
 
 #include <atomic>
 #include <exception>
+#include <optional>
+#include <set>
 #include <thread>
 #include <vector>
 
@@ -21,9 +23,9 @@ public:
     Decoding(const Decoding&) = delete;
     Decoding& operator=(const Decoding&) = delete;
 
-    /// Waits, and gives the images in the order of `sources`. To be called once.
-    /// @throws Error of the first image that cannot be read or decoded
-    std::vector<scene::TextureImage> images();
+    /// Waits, and gives the images in the order of `sources`. To be called once. An image that cannot be read
+    /// or decoded costs a warning, is in `lost` (by its place in the result), and is a white texel.
+    std::vector<scene::TextureImage> images(Warnings& warnings, std::set<int>& lost);
 
 private:
     /// Reads what is to be decoded, and counts its texels before any are allocated.
@@ -35,7 +37,8 @@ private:
     std::vector<std::vector<std::uint8_t>> files_;
     std::vector<Bytes> bytes_; // in files_ or in a buffer
     std::vector<scene::TextureImage> images_;
-    std::vector<std::exception_ptr> errors_;
+    std::vector<std::optional<Error>> errors_;
+    std::vector<std::exception_ptr> failures_; // that no file is to blame for
     std::atomic<std::size_t> next_{0};
     std::vector<std::thread> workers_;
 };

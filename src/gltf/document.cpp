@@ -44,25 +44,55 @@ void check_counts(const json& root, const std::string& name) {
             check_limit(key == "materials" ? Limit::materials : Limit::elements, value.size(), name);
 }
 
+std::optional<Bytes> buffer_bytes(Document& document, const json& buffer, std::size_t index,
+                                  std::optional<Bytes> bin) {
+    const auto size = buffer.at("byteLength").get<std::size_t>();
+    std::optional<Bytes> bytes;
+    if (const auto uri = buffer.find("uri"); uri != buffer.end()) {
+        const UriPlace place{document.name, fmt::format("/buffers/{}/uri", index)};
+        document.storage.push_back(std::make_unique<const std::vector<std::uint8_t>>(
+            read_uri(uri->get_ref<const std::string&>(), document.folder, place)));
+        bytes = *document.storage.back();
+    } else if (index == 0) {
+        bytes = bin;
+    }
+    if (!bytes) return std::nullopt;
+    if (bytes->size() < size)
+        document.fail(fmt::format("/buffers/{}/byteLength is {}, and only {} bytes are there", index, size,
+                                  bytes->size()),
+                      export_again);
+    return bytes->first(size);
+}
+
+// A buffer that cannot be read costs what lies in it: perhaps a texture, perhaps a mesh.
 void read_buffers(Document& document, const json& buffers, std::optional<Bytes> bin) {
     for (std::size_t i = 0; i < buffers.size(); ++i) {
-        const json& buffer = buffers[i];
-        const auto size = buffer.at("byteLength").get<std::size_t>();
-        std::optional<Bytes> bytes;
-        if (const auto uri = buffer.find("uri"); uri != buffer.end()) {
-            const UriPlace place{document.name, fmt::format("/buffers/{}/uri", i)};
-            document.storage.push_back(std::make_unique<const std::vector<std::uint8_t>>(
-                read_uri(uri->get_ref<const std::string&>(), document.folder, place)));
-            bytes = *document.storage.back();
-        } else if (i == 0) {
-            bytes = bin;
+        BufferSource source;
+        try {
+            source.bytes = buffer_bytes(document, buffers[i], i, bin);
+        } catch (const Error& error) {
+            source.fault = error;
         }
-        if (bytes && bytes->size() < size)
-            document.fail(fmt::format("/buffers/{}/byteLength is {}, and only {} bytes are there", i, size,
-                                      bytes->size()),
-                          export_again);
-        document.buffers.push_back(bytes ? std::optional(bytes->first(size)) : std::nullopt);
+        document.buffers.push_back(std::move(source));
     }
+}
+
+/// tinygltf refuses a camera without its projection, and a spot without its angles, which have defaults.
+void complete(json& root, Document& document, Warnings& warnings) {
+    if (root.contains("cameras"))
+        for (std::size_t i = 0; i < root["cameras"].size(); ++i) {
+            json& camera = root["cameras"][i];
+            const std::string type = camera.at("type");
+            if (camera.contains(type)) continue;
+            const std::string pointer = fmt::format("/cameras/{}", i);
+            warnings.add(fmt::format("{} has no {}", pointer, type), "that camera is left out");
+            document.lost.insert(pointer);
+            camera = {{"type", "perspective"}, {"perspective", {{"yfov", 1}, {"znear", 1}}}};
+        }
+    const json::json_pointer lights("/extensions/KHR_lights_punctual/lights");
+    if (root.contains(lights))
+        for (json& light : root.at(lights))
+            if (light.at("type") == "spot" && !light.contains("spot")) light["spot"] = json::object();
 }
 
 void list_images(Document& document, json& images) {
@@ -90,7 +120,7 @@ void list_animations(Document& document, json& animations) {
     for (json& animation : animations) {
         AnimationSource source{animation.value("name", ""), {}, {}};
         for (json& sampler : animation.at("samplers"))
-            source.samplers.push_back({sampler.at("input").get<int>(), sampler.at("output").get<int>(),
+            source.samplers.push_back({sampler.value("input", -1), sampler.value("output", -1),
                                        sampler.value("interpolation", "LINEAR")});
         for (json& channel : animation.at("channels"))
             source.channels.push_back(
@@ -107,7 +137,8 @@ void Document::fail(std::string_view what, std::string_view what_to_do) const {
 
 Bytes Document::view(int buffer_view, std::string_view pointer) const {
     const tinygltf::BufferView& view = model.bufferViews[static_cast<std::size_t>(buffer_view)];
-    const std::optional<Bytes>& buffer = buffers[static_cast<std::size_t>(view.buffer)];
+    const auto& [buffer, fault] = buffers[static_cast<std::size_t>(view.buffer)];
+    if (fault) throw *fault;
     if (!buffer)
         fail(fmt::format("{} needs /buffers/{}, which has no uri and is no part of this file", pointer,
                          view.buffer),
@@ -119,7 +150,7 @@ Bytes Document::view(int buffer_view, std::string_view pointer) const {
     return buffer->subspan(view.byteOffset, view.byteLength);
 }
 
-Document read_document(const std::filesystem::path& file) {
+Document read_document(const std::filesystem::path& file, Warnings& warnings) {
     Document document;
     document.name = file.string();
     document.folder = file.parent_path();
@@ -132,8 +163,9 @@ Document read_document(const std::filesystem::path& file) {
     check_version(root, document.name);
     check_required_extensions(root, document.name);
     check_counts(root, document.name);
-    check(root, gltf_rule(), document.name);
+    document.lost = check(root, gltf_rule(), document.name, warnings);
 
+    complete(root, document, warnings);
     if (root.contains("buffers")) read_buffers(document, root["buffers"], container.bin);
     if (root.contains("images")) list_images(document, root["images"]);
     if (root.contains("skins")) list_skins(document, root["skins"]);

@@ -115,6 +115,7 @@ int unpack_indices(Document& document, const draco::Mesh& mesh) {
     std::vector<std::uint8_t> bytes(indices.size() * sizeof(std::uint32_t));
     if (!indices.empty()) std::memcpy(bytes.data(), indices.data(), bytes.size());
     tinygltf::Accessor accessor;
+    accessor.sparse = {}; // its constructor leaves some members unset
     accessor.componentType = TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
     accessor.type = TINYGLTF_TYPE_SCALAR;
     accessor.normalized = false;

@@ -11,6 +11,10 @@ namespace sr::gltf {
 
 bool is_supported(std::string_view extension);
 
+/// What to do about a file whose textures are KTX2 alone.
+inline constexpr std::string_view convert_ktx =
+    "convert its textures to PNG: gltf-transform ktxdecompress IN.glb OUT.glb (npm: @gltf-transform/cli)";
+
 /// @throws Error naming every extension in `extensionsRequired` that is not supported
 void check_required_extensions(const nlohmann::json& root, const std::string& name);
 

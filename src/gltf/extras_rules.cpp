@@ -40,16 +40,16 @@ struct ExtrasRules {
         {"shape", &shape}, {"width", &number}, {"height", &number}, {"radius", &number}, {"length", &number},
         {"corners", &corners}, {"angular_diameter", &number}, {"quantity", &quantity}, {"color", &three_numbers},
         {"temperature", &number}, {"spectrum", &spectrum}, {"texture", &texture}, {"visible", &boolean},
-        {"two_sided", &boolean}}, .is_closed = true};
+        {"two_sided", &boolean}}, .is_closed = true, .is_ours = true};
     Rule light{.kind = Kind::record, .properties = {
         {"radius", &number}, {"angular_diameter", &number}, {"quantity", &quantity}, {"color", &three_numbers},
-        {"temperature", &number}, {"spectrum", &spectrum}, {"visible", &boolean}}, .is_closed = true};
+        {"temperature", &number}, {"spectrum", &spectrum}, {"visible", &boolean}}, .is_closed = true, .is_ours = true};
     Rule material{.kind = Kind::record, .properties = {
         {"quantity", &quantity}, {"color", &three_numbers}, {"temperature", &number}, {"spectrum", &spectrum},
         {"brdf", &brdf}, {"roughness_across", &number}, {"exponent", &number}, {"specular_color", &three_numbers},
         {"metal", &metal}, {"complex_ior", &complex_ior}, {"ior_spectrum", &ior_spectrum}, {"file", &text}},
-        .is_closed = true};
-    Rule asset{.kind = Kind::record, .properties = {{"units", &system}}, .is_closed = true};
+        .is_closed = true, .is_ours = true};
+    Rule asset{.kind = Kind::record, .properties = {{"units", &system}}, .is_closed = true, .is_ours = true};
     // clang-format on
 
     Rule node_extras{.kind = Kind::record, .properties = {{"steradian", &node}}, .is_optional = true};

@@ -2,6 +2,7 @@
 
 #include "core/math.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <glm/gtc/quaternion.hpp>

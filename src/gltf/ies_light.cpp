@@ -41,8 +41,7 @@ mat3 world_from_profile(const Document& document, const PlacedNode& placed, cons
 } // namespace
 
 const std::pair<int, scene::IesLuminaire>& LightTable::luminaire(int index, const std::string& title) {
-    const auto [entry, is_new] = luminaires_.try_emplace(index);
-    if (!is_new) return entry->second;
+    if (const auto known = luminaires_.find(index); known != luminaires_.end()) return known->second;
     const Value& light = extension(document_.model.extensions, "EXT_lights_ies")->Get("lights").Get(index);
     const std::string pointer = fmt::format("/extensions/EXT_lights_ies/lights/{}", index);
     const std::string uri = text_in(light, "uri");
@@ -50,7 +49,7 @@ const std::pair<int, scene::IesLuminaire>& LightTable::luminaire(int index, cons
     if (uri.empty() == (view < 0))
         document_.fail(fmt::format("{} has not one of uri and bufferView", title),
                        "name where its IES file is");
-    const bool is_embedded = uri.empty() || uri.starts_with("data:");
+    const bool is_embedded = uri.empty() || is_data_uri(uri);
     const std::string name =
         is_embedded ? fmt::format("{}({})", document_.name, pointer) : (document_.folder / uri).string();
     std::vector<std::uint8_t> file;
@@ -61,29 +60,37 @@ const std::pair<int, scene::IesLuminaire>& LightTable::luminaire(int index, cons
         file = read_uri(uri, document_.folder, {document_.name, pointer + "/uri"});
     }
     const std::string_view text(reinterpret_cast<const char*>(file.data()), file.size());
-    entry->second = {static_cast<int>(profiles_.size()), scene::read_ies(text, name)};
-    profiles_.push_back(entry->second.second.profile);
-    return entry->second;
+    const auto entry = luminaires_.emplace(
+        index, std::pair(static_cast<int>(profiles_.size()), scene::read_ies(text, name)));
+    profiles_.push_back(entry.first->second.second.profile);
+    return entry.first->second;
 }
 
-void LightTable::append_ies(const PlacedNode& placed) {
+void LightTable::append_ies(const PlacedNode& placed, Warnings& warnings) {
     const tinygltf::Node& node = document_.model.nodes[static_cast<std::size_t>(placed.node)];
     const Value* instance = extension(node.extensions, "EXT_lights_ies");
     if (!instance) return;
     const int index = whole_in(*instance, "light", 0);
+    if (document_.is_lost(fmt::format("/extensions/EXT_lights_ies/lights/{}", index))) return;
     const Value& from = extension(document_.model.extensions, "EXT_lights_ies")->Get("lights").Get(index);
     const std::string name = text_in(from, "name");
     const std::string title = light_title("EXT_lights_ies", index, name);
-    const auto& [profile, luminaire] = this->luminaire(index, title);
     const Value* stated = steradian_in(node.extras);
     if (stated && stated->Has("shape")) stated = nullptr; // that is a light of its own
 
-    const LightFrame frame = frame_of(document_, placed, title);
+    LightFrame frame;
     scene::PointLight light;
+    dvec3 tint(0.0);
+    const bool is_read = warnings.attempt(without_lamp, [&] {
+        light.profile = luminaire(index, title).first;
+        frame = frame_of(document_, placed, title);
+        light.world_from_profile = world_from_profile(document_, placed, frame, title);
+        tint = tint_of(document_, *instance, title);
+    });
+    if (!is_read) return;
+    const scene::IesLuminaire& luminaire = luminaires_.at(index).second;
     light.name = name.empty() ? node.name : name;
     light.position = vec3(frame.position);
-    light.profile = profile;
-    light.world_from_profile = world_from_profile(document_, placed, frame, title);
     light.is_visible = flag_in(stated, "visible", true);
     if (stated && stated->Has("radius"))
         light.radius = scaled_size(document_, number_in(*stated, "radius", 0.0), frame, "radius", title);
@@ -99,8 +106,7 @@ void LightTable::append_ies(const PlacedNode& placed) {
         const bool is_determined = quantity == scene::Quantity::flux && flux > 0.0;
         return is_determined ? std::optional(value / flux) : std::nullopt;
     };
-    light.I = emitted(document_, statement, in_scene * tint_of(document_, *instance, title), conversion,
-                      title, ies_takes);
+    light.I = emitted(document_, statement, in_scene * tint, conversion, title, ies_takes);
     lights_.emplace_back(std::move(light));
 }
 

@@ -28,16 +28,15 @@ std::string description(const std::exception& error) {
     return text;
 }
 
-[[noreturn]] void fail_at(std::size_t byte, const std::exception& error, const Container& container,
-                          const std::string& name) {
+[[noreturn]] void fail_at(std::size_t byte, const char* what, const std::exception& error,
+                          const Container& container, const std::string& name) {
     const std::string_view before = container.json.substr(0, byte > 0 ? byte - 1 : 0);
     const auto line = 1 + std::count(before.begin(), before.end(), '\n');
     const auto line_start = before.rfind('\n') == std::string_view::npos ? 0 : before.rfind('\n') + 1;
     const auto column = 1 + before.size() - line_start;
     if (container.json_offset == 0)
         throw Error({name, static_cast<int>(line), static_cast<int>(column)},
-                    "this is not valid JSON (" + description(error) + ")",
-                    "correct it, or export the file again");
+                    fmt::format("{} ({})", what, description(error)), "correct it, or export the file again");
     throw Error(
         {name},
         fmt::format("the GLB's JSON is broken at byte {} of the file (line {}, column {} of the JSON; {})",
@@ -58,9 +57,10 @@ json parse(const Container& container, const std::string& name) {
         if (!root.is_object()) throw Error({name}, "the JSON is not an object", "give a glTF 2.0 file");
         return root;
     } catch (const json::parse_error& error) {
-        fail_at(error.byte, error, container, name);
+        fail_at(error.byte, "this is not valid JSON", error, container, name);
     } catch (const json::exception& error) { // a number that fits no double
-        fail_at(overflowing_number(container.json).value_or(0) + 1, error, container, name);
+        fail_at(overflowing_number(container.json).value_or(0) + 1, "the JSON cannot be read", error,
+                container, name);
     }
 }
 

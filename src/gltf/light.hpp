@@ -4,6 +4,7 @@
 #include "gltf/hierarchy.hpp"
 #include "gltf/statement.hpp"
 #include "gltf/texture.hpp"
+#include "gltf/warnings.hpp"
 #include "scene/ies.hpp"
 #include "scene/light.hpp"
 
@@ -19,9 +20,10 @@ public:
     /// Textures of emitters are asked for in `textures`.
     LightTable(const Document& document, TextureTable& textures) : document_(document), textures_(textures) {}
 
-    /// Appends the lights that a node carries, whether or not it is visible.
-    /// @throws Error naming a light with a quantity, a cone, a shape or a profile that makes no sense
-    void append(const PlacedNode& placed);
+    /// Appends the lights that a node carries, whether or not it is visible. A lamp that glTF states wrongly
+    /// or whose node is scaled to nothing is off, with a warning.
+    /// @throws Error naming what extras.steradian states of a light and makes no sense
+    void append(const PlacedNode& placed, Warnings& warnings);
 
     const std::vector<scene::Light>& lights() const { return lights_; }
     /// Forgets the lights, and keeps their profiles: what comes next is another moment of the same file.
@@ -29,10 +31,10 @@ public:
     const std::vector<scene::LightProfile>& profiles() const { return profiles_; }
 
 private:
-    void append_punctual(const PlacedNode& placed);
-    void append_area(const PlacedNode& placed);
-    void append_shape(const PlacedNode& placed);
-    void append_ies(const PlacedNode& placed);
+    void append_punctual(const PlacedNode& placed, Warnings& warnings);
+    void append_area(const PlacedNode& placed, Warnings& warnings);
+    void append_shape(const PlacedNode& placed, Warnings& warnings);
+    void append_ies(const PlacedNode& placed, Warnings& warnings);
 
     /// The emission map of extras.steradian.texture; none where there is no texture.
     scene::EmissionMap map_of(const tinygltf::Value* stated);
@@ -55,8 +57,14 @@ struct LightFrame {
     double scale = 1.0; // the largest of the node's axes: what the draft of EXT_lights_area scales sizes by
 };
 
-/// @throws Error naming the light if its node is scaled to nothing
+/// @throws Error naming the light if its node is scaled to nothing along its Z
 LightFrame frame_of(const Document& document, const PlacedNode& placed, const std::string& title);
+
+/// The same for a light that has sides. @throws Error if they are scaled to nothing, too
+LightFrame sided_frame_of(const Document& document, const PlacedNode& placed, const std::string& title);
+
+/// What is done without a lamp that is lost.
+inline constexpr std::string_view without_lamp = "until then that lamp is off";
 
 /// A size in the file times the frame's scale [m]. @throws Error unless it is positive and finite
 float scaled_size(const Document& document, double size, const LightFrame& frame, std::string_view what,

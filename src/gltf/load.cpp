@@ -11,7 +11,7 @@ scene::Scene scene_of(Asset& asset, const LoadOptions& options) {
 }
 
 Loaded load(const std::filesystem::path& file, const LoadOptions& options) {
-    Asset asset(file, {options.scene, options.variant});
+    Asset asset(file, {options.scene, options.variant, options.is_strict});
     scene::Scene scene = scene_of(asset, options);
     return {std::move(scene), asset.warnings(), asset.contents()};
 }

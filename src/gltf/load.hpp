@@ -13,6 +13,8 @@ struct LoadOptions {
     std::string animation{};
     /// A name of KHR_materials_variants; empty: none.
     std::string variant{};
+    /// As AssetOptions has it.
+    bool is_strict = false;
 };
 
 struct Loaded {

@@ -60,9 +60,10 @@ MaterialTable::MaterialTable(const Document& document, MeasuredTable& measured, 
 int MaterialTable::material(int gltf_material) {
     const auto [number, is_new] = number_of_.try_emplace(gltf_material, static_cast<int>(materials_.size()));
     if (is_new)
-        materials_.push_back(gltf_material < 0
-                                 ? scene::Material{}
-                                 : read(document_.model.materials[static_cast<std::size_t>(gltf_material)]));
+        materials_.push_back(
+            gltf_material < 0
+                ? scene::Material{}
+                : read(document_.model.materials[static_cast<std::size_t>(gltf_material)], gltf_material));
     return number->second;
 }
 
@@ -87,14 +88,31 @@ scene::TextureSlot MaterialTable::slot(int texture, int texcoord, const tinygltf
         slot.uv_transform = uv_transform(*transform);
         texcoord = whole_in(*transform, "texCoord", texcoord);
     }
-    if (texcoord > 1) {
-        warnings_.add(fmt::format("a texture reads TEXCOORD_{}, and only 0 and 1 are supported", texcoord),
-                      "the material is shown without it");
+    const std::optional<int> set = texcoord_set(texcoord);
+    if (!set) {
+        warnings_.add(
+            fmt::format("a material reads three sets of texture coordinates, and two are supported: "
+                        "TEXCOORD_{}, TEXCOORD_{} and TEXCOORD_{}",
+                        *sets_[0], *sets_[1], texcoord),
+            "the material is shown without the texture of the third");
         return {};
     }
-    slot.texcoord = texcoord;
+    slot.texcoord = *set;
     slot.texture = textures_.texture(texture, color_space);
     return slot;
+}
+
+std::optional<int> MaterialTable::texcoord_set(int n) {
+    for (int set = 0; set < 2; ++set)
+        if (sets_[static_cast<std::size_t>(set)] == n) return set;
+    const int usual = n == 1 ? 1 : 0;
+    for (const int set : {usual, 1 - usual}) {
+        auto& taken = sets_[static_cast<std::size_t>(set)];
+        if (taken) continue;
+        taken = n;
+        return set;
+    }
+    return std::nullopt;
 }
 
 scene::TextureSlot MaterialTable::slot(const Value& info, ColorSpace color_space) {
@@ -166,9 +184,7 @@ void MaterialTable::share_fluxes(scene::Scene& scene) const {
     }
 }
 
-scene::Material MaterialTable::read(const tinygltf::Material& from) {
-    scene::Material to;
-    to.name = from.name;
+void MaterialTable::read_metallic_roughness(const tinygltf::Material& from, scene::Material& to) {
     const auto& pbr = from.pbrMetallicRoughness;
     for (int i = 0; i < 4; ++i)
         to.base_color[i] =
@@ -180,17 +196,61 @@ scene::Material MaterialTable::read(const tinygltf::Material& from) {
     };
     to.base_color_texture = slot_of(pbr.baseColorTexture, ColorSpace::srgb);
     to.metallic_roughness_texture = slot_of(pbr.metallicRoughnessTexture, ColorSpace::linear);
-    to.normal_texture = slot_of(from.normalTexture, ColorSpace::linear);
-    to.normal_scale = static_cast<float>(from.normalTexture.scale);
-    to.emission_texture = slot_of(from.emissiveTexture, ColorSpace::srgb);
-
-    read_emission(from, to);
     if (const Value* ior = extension(from.extensions, "KHR_materials_ior"))
         to.ior = static_cast<float>(number_in(*ior, "ior", 1.5));
     if (to.ior != 0.0f && !(to.ior >= 1.0f))
         document_.fail(fmt::format("material {}: ior is {}", in_quotes(from.name), to.ior),
                        "give 0, or 1 and more");
     read_specular(from, to);
+}
+
+// A dielectric of infinite ior, whose F0 is the specular colour, as KHR_materials_ior has it; the glossiness
+// and what F0 takes from the diffuse colour are shaders/surface/'s.
+void MaterialTable::read_specular_glossiness(const tinygltf::Material& from, const Value& stated,
+                                             scene::Material& to) {
+    to.is_specular_glossiness = true;
+    to.metallic = 0.0f;
+    to.ior = 0.0f;
+    const vec3 specular = three_in(stated, "specularFactor", vec3(1.0f));
+    for (int i = 0; i < 4; ++i) {
+        const double diffuse =
+            stated.Has("diffuseFactor") ? stated.Get("diffuseFactor").Get(i).GetNumberAsDouble() : 1.0;
+        to.base_color[i] = fraction(diffuse, "diffuseFactor", from.name);
+        if (i < 3) to.specular_color[i] = fraction(double{specular[i]}, "specularFactor", from.name);
+    }
+    to.roughness = 1.0f - fraction(number_in(stated, "glossinessFactor", 1.0), "glossinessFactor", from.name);
+    if (stated.Has("diffuseTexture"))
+        to.base_color_texture = slot(stated.Get("diffuseTexture"), ColorSpace::srgb);
+    if (stated.Has("specularGlossinessTexture"))
+        to.specular_color_texture = slot(stated.Get("specularGlossinessTexture"), ColorSpace::srgb);
+}
+
+scene::Material MaterialTable::read(const tinygltf::Material& from, int number) {
+    scene::Material to;
+    to.name = from.name;
+    sets_ = {};
+    to.is_unlit = extension(from.extensions, "KHR_materials_unlit") != nullptr;
+    // Where a material has both, the extension asks to be preferred to metallic-roughness; unlit prefers the
+    // latter.
+    const Value* glossy = extension(from.extensions, "KHR_materials_pbrSpecularGlossiness");
+    const Value* stated = steradian_in(from.extras);
+    const bool names_brdf = stated && stated->Has("brdf");
+    const bool is_core = !glossy || to.is_unlit || names_brdf;
+    if (is_core)
+        read_metallic_roughness(from, to);
+    else
+        read_specular_glossiness(from, *glossy, to);
+    const auto slot_of = [&](const auto& info, ColorSpace color_space) {
+        return slot(info.index, info.texCoord, info.extensions, color_space);
+    };
+    to.normal_texture = slot_of(from.normalTexture, ColorSpace::linear);
+    to.normal_scale = static_cast<float>(from.normalTexture.scale);
+    to.emission_texture = slot_of(from.emissiveTexture, ColorSpace::srgb);
+
+    // Where the map is lost, nothing of it is emitted: a surface that glows all over would light the scene.
+    const bool has_map = from.emissiveTexture.index >= 0
+                         || document_.is_lost(fmt::format("/materials/{}/emissiveTexture", number));
+    if (to.emission_texture.is_present() || !has_map) read_emission(from, to);
     read_anisotropy(from, to);
     read_clearcoat(from, to);
     read_sheen(from, to);
@@ -200,7 +260,8 @@ scene::Material MaterialTable::read(const tinygltf::Material& from) {
     to.alpha_mode = alpha_mode_of(from.alphaMode);
     to.alpha_cutoff = static_cast<float>(from.alphaCutoff);
     to.is_double_sided = from.doubleSided;
-    to.is_unlit = extension(from.extensions, "KHR_materials_unlit") != nullptr;
+    for (int set = 0; set < 2; ++set)
+        to.texcoord_sets[static_cast<std::size_t>(set)] = sets_[static_cast<std::size_t>(set)].value_or(set);
     return to;
 }
 

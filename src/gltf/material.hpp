@@ -5,7 +5,9 @@
 #include "gltf/texture.hpp"
 #include "scene/scene.hpp"
 
+#include <array>
 #include <map>
+#include <optional>
 
 namespace sr::gltf {
 
@@ -35,7 +37,10 @@ private:
         std::string title;
     };
     void read_emission(const tinygltf::Material& from, scene::Material& to);
-    scene::Material read(const tinygltf::Material& from);
+    scene::Material read(const tinygltf::Material& from, int number);
+    void read_metallic_roughness(const tinygltf::Material& from, scene::Material& to);
+    void read_specular_glossiness(const tinygltf::Material& from, const tinygltf::Value& stated,
+                                  scene::Material& to);
     void read_specular(const tinygltf::Material& from, scene::Material& to);
     void read_anisotropy(const tinygltf::Material& from, scene::Material& to);
     void read_clearcoat(const tinygltf::Material& from, scene::Material& to);
@@ -45,6 +50,8 @@ private:
     scene::TextureSlot slot(const tinygltf::Value& info, scene::ColorSpace color_space);
     scene::TextureSlot slot(int texture, int texcoord, const tinygltf::ExtensionMap& extensions,
                             scene::ColorSpace color_space);
+    /// Which of the two sets of a mesh is TEXCOORD_n for the material at hand; absent where both are taken.
+    std::optional<int> texcoord_set(int n);
     float fraction(double value, const char* factor, const std::string& material);
 
     const Document& document_;
@@ -53,7 +60,8 @@ private:
     TextureTable textures_;
     std::vector<scene::Material> materials_;
     std::map<int, int> number_of_;
-    std::map<int, StatedFlux> fluxes_; // by number
+    std::map<int, StatedFlux> fluxes_;       // by number
+    std::array<std::optional<int>, 2> sets_; // of texture coordinates that the material at hand reads
 };
 
 /// Three numbers of an extension's object, which the rules (rules.cpp) have counted.

@@ -74,7 +74,7 @@ void read_frame(const Document& document, const tinygltf::Primitive& primitive, 
 }
 
 void read_surface(const Document& document, const tinygltf::Primitive& primitive, const PrimitivePlace& place,
-                  scene::Mesh& mesh, Warnings& warnings) {
+                  const scene::Material& material, scene::Mesh& mesh, Warnings& warnings) {
     const std::size_t count = mesh.positions.size();
     if (const auto color = attribute(document, primitive.attributes, "COLOR_0", count, place))
         mesh.colors = colors(document, *color);
@@ -82,9 +82,10 @@ void read_surface(const Document& document, const tinygltf::Primitive& primitive
         if (!is_finite(vec3(color)) || !std::isfinite(color.w))
             document.fail(fmt::format("{}/attributes/COLOR_0 is not finite", place.pointer()),
                           "export the file again");
-    const char* names[2] = {"TEXCOORD_0", "TEXCOORD_1"};
     for (int set = 0; set < 2; ++set) {
-        const auto texcoord = attribute(document, primitive.attributes, names[set], count, place);
+        const std::string name =
+            fmt::format("TEXCOORD_{}", material.texcoord_sets[static_cast<std::size_t>(set)]);
+        const auto texcoord = attribute(document, primitive.attributes, name.c_str(), count, place);
         if (!texcoord) continue;
         mesh.texcoords[set] = vectors<2>(document, *texcoord);
         std::size_t bad_count = 0;
@@ -111,9 +112,9 @@ void finish_frame(SourcedMesh& mesh, const scene::Material& material, Warnings& 
 void warn_of_absent_texcoords(const scene::Mesh& mesh, const scene::Material& material, Warnings& warnings) {
     for (const scene::TextureSlot* slot : scene::texture_slots(material))
         if (slot->is_present() && mesh.texcoords[slot->texcoord].empty())
-            warnings.add(
-                fmt::format("mesh {} has a texture and no TEXCOORD_{}", in_quotes(mesh.name), slot->texcoord),
-                "its texture is read at (0, 0)");
+            warnings.add(fmt::format("mesh {} has a texture and no TEXCOORD_{}", in_quotes(mesh.name),
+                                     material.texcoord_sets[static_cast<std::size_t>(slot->texcoord)]),
+                         "its texture is read at (0, 0)");
 }
 
 } // namespace
@@ -154,7 +155,7 @@ std::optional<SourcedMesh> mesh_of(const Document& document, const PrimitivePlac
     std::iota(mesh.sources.begin(), mesh.sources.end(), 0u);
     mesh.indices = triangles(corners(document, primitive, mesh.positions.size(), place), primitive.mode);
     read_frame(document, primitive, place, scene::needs_tangents(material), mesh);
-    read_surface(document, primitive, place, mesh, warnings);
+    read_surface(document, primitive, place, material, mesh, warnings);
     drop_infinite_triangles(mesh, warnings);
     drop_unused(mesh);
     finish_frame(mesh, material, warnings);

@@ -1,4 +1,5 @@
-// EXT_meshopt_compression (Khronos, vendor extension, complete), by Kapoulkine's meshoptimizer.
+// EXT_meshopt_compression and KHR_meshopt_compression, by Kapoulkine's meshoptimizer. Their bitstreams are
+// the same, but for what KHR adds: version 1 of the attribute codec, and the filter COLOR.
 #include "gltf/compression.hpp"
 
 #include <fmt/format.h>
@@ -7,7 +8,8 @@
 namespace sr::gltf {
 namespace {
 
-constexpr const char* export_meshopt_again = "export the file again, or without EXT_meshopt_compression";
+constexpr const char* export_meshopt_again = "export the file again, or without meshopt compression";
+constexpr const char* export_for_ext = "export it with EXT_meshopt_compression, or without compression";
 
 /// What the extension's object of a buffer view says.
 struct Packed {
@@ -53,6 +55,11 @@ void decode(const Document& document, const Packed& p, Bytes from, std::vector<s
         failure = meshopt_decodeIndexSequence(to.data(), p.count, p.stride, from.data(), from.size());
     else
         failure = meshopt_decodeVertexBuffer(to.data(), p.count, p.stride, from.data(), from.size());
+    constexpr std::uint8_t newer_attributes = 0xa1; // KHR_meshopt_compression, "Bitstream"
+    if (failure != 0 && p.mode == "ATTRIBUTES" && from[0] == newer_attributes)
+        document.fail(fmt::format("{} has version 1 of the codec, which meshoptimizer {}.{} does not read",
+                                  pointer, MESHOPTIMIZER_VERSION / 1000, MESHOPTIMIZER_VERSION / 10 % 100),
+                      export_for_ext);
     if (failure != 0)
         document.fail(fmt::format("{} has data that is broken, or cut short", pointer), export_meshopt_again);
     if (p.filter == "OCTAHEDRAL") meshopt_decodeFilterOct(to.data(), p.count, p.stride);
@@ -62,7 +69,10 @@ void decode(const Document& document, const Packed& p, Bytes from, std::vector<s
 
 /// @return the bytes of the view
 std::vector<std::uint8_t> unpacked(const Document& document, const Packed& p, const std::string& pointer) {
-    const std::optional<Bytes>& buffer = document.buffers[static_cast<std::size_t>(p.buffer)];
+    const auto& [buffer, fault] = document.buffers[static_cast<std::size_t>(p.buffer)];
+    if (fault) throw *fault;
+    if (p.filter == "COLOR")
+        document.fail(pointer + " has the filter COLOR, which is not read", export_for_ext);
     if (!buffer || p.offset > buffer->size() || p.length > buffer->size() - p.offset)
         document.fail(fmt::format("{} ends at byte {} of /buffers/{}, which has {}", pointer,
                                   p.offset + p.length, p.buffer, buffer ? buffer->size() : 0),
@@ -83,6 +93,12 @@ std::vector<std::uint8_t> unpacked(const Document& document, const Packed& p, co
     return bytes;
 }
 
+/// Whether the view's own buffer has its bytes uncompressed, for readers without the extension.
+bool has_fallback(const Document& document, const tinygltf::BufferView& view) {
+    const auto& bytes = document.buffers[static_cast<std::size_t>(view.buffer)].bytes;
+    return bytes && view.byteOffset <= bytes->size() && view.byteLength <= bytes->size() - view.byteOffset;
+}
+
 } // namespace
 
 bool reads_meshopt() { return true; }
@@ -90,13 +106,20 @@ bool reads_meshopt() { return true; }
 void unpack_meshopt(Document& document) {
     auto& views = document.model.bufferViews;
     for (std::size_t i = 0; i < views.size(); ++i) {
-        const tinygltf::Value* object = extension(views[i].extensions, "EXT_meshopt_compression");
-        if (!object) continue;
-        const std::string pointer = fmt::format("/bufferViews/{}/extensions/EXT_meshopt_compression", i);
-        std::vector<std::uint8_t> bytes = unpacked(document, packed_of(*object), pointer);
-        views[i].byteOffset = 0;
-        views[i].byteLength = bytes.size();
-        views[i].buffer = add_buffer(document, std::move(bytes));
+        for (const char* name : {"KHR_meshopt_compression", "EXT_meshopt_compression"}) {
+            const tinygltf::Value* object = extension(views[i].extensions, name);
+            if (!object) continue;
+            try {
+                const std::string pointer = fmt::format("/bufferViews/{}/extensions/{}", i, name);
+                std::vector<std::uint8_t> bytes = unpacked(document, packed_of(*object), pointer);
+                views[i].byteOffset = 0;
+                views[i].byteLength = bytes.size();
+                views[i].buffer = add_buffer(document, std::move(bytes));
+                break;
+            } catch (const Error&) {
+                if (!has_fallback(document, views[i])) throw;
+            }
+        }
     }
 }
 

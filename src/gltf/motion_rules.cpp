@@ -12,7 +12,8 @@ struct MotionRules {
     Rule whole{.kind = Kind::whole, .largest = 0x7FFFFFFF}; // where tinygltf stores an int
     Rule buffer{.kind = Kind::index, .pool = "/buffers"};
     Rule packed_mode{.kind = Kind::text, .words = {"ATTRIBUTES", "TRIANGLES", "INDICES"}};
-    Rule packed_filter{.kind = Kind::text, .words = {"NONE", "OCTAHEDRAL", "QUATERNION", "EXPONENTIAL"}};
+    Rule packed_filter{.kind = Kind::text,
+                       .words = {"NONE", "OCTAHEDRAL", "QUATERNION", "EXPONENTIAL", "COLOR"}};
     Rule accessor{.kind = Kind::index, .pool = "/accessors"};
     Rule view{.kind = Kind::index, .pool = "/bufferViews"};
     Rule node_index{.kind = Kind::index, .pool = "/nodes"};
@@ -28,16 +29,19 @@ struct MotionRules {
         {"joints", &joints, true}, {"inverseBindMatrices", &accessor}, {"skeleton", &node_index}, {"name", &text}}};
 
     Rule sampler{.kind = Kind::record, .properties = {
-        {"input", &accessor, true}, {"output", &accessor, true}, {"interpolation", &interpolation}}};
+        {"input", &accessor, true}, {"output", &accessor, true}, {"interpolation", &interpolation}},
+        .loss = "what it moves stays as it is", .stand_in = "{}"};
     Rule pointer{.kind = Kind::record, .properties = {{"pointer", &text, true}}};
     Rule target_extensions{.kind = Kind::record, .properties = {{"KHR_animation_pointer", &pointer}}};
     Rule target{.kind = Kind::record, .properties = {
         {"node", &node_index}, {"path", &text, true}, {"extensions", &target_extensions}}};
-    Rule channel{.kind = Kind::record, .properties = {{"sampler", &whole, true}, {"target", &target, true}}};
+    Rule channel{.kind = Kind::record, .properties = {{"sampler", &whole, true}, {"target", &target, true}},
+        .loss = "that channel is left out"};
     Rule samplers{.kind = Kind::list, .element = &sampler};
     Rule channels{.kind = Kind::list, .element = &channel};
     Rule animation{.kind = Kind::record, .properties = {
-        {"samplers", &samplers, true}, {"channels", &channels, true}, {"name", &text}}};
+        {"samplers", &samplers, true}, {"channels", &channels, true}, {"name", &text}},
+        .loss = "that animation moves nothing", .stand_in = R"({"samplers": [], "channels": []})"};
 
     Rule visibility{.kind = Kind::record, .properties = {{"visible", &boolean}}};
     Rule instancing{.kind = Kind::record, .properties = {{"attributes", &attributes, true}}};
@@ -54,7 +58,7 @@ struct MotionRules {
     Rule meshopt{.kind = Kind::record, .properties = {
         {"buffer", &buffer, true}, {"byteOffset", &whole}, {"byteLength", &whole, true}, {"byteStride", &whole, true},
         {"count", &whole, true}, {"mode", &packed_mode, true}, {"filter", &packed_filter}}};
-    Rule view_extensions{.kind = Kind::record, .properties = {{"EXT_meshopt_compression", &meshopt}}};
+    Rule view_extensions{.kind = Kind::record, .properties = {{"EXT_meshopt_compression", &meshopt}, {"KHR_meshopt_compression", &meshopt}}};
     Rule primitive_extensions{.kind = Kind::record, .properties = {
         {"KHR_materials_variants", &mappings}, {"KHR_draco_mesh_compression", &draco}}};
     // clang-format on

@@ -21,6 +21,9 @@ struct Listed {
 };
 
 constexpr std::array material_properties{
+    Listed{"KHR_materials_pbrSpecularGlossiness", "diffuseFactor", 4},
+    Listed{"KHR_materials_pbrSpecularGlossiness", "specularFactor", 3},
+    Listed{"KHR_materials_pbrSpecularGlossiness", "glossinessFactor", 1},
     Listed{"KHR_materials_emissive_strength", "emissiveStrength", 1},
     Listed{"KHR_materials_ior", "ior", 1},
     Listed{"KHR_materials_specular", "specularFactor", 1},

@@ -33,16 +33,25 @@ Rule number_out_of(std::vector<std::uint64_t> values) {
     return {.kind = Kind::whole, .values = std::move(values)};
 }
 
+/// The rule of a thing of the picture (Rule::loss).
+Rule thing(Rule rule, std::string_view loss, std::string_view stand_in = {}) {
+    rule.loss = loss;
+    rule.stand_in = stand_in;
+    return rule;
+}
+
+constexpr std::string_view without_texture = "the material is shown without that texture";
+constexpr std::string_view without_lamp = "that lamp is off";
+
 const Rule buffer_index = index_into("/buffers");
 const Rule view_index = index_into("/bufferViews");
 const Rule accessor_index = index_into("/accessors");
-const Rule image_index = index_into("/images");
-const Rule sampler_index = index_into("/samplers");
+const Rule sampler_index = thing(index_into("/samplers"), "the texture is read with the default sampler");
 const Rule texture_index = index_into("/textures");
 const Rule material_index = index_into("/materials");
 const Rule mesh_index = index_into("/meshes");
 const Rule skin_index = index_into("/skins");
-const Rule camera_index = index_into("/cameras");
+const Rule camera_index = thing(index_into("/cameras"), "the node has no camera");
 const Rule node_index = index_into("/nodes");
 const Rule scene_index = index_into("/scenes");
 const Rule punctual_light_index = index_into("/extensions/KHR_lights_punctual/lights");
@@ -53,7 +62,8 @@ const Rule node_indices = list_of(node_index);
 // --- bytes
 const Rule buffer = record({{"uri", &text}, {"byteLength", &whole, true}, {"name", &text}});
 const Rule image =
-    record({{"uri", &text}, {"bufferView", &view_index}, {"mimeType", &text}, {"name", &text}});
+    thing(record({{"uri", &text}, {"bufferView", &view_index}, {"mimeType", &text}, {"name", &text}}),
+          "materials are shown without textures of it", "{}");
 const Rule buffer_view = record({{"buffer", &buffer_index, true},
                                  {"byteOffset", &whole},
                                  {"byteLength", &whole, true},
@@ -101,11 +111,12 @@ const Rule mesh = record(
 const Rule texture_transform = record(
     {{"offset", &two_numbers}, {"rotation", &number}, {"scale", &two_numbers}, {"texCoord", &whole_int}});
 const Rule texture_info_extensions = record({{"KHR_texture_transform", &texture_transform}});
-const Rule texture_info = record({{"index", &texture_index, true},
-                                  {"texCoord", &whole_int},
-                                  {"scale", &number},
-                                  {"strength", &number},
-                                  {"extensions", &texture_info_extensions}});
+const Rule texture_info = thing(record({{"index", &texture_index, true},
+                                        {"texCoord", &whole_int},
+                                        {"scale", &number},
+                                        {"strength", &number},
+                                        {"extensions", &texture_info_extensions}}),
+                                without_texture);
 const Rule metallic_roughness = record({{"baseColorFactor", &four_numbers},
                                         {"baseColorTexture", &texture_info},
                                         {"metallicFactor", &number},
@@ -135,7 +146,13 @@ const Rule iridescence = record({{"iridescenceFactor", &number},
                                  {"iridescenceThicknessMinimum", &number},
                                  {"iridescenceThicknessMaximum", &number},
                                  {"iridescenceThicknessTexture", &texture_info}});
-const Rule material_extensions = record({{"KHR_materials_anisotropy", &anisotropy},
+const Rule specular_glossiness = record({{"diffuseFactor", &four_numbers},
+                                         {"diffuseTexture", &texture_info},
+                                         {"specularFactor", &three_numbers},
+                                         {"glossinessFactor", &number},
+                                         {"specularGlossinessTexture", &texture_info}});
+const Rule material_extensions = record({{"KHR_materials_pbrSpecularGlossiness", &specular_glossiness},
+                                         {"KHR_materials_anisotropy", &anisotropy},
                                          {"KHR_materials_clearcoat", &clearcoat},
                                          {"KHR_materials_sheen", &sheen},
                                          {"KHR_materials_iridescence", &iridescence},
@@ -158,17 +175,20 @@ const Rule material = record({{"name", &text},
 const Rule magnification = number_out_of({9728, 9729});
 const Rule minification = number_out_of({9728, 9729, 9984, 9985, 9986, 9987});
 const Rule wrap = number_out_of({33071, 33648, 10497});
-const Rule sampler = record({{"magFilter", &magnification},
-                             {"minFilter", &minification},
-                             {"wrapS", &wrap},
-                             {"wrapT", &wrap},
-                             {"name", &text}});
-const Rule webp = record({{"source", &image_index, true}});
+const Rule sampler = thing(record({{"magFilter", &magnification},
+                                   {"minFilter", &minification},
+                                   {"wrapS", &wrap},
+                                   {"wrapT", &wrap},
+                                   {"name", &text}}),
+                           "textures are read with the default sampler in its place", "{}");
+// Whether there is such an image, texture.cpp asks.
+const Rule webp = record({{"source", &whole_int, true}});
 const Rule texture_extensions = record({{"EXT_texture_webp", &webp}});
-const Rule texture = record({{"source", &image_index},
-                             {"sampler", &sampler_index},
-                             {"name", &text},
-                             {"extensions", &texture_extensions}});
+const Rule texture = thing(record({{"source", &whole_int},
+                                   {"sampler", &sampler_index},
+                                   {"name", &text},
+                                   {"extensions", &texture_extensions}}),
+                           without_texture, "{}");
 
 // --- cameras and lights
 const Rule perspective =
@@ -176,34 +196,39 @@ const Rule perspective =
 const Rule orthographic = record(
     {{"xmag", &number, true}, {"ymag", &number, true}, {"znear", &number, true}, {"zfar", &number, true}});
 const Rule camera_type = one_of({"perspective", "orthographic"});
-const Rule camera = record({{"type", &camera_type, true},
-                            {"perspective", &perspective},
-                            {"orthographic", &orthographic},
-                            {"name", &text},
-                            {"extensions", &object}});
+const Rule camera =
+    thing(record({{"type", &camera_type, true},
+                  {"perspective", &perspective},
+                  {"orthographic", &orthographic},
+                  {"name", &text},
+                  {"extensions", &object}}),
+          "that camera is left out", R"({"type": "perspective", "perspective": {"yfov": 1, "znear": 1}})");
 const Rule spot = record({{"innerConeAngle", &number}, {"outerConeAngle", &number}});
 const Rule punctual_type = one_of({"point", "spot", "directional"});
-const Rule punctual_light = record({{"type", &punctual_type, true},
-                                    {"spot", &spot},
-                                    {"name", &text},
-                                    {"color", &three_numbers},
-                                    {"intensity", &number},
-                                    {"range", &number},
-                                    {"extras", &light_extras_rule()}});
+const Rule punctual_light = thing(record({{"type", &punctual_type, true},
+                                          {"spot", &spot},
+                                          {"name", &text},
+                                          {"color", &three_numbers},
+                                          {"intensity", &number},
+                                          {"range", &number},
+                                          {"extras", &light_extras_rule()}}),
+                                  without_lamp, R"({"type": "point"})");
 const Rule punctual_lights = list_of(punctual_light);
 const Rule punctual = record({{"lights", &punctual_lights}});
 const Rule rect = record({{"aspect", &number}});
-const Rule area_light = record({{"type", &text},
-                                {"shape", &text},
-                                {"name", &text},
-                                {"color", &three_numbers},
-                                {"intensity", &number},
-                                {"size", &number},
-                                {"rect", &rect}});
+const Rule area_light = thing(record({{"type", &text},
+                                      {"shape", &text},
+                                      {"name", &text},
+                                      {"color", &three_numbers},
+                                      {"intensity", &number},
+                                      {"size", &number},
+                                      {"rect", &rect}}),
+                              without_lamp, "{}");
 const Rule area_lights = list_of(area_light);
 const Rule area = record({{"lights", &area_lights}});
 const Rule ies_light =
-    record({{"uri", &text}, {"bufferView", &view_index}, {"mimeType", &text}, {"name", &text}});
+    thing(record({{"uri", &text}, {"bufferView", &view_index}, {"mimeType", &text}, {"name", &text}}),
+          without_lamp, "{}");
 const Rule ies_lights = list_of(ies_light);
 const Rule ies = record({{"lights", &ies_lights, true}});
 const Rule root_extensions = record({{"KHR_lights_punctual", &punctual},
@@ -212,10 +237,11 @@ const Rule root_extensions = record({{"KHR_lights_punctual", &punctual},
                                      {"KHR_materials_variants", &variants_rule()}});
 
 // --- nodes
-const Rule node_punctual = record({{"light", &punctual_light_index, true}});
-const Rule node_area = record({{"light", &area_light_index, true}});
+const Rule node_punctual = thing(record({{"light", &punctual_light_index, true}}), without_lamp);
+const Rule node_area = thing(record({{"light", &area_light_index, true}}), without_lamp);
 const Rule node_ies =
-    record({{"light", &ies_light_index, true}, {"multiplier", &number}, {"color", &three_numbers}});
+    thing(record({{"light", &ies_light_index, true}, {"multiplier", &number}, {"color", &three_numbers}}),
+          without_lamp);
 const Rule node_extensions = record({{"KHR_lights_punctual", &node_punctual},
                                      {"EXT_lights_area", &node_area},
                                      {"EXT_lights_ies", &node_ies},

@@ -24,11 +24,29 @@ struct Place {
     }
 };
 
+/// A fault in what is addressed to this program.
+struct OurFault : Error {
+    explicit OurFault(const Error& error) : Error(error) {}
+};
+
 class Check {
 public:
-    Check(const json& root, const std::string& name) : root_(root), name_(name) {}
+    Check(const json& root, const std::string& name, Warnings& warnings)
+        : root_(root), name_(name), warnings_(warnings) {}
 
-    void value(json& value, const Rule& rule, const Place& place) const {
+    std::set<std::string> lost; // JSON pointers
+
+    void value(json& value, const Rule& rule, const Place& place) {
+        if (!rule.is_ours) return obey(value, rule, place);
+        try {
+            obey(value, rule, place);
+        } catch (const Error& error) {
+            throw OurFault(error);
+        }
+    }
+
+private:
+    void obey(json& value, const Rule& rule, const Place& place) {
         switch (rule.kind) {
         case Rule::Kind::anything: return;
         case Rule::Kind::boolean: return claim(value.is_boolean(), "must be true or false", value, place);
@@ -42,7 +60,25 @@ public:
         }
     }
 
-private:
+    /// Checks a value that may be a thing. @return whether it is to be removed
+    bool is_lost(json& value, const Rule& rule, const Place& place) {
+        if (rule.loss.empty()) {
+            this->value(value, rule, place);
+            return false;
+        }
+        try {
+            this->value(value, rule, place);
+            return false;
+        } catch (const OurFault&) {
+            throw;
+        } catch (const Error& error) {
+            warnings_.add_loss(error, rule.loss);
+        }
+        lost.insert(place.pointer());
+        if (!rule.stand_in.empty()) value = json::parse(rule.stand_in);
+        return rule.stand_in.empty();
+    }
+
     void claim(bool holds, std::string_view demand, const json& value, const Place& place) const {
         if (!holds) fail(demand, value, place);
     }
@@ -92,21 +128,27 @@ private:
             fail(fmt::format("must be below {}, the number of {}", size, rule.pool), value, place);
     }
 
-    void list(json& value, const Rule& rule, const Place& place) const {
+    void list(json& value, const Rule& rule, const Place& place) {
         claim(value.is_array(), "must be an array", value, place);
         if (rule.length != 0 && value.size() != rule.length)
             fail(fmt::format("must have {} elements", rule.length), value, place);
-        for (std::size_t i = 0; i < value.size(); ++i) this->value(value[i], *rule.element, {&place, {}, i});
+        std::size_t kept = 0;
+        for (std::size_t i = 0; i < value.size(); ++i) {
+            if (is_lost(value[i], *rule.element, {&place, {}, i})) continue;
+            if (kept != i) value[kept] = std::move(value[i]);
+            ++kept;
+        }
+        while (value.size() > kept) value.erase(value.size() - 1);
     }
 
-    void record(json& value, const Rule& rule, const Place& place) const {
+    void record(json& value, const Rule& rule, const Place& place) {
         if (rule.is_optional && !value.is_object()) return;
         claim(value.is_object(), "must be an object", value, place);
         for (const PropertyRule& property : rule.properties) {
             const auto found = value.find(property.name);
-            if (found != value.end())
-                this->value(*found, *property.rule, {&place, property.name, 0});
-            else if (property.is_required)
+            if (found != value.end()) {
+                if (is_lost(*found, *property.rule, {&place, property.name, 0})) value.erase(found);
+            } else if (property.is_required)
                 fail(fmt::format("must have the property \"{}\"", property.name), value, place);
         }
         if (rule.is_closed) no_others(value, rule, place);
@@ -121,19 +163,22 @@ private:
                      place);
     }
 
-    void dictionary(json& value, const Rule& rule, const Place& place) const {
+    void dictionary(json& value, const Rule& rule, const Place& place) {
         claim(value.is_object(), "must be an object", value, place);
         for (auto& [key, element] : value.items()) this->value(element, *rule.element, {&place, key, 0});
     }
 
     const json& root_;
     const std::string& name_;
+    Warnings& warnings_;
 };
 
 } // namespace
 
-void check(json& root, const Rule& rule, const std::string& name) {
-    Check(root, name).value(root, rule, Place{});
+std::set<std::string> check(json& root, const Rule& rule, const std::string& name, Warnings& warnings) {
+    Check check(root, name, warnings);
+    check.value(root, rule, Place{});
+    return std::move(check.lost);
 }
 
 } // namespace sr::gltf

@@ -3,9 +3,12 @@
 //
 // It stands in front of tinygltf, which takes the wrong kind of value for an absent one and narrows numbers
 // unchecked; behind it every reader may trust what it reads.
+#include "gltf/warnings.hpp"
+
 #include <nlohmann/json.hpp>
 
 #include <cstdint>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -34,13 +37,26 @@ struct Rule {
     std::vector<std::uint64_t> values{};    // whole: the only ones allowed; empty: any
     std::uint64_t largest =
         0xFFFFFFFF; // whole: what is larger is a broken file (GLB's own lengths are 32-bit)
+
+    /// Not empty: the value is one thing of the picture. Where it is broken it is taken out, and this says in
+    /// a warning what is done without it.
+    std::string_view loss{};
+    /// A thing that other parts of the file count on by its index: the JSON that replaces it. Empty: it is
+    /// removed.
+    std::string_view stand_in{};
+    /// The value is addressed to this program (extras.steradian): a fault in it is an error even within a
+    /// thing.
+    bool is_ours = false;
 };
 
 /// What the glTF 2.0 schema says about the parts that this program reads, and its extensions.
 const Rule& gltf_rule();
 
-/// Checks `root` and rewrites whole numbers that are written with a fraction ("3.0") as integers.
+/// Checks `root`, rewrites whole numbers that are written with a fraction ("3.0") as integers, and takes out
+/// the things that are broken (Rule::loss).
+/// @return the JSON pointers of the things that were taken out, such as "/cameras/2"
 /// @throws Error naming the offending value by its JSON pointer
-void check(nlohmann::json& root, const Rule& rule, const std::string& name);
+std::set<std::string> check(nlohmann::json& root, const Rule& rule, const std::string& name,
+                            Warnings& warnings);
 
 } // namespace sr::gltf

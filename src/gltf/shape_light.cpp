@@ -55,16 +55,9 @@ void check_properties(const Document& document, const Value& stated, const Shape
 /// Builds the shapes, all but their quantity.
 class Maker {
 public:
-    Maker(const Document& document, const PlacedNode& placed, const Value& stated, const std::string& title)
-        : document_(document),
-          placed_(placed),
-          stated_(stated),
-          title_(title),
-          frame_(frame_of(document, placed, title)) {
-        if (!(glm::length(frame_.u) > 0.0))
-            document.fail(fmt::format("{} is scaled to nothing", title),
-                          "give its node a scale that is not zero");
-    }
+    Maker(const Document& document, const PlacedNode& placed, const Value& stated, const std::string& title,
+          const LightFrame& frame)
+        : document_(document), placed_(placed), stated_(stated), title_(title), frame_(frame) {}
 
     template<class Flat>
     Flat flat(float half_width, float half_height) const {
@@ -117,7 +110,7 @@ scene::EmissionMap LightTable::map_of(const Value* stated) {
     return map;
 }
 
-void LightTable::append_shape(const PlacedNode& placed) {
+void LightTable::append_shape(const PlacedNode& placed, Warnings& warnings) {
     const tinygltf::Node& node = document_.model.nodes[static_cast<std::size_t>(placed.node)];
     const Value* stated = steradian_in(node.extras);
     if (!stated || !stated->Has("shape")) return;
@@ -125,7 +118,10 @@ void LightTable::append_shape(const PlacedNode& placed) {
         fmt::format("light {} (/nodes/{}/extras/steradian)", in_quotes(node.name), placed.node);
     const std::string shape = text_in(*stated, "shape");
     check_properties(document_, *stated, shape_named(shape), title);
-    const Maker maker(document_, placed, *stated, title);
+    std::optional<LightFrame> frame;
+    warnings.attempt(without_lamp, [&] { frame = sided_frame_of(document_, placed, title); });
+    if (!frame) return;
+    const Maker maker(document_, placed, *stated, title, *frame);
     const dvec3 white(1.0);
     const auto finish_flat = [&](auto light) {
         light.name = node.name;

@@ -1,8 +1,10 @@
 #include "gltf/texture.hpp"
 
+#include "gltf/extensions.hpp"
 #include "image/webp.hpp"
 
 #include <algorithm>
+#include <fmt/format.h>
 
 namespace sr::gltf {
 namespace {
@@ -48,9 +50,16 @@ TextureTable::TextureTable(const Document& document, Warnings& warnings)
 
 int TextureTable::texture(int gltf_texture, scene::ColorSpace color_space) {
     const tinygltf::Texture& from = document_.model.textures[static_cast<std::size_t>(gltf_texture)];
+    const std::string pointer = fmt::format("/textures/{}", gltf_texture);
+    if (document_.is_lost(pointer)) return -1;
     const int source = source_of(from);
-    if (source < 0) {
-        warnings_.add("a texture has no image in a supported format", "the material is shown without it");
+    const int count = static_cast<int>(document_.images.size());
+    if (source < 0 || source >= count) {
+        const bool is_ktx = source < 0 && extension(from.extensions, "KHR_texture_basisu");
+        warnings_.add(source < 0 ? pointer + " has no image in a supported format"
+                                 : fmt::format("{} has image {}, and there are {}", pointer, source, count),
+                      is_ktx ? fmt::format("the material is shown without it; {}", convert_ktx)
+                             : "the material is shown without it");
         return -1;
     }
     const auto [image, is_new] = image_of_source_.try_emplace(source, static_cast<int>(sources_.size()));

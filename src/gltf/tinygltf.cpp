@@ -1,5 +1,6 @@
 // tinygltf's writers use file streams even where its own file system is left out.
 #include <fstream>
+#include <vector>
 
 #include "gltf/tinygltf.hpp"
 

@@ -45,6 +45,8 @@ std::string percent_decoded(std::string_view text) {
     return decoded;
 }
 
+char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+
 constexpr std::uint8_t no_digit = 255;
 
 constexpr std::array<std::uint8_t, 256> base64_digits = [] {
@@ -76,13 +78,20 @@ std::optional<std::vector<std::uint8_t>> base64_decoded(std::string_view text) {
     return bytes;
 }
 
+bool is_same_but_for_case(std::string_view a, std::string_view b) {
+    return std::ranges::equal(a, b, [](char x, char y) { return lower(x) == lower(y); });
+}
+
+// RFC 2397: the header's ";base64" says how the data is written; without it it is percent-encoded text.
 std::vector<std::uint8_t> read_data_uri(std::string_view uri, const UriPlace& place) {
+    constexpr std::string_view base64 = ";base64";
     const auto comma = uri.find(',');
     if (comma == std::string_view::npos)
         fail(place, "is a data URI without a comma", "export the file again");
     const std::string_view header = uri.substr(0, comma);
     const std::string_view body = uri.substr(comma + 1);
-    if (!header.ends_with(";base64")) {
+    if (header.size() < base64.size()
+        || !is_same_but_for_case(header.substr(header.size() - base64.size()), base64)) {
         const std::string text = percent_decoded(body);
         return {text.begin(), text.end()};
     }
@@ -98,28 +107,79 @@ bool has_scheme(std::string_view uri) {
     return end != std::string_view::npos && end > 0 && uri[end] == ':';
 }
 
+/// How a relative URI may be meant, the most literal reading of RFC 3986 first.
+std::vector<std::string> readings_of(std::string_view uri) {
+    std::vector<std::string> readings{percent_decoded(uri.substr(0, uri.find_first_of("?#"))),
+                                      percent_decoded(uri), std::string(uri)};
+    for (std::size_t i = 0; i < 3; ++i) {
+        std::string slashed = readings[i];
+        std::ranges::replace(slashed, '\\', '/');
+        readings.push_back(std::move(slashed));
+    }
+    std::vector<std::string> different;
+    for (std::string& reading : readings)
+        if (std::ranges::find(different, reading) == different.end()) different.push_back(std::move(reading));
+    return different;
+}
+
+bool leaves_folder(const std::string& reading) {
+    // Both slashes separate on Windows; treating them alike keeps a scene from leaving its folder anywhere.
+    std::string slashed = reading;
+    std::ranges::replace(slashed, '\\', '/');
+    const fs::path normal = fs::path(slashed).lexically_normal();
+    return normal.is_absolute() || normal.has_root_path() || normal.empty() || *normal.begin() == "..";
+}
+
+/// Whether a symbolic link on the way leads out of the folder. A link to another place in the folder does
+/// not.
+bool is_linked_away(const fs::path& file, const fs::path& folder) {
+    std::error_code failure;
+    const fs::path root = fs::canonical(folder.empty() ? fs::path(".") : folder, failure);
+    if (failure) return false; // so that reading it says what is wrong
+    const fs::path target = fs::canonical(file, failure);
+    if (failure) return false;
+    return std::ranges::mismatch(root, target).in1 != root.end();
+}
+
 fs::path contained(std::string_view uri, const fs::path& folder, const UriPlace& place) {
     if (has_scheme(uri))
         fail(place, fmt::format("is {}, which is no file beside the glTF", in_quotes(uri)),
              "download the file, put it beside the glTF and name it there");
-    std::string decoded = percent_decoded(uri);
-    if (decoded.empty() || decoded.find('\0') != std::string::npos)
+    const std::string literal = readings_of(uri).front();
+    if (literal.empty() || literal.find('\0') != std::string::npos)
         fail(place, "names no file", "export the file again");
-    // Both slashes separate on Windows; treating them alike keeps a scene from leaving its folder anywhere.
-    std::string slashed = decoded;
-    std::replace(slashed.begin(), slashed.end(), '\\', '/');
-    const fs::path normal = fs::path(slashed).lexically_normal();
-    if (fs::path(decoded).is_absolute() || normal.is_absolute() || normal.has_root_path()
-        || *normal.begin() == "..")
-        fail(place, fmt::format("is {}, which leaves the folder of the glTF", in_quotes(decoded)),
+    if (leaves_folder(literal))
+        fail(place, fmt::format("is {}, which leaves the folder of the glTF", in_quotes(literal)),
              "copy that file into the folder and name it there");
-    return folder / fs::path(decoded);
+    const std::vector<fs::path> files = files_named(uri, folder);
+    std::error_code ignored;
+    const auto found =
+        std::ranges::find_if(files, [&](const fs::path& file) { return fs::exists(file, ignored); });
+    const fs::path& file = found == files.end() ? files.front() : *found;
+    if (is_linked_away(file, folder))
+        fail(place, fmt::format("is {}, a symbolic link out of the folder of the glTF", in_quotes(literal)),
+             "copy that file into the folder in its place");
+    return file;
 }
 
 } // namespace
 
+bool is_data_uri(std::string_view uri) {
+    constexpr std::string_view scheme = "data:";
+    return uri.size() >= scheme.size() && is_same_but_for_case(uri.substr(0, scheme.size()), scheme);
+}
+
+std::vector<fs::path> files_named(std::string_view uri, const fs::path& folder) {
+    std::vector<fs::path> files;
+    if (has_scheme(uri)) return files;
+    for (const std::string& reading : readings_of(uri))
+        if (!reading.empty() && reading.find('\0') == std::string::npos && !leaves_folder(reading))
+            files.push_back(folder / fs::path(reading).lexically_normal()); // RFC 3986, section 5.2.4
+    return files;
+}
+
 std::vector<std::uint8_t> read_uri(std::string_view uri, const fs::path& folder, const UriPlace& place) {
-    if (uri.starts_with("data:")) return read_data_uri(uri, place);
+    if (is_data_uri(uri)) return read_data_uri(uri, place);
     const fs::path file = contained(uri, folder, place);
     return read_file(file, place.file,
                      fmt::format("{} names {}: ", place.pointer, in_quotes(file.filename().string())));

@@ -14,9 +14,18 @@ struct UriPlace {
     std::string pointer; // "/buffers/0/uri"
 };
 
+/// Whether the scheme is "data", in any case (RFC 3986, section 3.1).
+bool is_data_uri(std::string_view uri);
+
+/// The files in `folder` that a relative URI may name: as RFC 3986 reads it first (percent-encoding undone,
+/// dot segments removed, without query and fragment), then as exporters write it that do not encode ? # %,
+/// and with backslashes for slashes. None for a URI with a scheme. What would leave the folder is not among
+/// them.
+std::vector<std::filesystem::path> files_named(std::string_view uri, const std::filesystem::path& folder);
+
 /// The bytes of a data URI (base64 or percent-encoded), or of the file that a relative URI names in `folder`.
-/// Percent-encoding is undone. A URI that leaves the folder or names a network address is refused; a symbolic
-/// link inside the folder is the user's own doing and is followed.
+/// The first of files_named() that is there is read. A URI that leaves the folder or names a network address
+/// is refused, and so is a symbolic link that leads out of the folder; one within it is followed.
 /// @throws Error
 std::vector<std::uint8_t> read_uri(std::string_view uri, const std::filesystem::path& folder,
                                    const UriPlace& place);

@@ -7,9 +7,7 @@ namespace sr::golden {
 
 namespace fs = std::filesystem;
 
-std::string bytes_of_file(const fs::path& file) {
-    return read_text(file);
-}
+std::string bytes_of_file(const fs::path& file) { return read_text(file); }
 
 void write_text(const fs::path& file, std::string_view text) {
     image::write_whole(file, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});

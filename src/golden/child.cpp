@@ -21,9 +21,9 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using namespace std::chrono_literals;
 
-// A child is a supervisor and the program below it, both in a process group of their own. The supervisor dies with
-// the thread that made it, and takes the group along: a run that is killed leaves nothing behind. Between fork and
-// exec only functions are called that are safe there: this program has other threads.
+// A child is a supervisor and the program below it, both in a process group of their own. The supervisor dies
+// with the thread that made it, and takes the group along: a run that is killed leaves nothing behind.
+// Between fork and exec only functions are called that are safe there: this program has other threads.
 
 void kill_group(int) { kill(0, SIGKILL); }
 
@@ -37,7 +37,7 @@ void reset_signals() {
 /// Ends as the program below it has ended.
 [[noreturn]] void end_as(int status) {
     if (WIFEXITED(status)) _exit(WEXITSTATUS(status));
-    const struct rlimit no_core{0, 0};
+    const struct rlimit no_core { 0, 0 };
     setrlimit(RLIMIT_CORE, &no_core);
     signal(WTERMSIG(status), SIG_DFL);
     raise(WTERMSIG(status));
@@ -137,8 +137,7 @@ bool wait_for(pid_t child, Clock::time_point deadline, const std::function<bool(
 ChildEnd run_child(const ChildOptions& options) {
     const auto begin = Clock::now();
     pid_t child = 0;
-    if (const int failure = start(child, options))
-        return {ChildEnd::Way::not_started, failure, 0.0};
+    if (const int failure = start(child, options)) return {ChildEnd::Way::not_started, failure, 0.0};
     ChildEnd end;
     const auto limit =
         std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(options.time_limit));

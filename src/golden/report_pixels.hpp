@@ -3,6 +3,7 @@
 #include "image/image.hpp"
 
 #include <nlohmann/json_fwd.hpp>
+#include <string_view>
 
 namespace sr::golden {
 

@@ -187,6 +187,7 @@ TestResult run_test(const Suite& suite, const GoldenTest& test, const RunOptions
         judge(result, image, suite, test);
     } catch (const std::exception& error) { // an Error, or what memory and the file system refuse
         result.outcome = Outcome::broken;
+        result.has_unreadable_file = true;
         result.message = error.what();
     }
     return result;

@@ -30,7 +30,12 @@ void allow_test_keys(const SuiteReader& entry) {
                       "arguments",  "shaders",     "camera",     "size",       "samples",         "seed",
                       "background", "rig",         "estimator",  "visibility", "exr_type",        "exposure",
                       "tone_curve", "backend",     "time_limit", "tolerance",  "allow_nonfinite", "region",
-                      "mask",       "noise",       "pixels",     "guards"});
+                      "mask",       "noise",       "pixels",     "guards",     "strict"});
+}
+
+/// The key in the test if it is there, else in the defaults.
+const SuiteReader& holder(const SuiteReader& entry, const SuiteReader& defaults, const char* key) {
+    return entry.has(key) ? entry : defaults;
 }
 
 /// The value of a render option as the command line takes it: a text, or a number as written.
@@ -44,6 +49,8 @@ std::string option_value(const SuiteReader& entry, const char* key) {
 
 std::vector<std::string> render_command(const SuiteReader& entry, const SuiteReader& defaults) {
     std::vector<std::string> words{"{steradian}", "render", entry.required_text("scene"), "-o", "{out}"};
+    // A golden of a scene that has lost something would keep the loss.
+    if (holder(entry, defaults, "strict").flag("strict", true)) words.emplace_back("--strict");
     for (const RenderOption& option : render_options)
         for (const SuiteReader* place : {&entry, &defaults})
             if (place->has(option.key)) {
@@ -56,11 +63,6 @@ std::vector<std::string> render_command(const SuiteReader& entry, const SuiteRea
         for (std::string& word : place->texts("arguments")) words.push_back(std::move(word));
     }
     return words;
-}
-
-/// The key in the test if it is there, else in the defaults.
-const SuiteReader& holder(const SuiteReader& entry, const SuiteReader& defaults, const char* key) {
-    return entry.has(key) ? entry : defaults;
 }
 
 std::string checked_name(const SuiteReader& entry, std::set<std::string>& used) {

@@ -25,15 +25,23 @@ fs::path program() {
 #endif
 }
 
+/// Beside the program in a build folder, in the library folder once installed.
+fs::path module_file() {
+    const fs::path folder = program().parent_path(), beside = folder / STERADIAN_IMAGE_MODULE;
+    const fs::path installed = folder / STERADIAN_MODULES_FROM_BIN / STERADIAN_IMAGE_MODULE;
+    std::error_code ignored;
+    return fs::exists(beside, ignored) ? beside : installed.lexically_normal();
+}
+
 const Codec& open_module() {
-    const fs::path file = program().parent_path() / STERADIAN_IMAGE_MODULE;
+    const fs::path file = module_file();
     // Lazy and local: most of the symbols behind it are never used, and none is anybody else's business.
     void* module = dlopen(file.c_str(), RTLD_LAZY | RTLD_LOCAL);
     void* entry = module ? dlsym(module, codec_entry_name) : nullptr;
     if (!entry) {
         const char* reason = dlerror();
         throw Error({file.string()}, reason ? reason : "the module does not load",
-                    "keep this module beside the program, and OpenImageIO installed");
+                    "install Steradian and OpenImageIO again");
     }
     return *reinterpret_cast<CodecEntry>(entry)();
 }

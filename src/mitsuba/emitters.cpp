@@ -2,6 +2,7 @@
 
 #include "mitsuba/capsule.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -58,12 +59,10 @@ public:
 
     void operator()(const scene::SpotLight& light) {
         if (light.radius > 0.0f) warn(light.name, "is a spot with a radius: exported without the radius");
-        // KHR_lights_punctual, "Inner and Outer Cone Angles".
-        const float cos_outer = std::cos(light.outer_angle);
-        const float scale = 1.0f / std::max(0.001f, std::cos(light.inner_angle) - cos_outer);
+        const scene::ConeFalloff cone = scene::cone_falloff(light);
         open_punctual(light.position, light.direction, light.I, light.range);
-        xml_.number("cone_scale", scale);
-        xml_.number("cone_offset", -cos_outer * scale);
+        xml_.number("cone_scale", cone.scale);
+        xml_.number("cone_offset", cone.offset);
         xml_.close();
     }
 

@@ -100,6 +100,10 @@ private:
         xml_.number("specular", m_.specular);
         write_slot("specular_texture", m_.specular_texture, Part::alpha);
         write_specular_color();
+        if (m_.is_specular_glossiness) {
+            xml_.flag("specular_glossiness", true);
+            write_slot("glossiness_texture", m_.specular_color_texture, Part::alpha);
+        }
         if (has_direction()) {
             xml_.number("anisotropy", m_.anisotropy);
             write_direction();

@@ -1,5 +1,6 @@
 #include "mitsuba/sensor.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 

@@ -145,7 +145,6 @@ void DepthMaps::draw(std::uint32_t sample_index, std::uint32_t seed, int first_l
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
     glViewport(0, 0, size_, size_);
     glDisable(GL_BLEND);
-    glDisable(GL_CULL_FACE); // both sides cast shadows
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);
     glDepthMask(GL_TRUE);
@@ -178,16 +177,21 @@ void DepthMaps::draw_face(const Point& point, int face, std::uint32_t sample_ind
     frame_data_.upload(
         {clip_from_world(point.view, face), eye, sample_index, point.seed, point.light, point.light + 1});
     const auto& casters = scene_.occluders()->casters().casters;
+    const bool passes =
+        scene_.occluders()->casters().passes_back_faces[static_cast<std::size_t>(point.light)];
+    glCullFace(face % 2 == 0 ? GL_FRONT : GL_BACK); // faces along an axis show the world mirrored
     for (const auto* draws : {&scene_.opaque_draws(), &scene_.blended_draws()}) {
         for (const Draw& draw : *draws) {
             const auto instance = static_cast<std::size_t>(draw.instance);
             if (!stands_in_light(casters[instance], point.light)
                 || !may_see(point.view, face, stage_.casters[instance]))
                 continue;
+            (passes && !draw.is_double_sided ? glEnable : glDisable)(GL_CULL_FACE);
             shaders.mesh_program("caster.frag", caster_features(draw.features)).use();
             scene_.draw(draw);
         }
     }
+    glDisable(GL_CULL_FACE);
 }
 
 void DepthMaps::upload_points() {

@@ -77,6 +77,7 @@ constexpr std::array other_flags{Flag{"has_vertex_colors", &Features::has_vertex
                                  Flag{"has_sheen", &Features::has_sheen},
                                  Flag{"has_iridescence", &Features::has_iridescence},
                                  Flag{"has_energy_compensation", &Features::has_energy_compensation},
+                                 Flag{"is_specular_glossiness", &Features::is_specular_glossiness},
                                  Flag{"has_transparent_casters", &Features::has_transparent_casters},
                                  Flag{"is_masked", &Features::is_masked},
                                  Flag{"is_blended", &Features::is_blended},
@@ -174,6 +175,7 @@ Features shading_features(const scene::Scene& scene, const scene::Mesh& mesh, co
     f.has_specular_color_texture = material.specular_color_texture.is_present();
     f.has_vertex_colors = !mesh.colors.empty();
     f.model = material.model;
+    f.is_specular_glossiness = material.is_specular_glossiness;
     ask_for_layers(f, material, !mesh.tangents.empty());
     f.is_masked = material.alpha_mode == scene::AlphaMode::mask;
     f.is_blended = material.alpha_mode == scene::AlphaMode::blend;

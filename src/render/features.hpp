@@ -39,6 +39,7 @@ struct Features {
     bool has_sheen = false;
     bool has_iridescence = false;
     bool has_energy_compensation = false;
+    bool is_specular_glossiness = false;
     bool has_anisotropy_texture = false;
     bool has_clearcoat_texture = false;
     bool has_clearcoat_roughness_texture = false;

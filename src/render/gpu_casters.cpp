@@ -19,7 +19,11 @@ std::vector<vec4> packed_data(const Casters& casters) {
         const shadow::AlphaMap map =
             has_map ? casters.alpha_maps[static_cast<std::size_t>(caster.alpha_map)] : shadow::AlphaMap{};
         const int modes = static_cast<int>(caster.alpha_mode) + 4 * static_cast<int>(map.wrap_u)
-                          + 16 * static_cast<int>(map.wrap_v);
+                          + 16 * static_cast<int>(map.wrap_v)
+                          + 64
+                                * (caster.front == 0.0f  ? 0
+                                   : caster.front > 0.0f ? 1
+                                                         : 2);
         texels.emplace_back(caster.emits_as.first, caster.emits_as.end, caster.own_share, modes);
         texels.emplace_back(caster.alpha_cutoff, map.first, map.width, map.height);
     }

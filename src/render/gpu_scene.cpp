@@ -2,6 +2,7 @@
 
 #include "core/error.hpp"
 #include "core/parallel.hpp"
+#include "gl/context.hpp"
 #include "render/gpu_texture.hpp"
 #include "render/light_table.hpp"
 #include "scene/transform.hpp"
@@ -9,9 +10,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <deque>
 #include <future>
-#include <optional>
 #include <set>
+#include <thread>
 #include <tuple>
 #include <utility>
 
@@ -77,22 +79,29 @@ MaterialBlock packed_material(const scene::Material& m, const scene::Scene& scen
 struct ImageUse {
     int image = 0;
     scene::ColorSpace color_space = scene::ColorSpace::linear;
+    TexelNeeds needs;
 
     bool operator==(const ImageUse&) const = default;
 };
 
+/// For each texture, whether a material compares its alpha with a cutoff.
+std::vector<bool> alpha_is_compared(const scene::Scene& scene) {
+    std::vector<bool> is_compared(scene.textures.size(), false);
+    for (const scene::Material& material : scene.materials)
+        if (material.alpha_mode == scene::AlphaMode::mask && material.base_color_texture.is_present())
+            is_compared[static_cast<std::size_t>(material.base_color_texture.texture)] = true;
+    return is_compared;
+}
+
+/// An image in the form that the GPU stores.
 struct ReadyImage {
-    std::optional<scene::TextureImage> rounded; // where the image cannot be uploaded as it is
+    TexelFormat format = TexelFormat::unorm8;
     std::vector<MipLevel> levels;
 };
 
-ReadyImage make_ready(const scene::TextureImage& image, scene::ColorSpace color_space) {
-    ReadyImage ready;
-    if (color_space == scene::ColorSpace::srgb
-        && std::holds_alternative<std::vector<std::uint16_t>>(image.texels))
-        ready.rounded = displayable(image);
-    ready.levels = mip_chain(ready.rounded ? *ready.rounded : image, color_space);
-    return ready;
+ReadyImage make_ready(const scene::TextureImage& image, const ImageUse& use) {
+    const TexelFormat format = texel_format(image, use.color_space, use.needs);
+    return {format, mip_chain(image, use.color_space, format)};
 }
 
 vec3 center_of(const scene::Mesh& mesh, const mat4& world_from_object) {
@@ -136,10 +145,14 @@ void GpuScene::cast_shadows(const scene::Scene& scene, std::span<const scene::Li
 }
 
 void GpuScene::upload_textures(const scene::Scene& scene) {
+    const bool driver_is_inexact =
+        gl::is_software_renderer(reinterpret_cast<const char*>(glGetString(GL_RENDERER)));
+    const std::vector<bool> is_compared = alpha_is_compared(scene);
     std::vector<ImageUse> uses;
     std::vector<scene::Sampler> made;
-    for (const scene::Texture& texture : scene.textures) {
-        const ImageUse use{texture.image, texture.color_space};
+    for (std::size_t i = 0; i < scene.textures.size(); ++i) {
+        const scene::Texture& texture = scene.textures[i];
+        const ImageUse use{texture.image, texture.color_space, {driver_is_inexact, is_compared[i]}};
         const auto image = std::find(uses.begin(), uses.end(), use);
         image_of_texture_.push_back(static_cast<int>(image - uses.begin()));
         if (image == uses.end()) uses.push_back(use);
@@ -150,17 +163,18 @@ void GpuScene::upload_textures(const scene::Scene& scene) {
             samplers_.push_back(sampler_object(texture.sampler));
         }
     }
-    // The threads halve the images, this one hands them to GL as they come.
-    std::vector<std::future<ReadyImage>> ready;
-    ready.reserve(uses.size());
-    for (const ImageUse& use : uses)
-        ready.push_back(started([&image = scene.images[use.image], space = use.color_space] {
-            return make_ready(image, space);
-        }));
-    for (std::size_t i = 0; i < uses.size(); ++i) {
-        const ReadyImage image = ready[i].get();
-        images_.push_back(upload(image.rounded ? *image.rounded : scene.images[uses[i].image],
-                                 uses[i].color_space, image.levels));
+    // Threads convert and halve the images, a few ahead of the upload: all at once would take their memory at
+    // once.
+    const std::size_t max_ahead = std::max(2u, std::thread::hardware_concurrency());
+    std::deque<std::future<ReadyImage>> ready;
+    for (std::size_t i = 0, begun = 0; i < uses.size(); ++i) {
+        for (; begun < uses.size() && begun < i + max_ahead; ++begun)
+            ready.push_back(started([&image = scene.images[uses[begun].image], use = uses[begun]] {
+                return make_ready(image, use);
+            }));
+        const ReadyImage image = ready.front().get();
+        ready.pop_front();
+        images_.push_back(upload(scene.images[uses[i].image].name, image.format, image.levels));
     }
     for (const scene::MeasuredBrdf& measured : scene.measured) measured_.push_back(upload(measured));
 }

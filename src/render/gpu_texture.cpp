@@ -7,21 +7,21 @@
 namespace sr::render {
 namespace {
 
-/// GL's name for how texels of this type are stored.
-struct Format {
+/// GL's names for how texels are stored.
+struct GlFormat {
     GLenum internal;
     GLenum type;
 };
 
-Format format_of(const scene::TextureImage& image, scene::ColorSpace color_space) {
-    if (std::holds_alternative<std::vector<std::uint16_t>>(image.texels))
-        return {GL_RGBA16, GL_UNSIGNED_SHORT};
-    const bool is_srgb = color_space == scene::ColorSpace::srgb;
-    return {static_cast<GLenum>(is_srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8), GL_UNSIGNED_BYTE};
-}
-
-const void* data_of(const auto& texels) {
-    return std::visit([](const auto& values) -> const void* { return values.data(); }, texels);
+GlFormat gl_format(TexelFormat format) {
+    switch (format) {
+    case TexelFormat::unorm8: return {GL_RGBA8, GL_UNSIGNED_BYTE};
+    case TexelFormat::srgb8: return {GL_SRGB8_ALPHA8, GL_UNSIGNED_BYTE};
+    case TexelFormat::unorm16: return {GL_RGBA16, GL_UNSIGNED_SHORT};
+    case TexelFormat::float16: return {GL_RGBA16F, GL_HALF_FLOAT};
+    case TexelFormat::float32: return {GL_RGBA32F, GL_FLOAT};
+    }
+    return {GL_RGBA32F, GL_FLOAT};
 }
 
 GLint wrap_mode(scene::Wrap wrap) {
@@ -45,36 +45,20 @@ GLint minification(const scene::Sampler& sampler) {
 
 } // namespace
 
-scene::TextureImage displayable(const scene::TextureImage& image) {
-    scene::TextureImage rounded{image.name, image.width, image.height, {}};
-    auto& bytes = rounded.texels.emplace<std::vector<std::uint8_t>>();
-    const auto& words = std::get<std::vector<std::uint16_t>>(image.texels);
-    bytes.reserve(words.size());
-    for (const std::uint16_t word : words)
-        bytes.push_back(static_cast<std::uint8_t>((word * 255u + 32767u) / 65535u));
-    return rounded;
-}
-
-gl::Texture upload(const scene::TextureImage& image, scene::ColorSpace color_space,
-                   const std::vector<MipLevel>& levels) {
+gl::Texture upload(const std::string& name, TexelFormat format, const std::vector<MipLevel>& levels) {
     GLint largest = 0;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
-    if (image.width > largest || image.height > largest)
-        throw Error(
-            {image.name},
-            fmt::format("{}×{} texels, the driver takes {} at most", image.width, image.height, largest),
-            "scale the image down");
-    const Format format = format_of(image, color_space);
-    gl::Texture texture(GL_TEXTURE_2D, image.name);
-    const auto level = [&](int index, int width, int height, const void* data) {
-        glTexImage2D(GL_TEXTURE_2D, index, static_cast<GLint>(format.internal), width, height, 0, GL_RGBA,
-                     format.type, data);
-    };
+    const int width = levels.front().width, height = levels.front().height;
+    if (width > largest || height > largest)
+        throw Error({name}, fmt::format("{}×{} texels, the driver takes {} at most", width, height, largest),
+                    "scale the image down");
+    const GlFormat stored = gl_format(format);
+    gl::Texture texture(GL_TEXTURE_2D, name);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    level(0, image.width, image.height, data_of(image.texels));
     for (std::size_t i = 0; i < levels.size(); ++i)
-        level(static_cast<int>(i + 1), levels[i].width, levels[i].height, data_of(levels[i].texels));
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, static_cast<GLint>(levels.size()));
+        glTexImage2D(GL_TEXTURE_2D, static_cast<GLint>(i), static_cast<GLint>(stored.internal),
+                     levels[i].width, levels[i].height, 0, GL_RGBA, stored.type, levels[i].texels.data());
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, static_cast<GLint>(levels.size()) - 1);
     return texture;
 }
 

@@ -7,15 +7,10 @@
 
 namespace sr::render {
 
-/// GL has no 16-bit sRGB format: an sRGB-encoded image of 16 bits, rounded to 8. That is as fine as its
-/// encoding needs.
-scene::TextureImage displayable(const scene::TextureImage& image);
-
-/// Uploads an image with its mip levels (mip_chain); the sampler decodes sRGB, so that filtering is in linear
-/// light.
+/// Uploads the levels of an image, level 0 first. Of TexelFormat::srgb8 the sampler decodes sRGB, so that
+/// filtering is in linear light.
 /// @throws Error naming the image if the driver's largest texture is smaller.
-gl::Texture upload(const scene::TextureImage& image, scene::ColorSpace color_space,
-                   const std::vector<MipLevel>& levels);
+gl::Texture upload(const std::string& name, TexelFormat format, const std::vector<MipLevel>& levels);
 
 /// A measured BRDF as a texture of 180 φ_d × 90 θ_d × 90 θ_h (shaders/brdf/merl.glsl), 17.5 MB.
 gl::Texture upload(const scene::MeasuredBrdf& measured);

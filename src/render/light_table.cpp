@@ -58,12 +58,9 @@ public:
     Texels operator()(const scene::SpotLight& light) {
         Texels t = round(blank(light.position, spot_light, light.I), light.radius);
         t[1] = vec4(light.direction, inverse_range(light.range));
-        // KHR_lights_punctual, "Inner and Outer Cone Angles"; 0.001 is the extension's guard against a hard
-        // edge.
-        const float cos_outer = std::cos(light.outer_angle);
-        const float scale = 1.0f / std::max(0.001f, std::cos(light.inner_angle) - cos_outer);
-        t[2].w = scale;
-        t[3].w = -cos_outer * scale;
+        const scene::ConeFalloff cone = scene::cone_falloff(light);
+        t[2].w = cone.scale;
+        t[3].w = cone.offset;
         return t;
     }
 
@@ -202,7 +199,8 @@ std::vector<vec4> pack_lights(const scene::Scene& scene, std::span<const scene::
     std::vector<vec4> table;
     table.reserve(lights.size() * texels_per_light);
     for (const scene::Light& light : lights) {
-        const Texels texels = std::visit([&](const auto& any) { return packer(any); }, light);
+        Texels texels = std::visit([&](const auto& any) { return packer(any); }, light);
+        if (passes_back_faces(light)) texels[4].w += 2.0f; // beside 1 for two sides
         table.insert(table.end(), texels.begin(), texels.end());
     }
     table.insert(table.end(), packer.behind().begin(), packer.behind().end());

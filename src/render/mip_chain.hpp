@@ -1,21 +1,49 @@
 #pragma once
-// The mip levels of an image, made on the CPU: by several threads at once, and the same on every driver.
+// The mip levels of an image in the form that the GPU stores, made on the CPU: the same on every driver.
 #include "scene/material.hpp"
 
+#include <cstddef>
+#include <span>
 #include <vector>
 
 namespace sr::render {
 
-/// One mip level; level 0 is the image itself and is not copied.
+/// The type of a stored texel, always RGBA.
+enum class TexelFormat {
+    unorm8,  // codes of 8 bits, linear
+    srgb8,   // codes of 8 bits, sRGB but for alpha; the driver decodes
+    unorm16, // codes of 16 bits, linear
+    float16, // linear light, half float: relative error 2^-11, alpha too
+    float32, // linear light, float
+};
+
+/// How exactly a texture must be stored.
+struct TexelNeeds {
+    /// The driver decodes sRGB or filters 8-bit texels with fewer bits than they have.
+    bool driver_is_inexact = false;
+    /// Alpha is compared with a cutoff, so it must keep its exact value.
+    bool alpha_is_compared = false;
+
+    bool operator==(const TexelNeeds&) const = default;
+};
+
+/// Returns the smallest format that keeps what `image` says. A 16-bit sRGB image has no format of its own in
+/// GL, and becomes linear floats.
+TexelFormat texel_format(const scene::TextureImage& image, scene::ColorSpace color_space, TexelNeeds needs);
+
+/// One mip level.
 struct MipLevel {
     int width = 0;
     int height = 0;
-    std::variant<std::vector<std::uint8_t>, std::vector<std::uint16_t>> texels; // RGBA, as in TextureImage
+    std::span<const std::byte> texels;  // width * height RGBA texels, first row on top
+    std::vector<std::byte> own_storage; // behind `texels`; empty where they are the image's
 };
 
-/// Levels 1 and up, each half the size of the one before (rounded down) until 1×1. A texel is the mean of the
-/// texels that it covers (area-weighted where a size is odd), formed in linear light where the image is
-/// sRGB-encoded.
-std::vector<MipLevel> mip_chain(const scene::TextureImage& image, scene::ColorSpace color_space);
+/// Makes all levels of `image` down to 1×1, level 0 first; each is half the size of the one before, rounded
+/// down. A texel is the mean of the texels that it covers (area-weighted where a size is odd), formed in
+/// linear light where the image is sRGB-encoded. Level 0 points into `image` where its texels need no
+/// conversion. `format` is one that texel_format() returns for the image.
+std::vector<MipLevel> mip_chain(const scene::TextureImage& image, scene::ColorSpace color_space,
+                                TexelFormat format);
 
 } // namespace sr::render

@@ -33,20 +33,20 @@ std::optional<glsl::Root> estimator(const RenderOptions& options) {
                       {"interface/estimator.glsl", limits}});
 }
 
-/// @throws Error from estimator()
-ShaderLibrary library(const RenderOptions& options) {
-    require(!options.shader_path.empty(), "the shader path has a root");
-    return ShaderLibrary(options.shader_path, estimator(options));
-}
-
 } // namespace
 
-Renderer::Renderer(const GpuScene& scene, const scene::Camera& camera, const RenderOptions& options)
+std::shared_ptr<ShaderLibrary> Renderer::programs(const RenderOptions& options) {
+    require(!options.shader_path.empty(), "the shader path has a root");
+    return std::make_shared<ShaderLibrary>(options.shader_path, estimator(options));
+}
+
+Renderer::Renderer(const GpuScene& scene, const scene::Camera& camera, const RenderOptions& options,
+                   std::shared_ptr<ShaderLibrary> shaders)
     : scene_(scene),
       camera_(camera),
       options_(options),
       end_light_(scene.light_count()),
-      shaders_(library(options)),
+      shaders_(shaders ? std::move(shaders) : programs(options)),
       frame_("frame", options.width, options.height, true),
       film_("film", options.width, options.height, false),
       resting_(options.width, options.height) {
@@ -84,15 +84,15 @@ void Renderer::ask_for_shadows() {
 }
 
 void Renderer::compile() {
-    if (depth_maps_) depth_maps_->compile(shaders_);
+    if (depth_maps_) depth_maps_->compile(*shaders_);
     for (const Draw& draw : scene_.opaque_draws()) {
-        shaders_.mesh_program("depth.frag", depth_features(draw.features));
-        shaders_.mesh_program(options_.shader, draw.features, opaque_visibility());
-        if (ray_answers_) shaders_.mesh_program("record.frag", draw.features, VisibilityTerm::record);
+        shaders_->mesh_program("depth.frag", depth_features(draw.features));
+        shaders_->mesh_program(options_.shader, draw.features, opaque_visibility());
+        if (ray_answers_) shaders_->mesh_program("record.frag", draw.features, VisibilityTerm::record);
     }
     for (const Draw& draw : scene_.blended_draws())
-        shaders_.mesh_program(options_.shader, draw.features, blended_visibility());
-    shaders_.fullscreen_program("accumulate.frag");
+        shaders_->mesh_program(options_.shader, draw.features, blended_visibility());
+    shaders_->fullscreen_program("accumulate.frag");
 }
 
 void Renderer::use_lights(int first, int end) {
@@ -152,23 +152,23 @@ bool Renderer::add_rows(int count) {
 void Renderer::draw(const Window& part) {
     const View view = begin_frame();
     keep_to(part);
-    depth_pass(frame_, scene_, shaders_, options_.background);
+    depth_pass(frame_, scene_, *shaders_, options_.background);
     glBindVertexArray(no_vertices_.id());
     if (resting_.any(sample_count_)) {
         resting_.bind(sample_count_, 0);
-        rest_pass(frame_, shaders_);
+        rest_pass(frame_, *shaders_);
     }
     shade_opaque(part);
     keep_to(part);
-    blend_pass(frame_, scene_, shaders_, options_.shader, view.eye, blended_visibility());
+    blend_pass(frame_, scene_, *shaders_, options_.shader, view.eye, blended_visibility());
     accumulate();
     glDisable(GL_SCISSOR_TEST);
 }
 
 void Renderer::accumulate() {
     glBindVertexArray(no_vertices_.id());
-    accumulate_pass(film_, frame_, shaders_);
-    if (first_half_ && half_of(sample_count_) == 0) accumulate_pass(*first_half_, frame_, shaders_);
+    accumulate_pass(film_, frame_, *shaders_);
+    if (first_half_ && half_of(sample_count_) == 0) accumulate_pass(*first_half_, frame_, *shaders_);
 }
 
 Window Renderer::window() const {
@@ -190,7 +190,7 @@ View Renderer::begin_frame() {
     const View view =
         view_of(camera_, options_.width, options_.height, sub_pixel(index, options_.samples, seed));
     if (depth_maps_)
-        depth_maps_->draw(static_cast<std::uint32_t>(index), seed, first_light_, end_light_, shaders_);
+        depth_maps_->draw(static_cast<std::uint32_t>(index), seed, first_light_, end_light_, *shaders_);
     frame_data_.upload(
         {view.clip_from_world, view.eye, static_cast<std::uint32_t>(index), seed, first_light_, end_light_});
     return view;
@@ -209,7 +209,7 @@ VisibilityTerm Renderer::blended_visibility() const {
 
 void Renderer::shade_opaque(const Window& window) {
     if (!ray_answers_ || first_light_ == end_light_) {
-        forward_pass(frame_, scene_, shaders_, options_.shader, opaque_visibility());
+        forward_pass(frame_, scene_, *shaders_, options_.shader, opaque_visibility());
         return;
     }
     const Band rows{options_.height - window.row - window.height, window.height};
@@ -217,8 +217,8 @@ void Renderer::shade_opaque(const Window& window) {
     glEnable(GL_SCISSOR_TEST);
     for (const Band& band : bands) {
         glScissor(window.column, band.first, window.width, band.count);
-        ray_answers_->find(band, first_light_, end_light_, frame_data_, shaders_);
-        forward_pass(frame_, scene_, shaders_, options_.shader, VisibilityTerm::answered);
+        ray_answers_->find(band, first_light_, end_light_, frame_data_, *shaders_);
+        forward_pass(frame_, scene_, *shaders_, options_.shader, VisibilityTerm::answered);
     }
     glDisable(GL_SCISSOR_TEST);
 }

@@ -7,6 +7,7 @@
 #include "render/ray_answers.hpp"
 #include "render/resting.hpp"
 
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -50,7 +51,13 @@ struct RenderOptions {
 class Renderer {
 public:
     /// Needs a current context for as long as it lives. @throws Error
-    Renderer(const GpuScene& scene, const scene::Camera& camera, const RenderOptions& options);
+    /// `shaders`: programs() of options with the same shader path and estimator, which renderers may share;
+    /// null: its own.
+    Renderer(const GpuScene& scene, const scene::Camera& camera, const RenderOptions& options,
+             std::shared_ptr<ShaderLibrary> shaders = nullptr);
+
+    /// An empty library of programs for renderers with such options. @throws Error
+    static std::shared_ptr<ShaderLibrary> programs(const RenderOptions& options);
 
     /// Compiles every program that the scene needs, so that errors and their cost come now. @throws
     /// ShaderError
@@ -111,7 +118,7 @@ public:
     /// sample_count() where no pixel rests.
     const gl::Texture& film_sum() const { return film_.color(); }
 
-    std::size_t program_count() const { return shaders_.program_count(); }
+    std::size_t program_count() const { return shaders_->program_count(); }
     /// The rays that the CPU answered; null where it is not asked.
     const RayAnswers* ray_answers() const { return ray_answers_ ? &*ray_answers_ : nullptr; }
 
@@ -135,7 +142,7 @@ private:
     RenderOptions options_;
     int first_light_ = 0;
     int end_light_ = 0;
-    ShaderLibrary shaders_;
+    std::shared_ptr<ShaderLibrary> shaders_;
     Target frame_;
     Target film_;
     std::optional<Target> first_half_; // the sum of the first sequence's samples

@@ -2,6 +2,7 @@
 
 #include "scene/transform.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>

@@ -1,5 +1,8 @@
 #include "scene/light.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace sr::scene {
 namespace {
 
@@ -12,6 +15,13 @@ vec3 doubled_vector_area(const std::vector<vec3>& corners) {
 }
 
 } // namespace
+
+ConeFalloff cone_falloff(const SpotLight& light) {
+    constexpr double narrowest = 1e-6; // that 32-bit cosines can tell apart
+    const double cos_outer = std::cos(double{light.outer_angle});
+    const double scale = 1.0 / std::max(narrowest, std::cos(double{light.inner_angle}) - cos_outer);
+    return {static_cast<float>(scale), static_cast<float>(-cos_outer * scale)};
+}
 
 float PolygonLight::area() const { return 0.5f * glm::length(doubled_vector_area(corners)); }
 
@@ -28,6 +38,17 @@ float MeshLight::area() const {
     for (const auto& [corners, uv] : triangles)
         doubled += glm::length(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
     return 0.5f * doubled;
+}
+
+bool passes_back_faces(const Light& light) {
+    return std::visit(
+        [](const auto& any) {
+            if constexpr (requires { any.passes_back_faces; })
+                return any.passes_back_faces;
+            else
+                return false;
+        },
+        light);
 }
 
 } // namespace sr::scene

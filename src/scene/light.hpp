@@ -33,10 +33,18 @@ struct SpotLight {
     vec3 I{1.0f};                      // on the axis [cd]
     float range = std::numeric_limits<float>::infinity();
     float inner_angle = 0.0f;      // half angle [rad]
-    float outer_angle = pi / 4.0f; // half angle [rad], > inner_angle
+    float outer_angle = pi / 4.0f; // half angle [rad], >= inner_angle; equal: a hard edge
     float radius = 0.0f;           // [m], as a point light's
     bool is_visible = true;
 };
+
+/// The falloff of a spot as saturate(scale · cosθ + offset)², θ from its axis (KHR_lights_punctual, "Inner
+/// and Outer Cone Angles"). A hard edge is a ramp of a millionth in cosθ, inside the outer angle.
+struct ConeFalloff {
+    float scale = 0.0f;
+    float offset = 0.0f;
+};
+ConeFalloff cone_falloff(const SpotLight& light);
 
 /// Light from infinitely far: parallel, or from a disk in the sky (the sun's angular radius is 4.65 mrad).
 struct DirectionalLight {
@@ -68,6 +76,7 @@ struct RectangleLight {
     bool is_two_sided = false;
     bool is_visible = true; // false: it lights the scene but the camera does not see it
     EmissionMap map{};
+    bool passes_back_faces = false; // see passes_back_faces() below
 
     float area() const { return 4.0f * glm::length(glm::cross(half_u, half_v)); } // [m²]
     vec3 normal() const { return glm::normalize(glm::cross(half_u, half_v)); }
@@ -144,5 +153,10 @@ struct MeshLight {
 
 using Light = std::variant<PointLight, SpotLight, DirectionalLight, RectangleLight, DiskLight, SphereLight,
                            TubeLight, PolygonLight, MeshLight>;
+
+/// Whether a single-sided face that the light meets from behind casts no shadow of it. So it is for lights
+/// that stand in for the surroundings of a model: what the camera looks through, they shine through. Other
+/// lights are blocked by both sides of every face. A kind of light says so by a member of this name.
+bool passes_back_faces(const Light& light);
 
 } // namespace sr::scene

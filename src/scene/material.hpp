@@ -157,6 +157,14 @@ struct Material {
     ComplexIor conductor;
     int measured = -1; // merl: index into Scene::measured
 
+    /// KHR_materials_pbrSpecularGlossiness: the base colour is the diffuse one, `specular_color` is F0 with
+    /// the glossiness (1 - roughness) in its texture's alpha, and F0 takes its largest channel from the
+    /// diffuse.
+    bool is_specular_glossiness = false;
+
+    /// Which TEXCOORD_n of the file the meshes' first and second set of texture coordinates are.
+    std::array<int, 2> texcoord_sets{0, 1};
+
     AlphaMode alpha_mode = AlphaMode::opaque;
     float alpha_cutoff = 0.5f;
     bool is_double_sided = false;
@@ -173,6 +181,7 @@ struct Material {
 
 /// In the order of Slot.
 std::array<const TextureSlot*, slot_count> texture_slots(const Material& material);
+std::array<TextureSlot*, slot_count> texture_slots(Material& material);
 
 /// Whether shading reads the tangents of meshes of this material.
 bool needs_tangents(const Material& material);

@@ -4,7 +4,7 @@ namespace sr::scene {
 
 std::string described(const Material& m) {
     if (m.is_unlit) return "unlit";
-    std::string text(name_of(m.model));
+    std::string text(m.is_specular_glossiness ? "specular_glossiness" : name_of(m.model));
     const auto add = [&text](bool is_there, const char* layer) {
         if (is_there) text += std::string(", ") + layer;
     };

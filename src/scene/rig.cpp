@@ -1,5 +1,6 @@
 #include "scene/rig.hpp"
 
+#include <algorithm>
 #include <array>
 
 namespace sr::scene {
@@ -40,6 +41,7 @@ std::vector<RectangleLight> studio_rig(const Bounds& subject, const Camera& came
         // promised.
         light.L = vec3(softbox.E * softbox.distance * softbox.distance / (softbox.edge * softbox.edge));
         light.is_visible = false;
+        light.passes_back_faces = true;
         lights.push_back(light);
     }
     return lights;

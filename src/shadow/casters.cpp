@@ -1,6 +1,7 @@
 #include "shadow/casters.hpp"
 
 #include "core/error.hpp"
+#include "scene/transform.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +17,11 @@ using scene::AlphaMode;
 class Collector {
 public:
     Collector(const scene::Scene& scene, std::span<const scene::Light> lights)
-        : scene_(scene), lights_(lights) {}
+        : scene_(scene), lights_(lights) {
+        for (const scene::Light& light : lights)
+            all_.passes_back_faces.push_back(scene::passes_back_faces(light));
+        has_passing_lights_ = std::ranges::find(all_.passes_back_faces, true) != all_.passes_back_faces.end();
+    }
 
     void append(const scene::Instance& instance) {
         const scene::Mesh& mesh = scene_.meshes[static_cast<std::size_t>(instance.mesh)];
@@ -26,6 +31,8 @@ public:
         caster.own_share = own_share(caster.emits_as);
         caster.alpha_mode = material.alpha_mode;
         caster.alpha_cutoff = material.alpha_cutoff;
+        if (has_passing_lights_ && !material.is_double_sided)
+            caster.front = scene::mirrors(instance.world_from_object) ? -1.0f : 1.0f;
         caster.first_triangle = static_cast<int>(all_.caster_of.size());
         if (material.alpha_mode != AlphaMode::opaque) {
             caster.first_corner = static_cast<int>(all_.alpha_corners.size());
@@ -82,6 +89,7 @@ private:
     std::span<const scene::Light> lights_;
     Casters all_;
     std::map<int, int> maps_; // by texture
+    bool has_passing_lights_ = false;
 };
 
 } // namespace
@@ -99,6 +107,14 @@ Casters casters_of(const scene::Scene& scene, std::span<const scene::Light> ligh
     Collector collector(scene, lights);
     for (const scene::Instance& instance : scene.instances) collector.append(instance);
     return collector.take();
+}
+
+bool is_passed_from_behind(const Casters& casters, std::uint32_t triangle, int light, vec3 ray_direction) {
+    const float front = casters.casters[casters.caster_of[triangle]].front;
+    if (front == 0.0f || !casters.passes_back_faces[static_cast<std::size_t>(light)]) return false;
+    const auto corners = casters.triangle(triangle);
+    return front * glm::dot(glm::cross(corners[1] - corners[0], corners[2] - corners[0]), ray_direction)
+           < 0.0f;
 }
 
 float transmittance(const Casters& casters, std::uint32_t triangle, float u, float v) {

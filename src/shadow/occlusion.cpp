@@ -14,7 +14,7 @@ constexpr std::size_t packet = 8; // AVX
 /// A packet of rays with what the filter must know of each. Embree hands back the pointer to its first
 /// member.
 struct Context {
-    RTCIntersectContext embree;
+    RayContext embree;
     const Casters* casters;
     std::array<int, packet> light;
     std::array<float, packet> end; // t of the whole ray's end
@@ -22,11 +22,13 @@ struct Context {
 };
 
 /// Takes away from V what one hit does. @return whether the ray is stopped.
-bool is_stopped(Context& context, unsigned ray, float t, std::uint32_t triangle, float u, float v) {
+bool is_stopped(Context& context, unsigned ray, float t, vec3 direction, std::uint32_t triangle, float u,
+                float v) {
     const Casters& casters = *context.casters;
     const Caster& caster = casters.casters[casters.caster_of[triangle]];
     if (caster.emits_as.contains(context.light[ray]) && t >= context.end[ray] * (1.0f - caster.own_share))
         return false;
+    if (is_passed_from_behind(casters, triangle, context.light[ray], direction)) return false;
     context.V[ray] *= transmittance(casters, triangle, u, v);
     return context.V[ray] == 0.0f;
 }
@@ -42,7 +44,9 @@ void filter(const RTCFilterFunctionNArguments* arguments) {
         const std::uint32_t triangle =
             static_cast<std::uint32_t>(context.casters->casters[geometry].first_triangle)
             + RTCHitN_primID(arguments->hit, n, i);
-        if (!is_stopped(context, ray, RTCRayN_tfar(arguments->ray, n, i), triangle,
+        const vec3 direction(RTCRayN_dir_x(arguments->ray, n, i), RTCRayN_dir_y(arguments->ray, n, i),
+                             RTCRayN_dir_z(arguments->ray, n, i));
+        if (!is_stopped(context, ray, RTCRayN_tfar(arguments->ray, n, i), direction, triangle,
                         RTCHitN_u(arguments->hit, n, i), RTCHitN_v(arguments->hit, n, i)))
             arguments->valid[i] = 0;
     }
@@ -125,9 +129,7 @@ void Occlusion::answer(std::span<const Query> queries, std::span<float> V) const
             context.V[lane] = 1.0f;
             valid[lane] = -1;
         }
-        rtcInitIntersectContext(&context.embree);
-        context.embree.flags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
-        rtcOccluded8(valid.data(), tree_->scene, &context.embree, &rays);
+        occluded(valid.data(), tree_->scene, context.embree, rays);
         for (std::size_t lane = 0; lane < count; ++lane) // Embree marks what is stopped by minus infinity
             V[first + lane] = rays.tfar[lane] < 0.0f ? 0.0f : context.V[lane];
     }

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <glm/mat4x4.hpp>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <vector>
 
 namespace sr::viewer {

@@ -21,11 +21,11 @@ void take_stock(LoadedScene& loaded, const scene::Scene& scene, const gltf::Asse
 gltf::Asset opened(const std::string& file, const Options& options, LoadedScene& loaded) {
     loaded.variant = options.variant;
     if (!options.is_reloading || options.variant.empty())
-        return gltf::Asset(file, {options.scene_index, options.variant});
+        return gltf::Asset(file, {options.scene_index, options.variant, options.is_strict});
     try {
-        return gltf::Asset(file, {options.scene_index, options.variant});
+        return gltf::Asset(file, {options.scene_index, options.variant, options.is_strict});
     } catch (const Error& error) {
-        gltf::Asset plain(file, {options.scene_index, {}});
+        gltf::Asset plain(file, {options.scene_index, {}, options.is_strict});
         loaded.variant.clear();
         loaded.remarks.emplace_back(error.what());
         return plain;

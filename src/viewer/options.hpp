@@ -17,6 +17,7 @@ struct Options {
     std::string animation;     // as gltf::Asset::animations_named() takes it
     bool plays = false;        // the animation, from `at` or its beginning on
     std::string variant;       // of KHR_materials_variants; empty: none
+    bool is_strict = false;    // what the file has broken is an error, and no remark
     bool is_reloading = false; // what the file no longer has is remarked on, and is no error
     render::Visibility visibility = render::Visibility::ray;
     bool has_energy_compensation = false; // as GpuScene has it

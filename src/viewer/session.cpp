@@ -2,6 +2,7 @@
 
 #include "core/error.hpp"
 #include "core/output.hpp"
+#include "gltf/named_files.hpp"
 #include "image/luminance.hpp"
 #include "viewer/animation_bar.hpp"
 #include "viewer/config.hpp"
@@ -141,7 +142,7 @@ void Session::show(LoadedScene scene) {
         say(remark);
         write_remark(remark);
     }
-    std::vector<std::filesystem::path> files = files_of(show_->scene().file);
+    std::vector<std::filesystem::path> files = gltf::named_files(show_->scene().file);
     files.emplace_back(show_->scene().file);
     scene_watch_.set(std::move(files));
     if (is_first) shader_watch_.set({options_.shaders.begin(), options_.shaders.end()});

@@ -210,7 +210,7 @@ void Session::toggle_fullscreen() {
 void Session::note_keyboard() {
     const bool has_active_item = ui_.has_active_item();
     const bool has_changed = std::exchange(had_active_item_, has_active_item) != has_active_item;
-    if (has_changed) // the keyboard follows a frame later
+    if (has_changed || ui_.has_queued_input()) // the keyboard follows a frame later
         frames_to_draw_ = std::max(frames_to_draw_, 1);
     const bool has_keyboard = ui_.has_keyboard();
     if (!std::exchange(had_keyboard_, has_keyboard) && has_keyboard && options_.is_verbose)

@@ -8,6 +8,7 @@
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_opengl3.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 
 namespace sr::viewer {
 namespace {
@@ -98,5 +99,14 @@ int Ui::panel_flags() const {
 }
 bool Ui::has_keyboard() const { return ImGui::GetIO().WantTextInput; }
 bool Ui::has_active_item() const { return ImGui::IsAnyItemActive(); }
+
+/// Dear ImGui 1.87 and later hand a widget about one key a frame, and keep the others for later frames.
+bool Ui::has_queued_input() const {
+#if IMGUI_VERSION_NUM >= 18700
+    return !ImGui::GetCurrentContext()->InputEventsQueue.empty();
+#else
+    return false;
+#endif
+}
 
 } // namespace sr::viewer

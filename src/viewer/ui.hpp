@@ -27,6 +27,7 @@ public:
     /// Enter: until then it is the next light's key.
     int panel_flags() const;
     bool has_active_item() const;          // a field or a button is in use
+    bool has_queued_input() const;         // some input waits for the next frame
     float scale() const { return scale_; } // of a HiDPI screen
 
 private:

@@ -1,59 +1,8 @@
 #include "viewer/watch.hpp"
 
-#include "core/error.hpp"
-#include "core/file.hpp"
-
-#include <nlohmann/json.hpp>
-
 namespace sr::viewer {
-namespace {
 
 namespace fs = std::filesystem;
-using nlohmann::json;
-
-/// %20 and its like.
-std::string unescaped(const std::string& uri) {
-    std::string text;
-    for (std::size_t i = 0; i < uri.size(); ++i) {
-        if (uri[i] == '%' && i + 2 < uri.size()) {
-            text += static_cast<char>(std::strtol(uri.substr(i + 1, 2).c_str(), nullptr, 16));
-            i += 2;
-        } else {
-            text += uri[i];
-        }
-    }
-    return text;
-}
-
-void collect(const json& value, const fs::path& folder, std::vector<fs::path>& files) {
-    if (value.is_object()) {
-        const auto uri = value.find("uri");
-        if (uri != value.end() && uri->is_string()
-            && !uri->get_ref<const std::string&>().starts_with("data:"))
-            files.push_back(folder / unescaped(uri->get<std::string>()));
-    }
-    if (value.is_structured())
-        for (const json& part : value) collect(part, folder, files);
-}
-
-/// The JSON of a .gltf, or the first chunk of a .glb (glTF 2.0, section 4.4).
-/// The JSON of a .gltf or .glb; empty if the file cannot be read.
-std::string json_of(const fs::path& file) {
-    std::string text;
-    try {
-        text = read_text(file);
-    } catch (const Error&) { // it will be read again, and then the user is told
-        return {};
-    }
-    constexpr std::size_t head = 20; // of the GLB and of its first chunk
-    if (text.size() < head || !text.starts_with("glTF")) return text;
-    std::uint32_t length = 0;
-    for (std::size_t i = 0; i < 4; ++i)
-        length |= static_cast<std::uint32_t>(static_cast<unsigned char>(text[12 + i])) << (8 * i);
-    return text.substr(head, length);
-}
-
-} // namespace
 
 void Watch::set(std::vector<fs::path> places) {
     places_ = std::move(places);
@@ -89,13 +38,6 @@ bool Watch::has_changed() {
     if (stamps == seen_) return false;
     seen_ = std::move(stamps);
     return true;
-}
-
-std::vector<fs::path> files_of(const fs::path& gltf) {
-    std::vector<fs::path> files;
-    const json document = json::parse(json_of(gltf), nullptr, false);
-    if (!document.is_discarded()) collect(document, gltf.parent_path(), files);
-    return files;
 }
 
 } // namespace sr::viewer

@@ -32,8 +32,4 @@ private:
     std::chrono::steady_clock::time_point looked_{};
 };
 
-/// The files that a glTF names: buffers, images, profiles; those that stand in it are none. Empty if it
-/// cannot be read.
-std::vector<std::filesystem::path> files_of(const std::filesystem::path& gltf);
-
 } // namespace sr::viewer

@@ -3,6 +3,7 @@
 #include "support/gl.hpp"
 #include "support/scenes.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <numbers>

@@ -3,6 +3,7 @@
 #include "analytic/silhouette.hpp"
 #include "support/address.hpp"
 
+#include <algorithm>
 #include <vector>
 
 using namespace sr;

@@ -3,6 +3,8 @@
 #include "analytic/silhouette.hpp"
 #include "support/address.hpp"
 
+#include <algorithm>
+
 using namespace sr;
 using namespace sr::testing;
 using glm::dvec3;

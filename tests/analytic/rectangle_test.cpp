@@ -2,6 +2,7 @@
 #include "support/address.hpp"
 #include "support/scenes.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 

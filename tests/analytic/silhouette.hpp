@@ -1,6 +1,7 @@
 #pragma once
 // Irradiance of anything convex in doubles, by finding its outline with rays: no formula of an outline is
 // used.
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <glm/glm.hpp>

@@ -5,6 +5,7 @@ usage: package_test.py CMAKE BUILD_FOLDER SOURCE_FOLDER SCRATCH_FOLDER
 """
 import importlib.util
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -16,12 +17,24 @@ def run(*words, **options):
     subprocess.run(list(map(str, words)), check=True, **options)
 
 
+def check_install(cmake, prefix, project):
+    """The installed program knows its name, and a project without a language finds the package."""
+    version = subprocess.run([prefix / "bin/steradian", "--version"], check=True, capture_output=True, text=True).stdout
+    assert re.fullmatch(r"Steradian \d+\.\d+\.\d+( \(commit [0-9a-f]+\))?\n", version), version
+    for file in ("share/doc/Steradian/LICENSE", "share/steradian/extras.schema.json", "share/steradian/scenes/default.gltf"):
+        assert (prefix / file).is_file(), file
+    project.mkdir(parents=True)
+    (project / "CMakeLists.txt").write_text("cmake_minimum_required(VERSION 3.22)\nproject(x NONE)\nfind_package(Steradian REQUIRED)\n")
+    run(cmake, "-G", "Ninja", "-S", project, "-B", project / "build", f"-DCMAKE_PREFIX_PATH={prefix}")
+
+
 def main():
     cmake, build, source, scratch = sys.argv[1], *map(Path, sys.argv[2:5])
     shutil.rmtree(scratch, ignore_errors=True)
     prefix, ours = scratch / "prefix", scratch / "build"
     run(cmake, "--install", build, "--prefix", prefix)
-    run(cmake, "-S", source / "examples/golden/cmake", "-B", ours, f"-DCMAKE_PREFIX_PATH={prefix}")
+    check_install(cmake, prefix, scratch / "no_language")
+    run(cmake, "-G", "Ninja", "-S", source / "examples/golden/cmake", "-B", ours, f"-DCMAKE_PREFIX_PATH={prefix}")
     run(Path(cmake).with_name("ctest"), "--test-dir", ours, "--output-on-failure", "--no-tests=error", "-L", "pictures")
     assert (ours / "golden/golden.example/report.html").is_file()
     if importlib.util.find_spec("pytest") is None:

@@ -1,5 +1,6 @@
 #include "law/direction_counts.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <random>

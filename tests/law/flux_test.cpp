@@ -6,6 +6,7 @@
 #include "support/made_gltf.hpp"
 #include "support/models.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 

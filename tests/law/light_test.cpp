@@ -1,6 +1,7 @@
 #include "support/address.hpp"
 #include "support/scenes.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 using namespace sr;

@@ -3,6 +3,7 @@
 #include "support/glsl_table.hpp"
 #include "support/scenes.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 using namespace sr;

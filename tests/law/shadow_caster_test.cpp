@@ -5,6 +5,7 @@
 #include "scene/emitters.hpp"
 #include "scene/stage.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 

@@ -4,6 +4,7 @@
 #include "scene/conductor.hpp"
 #include "truth/textures.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 

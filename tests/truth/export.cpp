@@ -1,6 +1,6 @@
 // truth_export FOLDER [PREFIX]: the scenes of the truth tests for Mitsuba, as FOLDER/SHAPE.VIEW/MATERIAL/,
-// FOLDER/balls.LIGHT/BRDF/ and FOLDER/shadow.NAME/picture/; of those folders that whose name begins with
-// PREFIX.
+// FOLDER/photograph.VIEW/rectangle/, FOLDER/balls.LIGHT/BRDF/ and FOLDER/shadow.NAME/picture/; of those
+// folders that whose name begins with PREFIX.
 #include "core/error.hpp"
 #include "mitsuba/write.hpp"
 #include "truth/ball_scenes.hpp"
@@ -55,6 +55,17 @@ void export_balls(const std::filesystem::path& folder, std::string_view prefix) 
     }
 }
 
+void export_photographs(const std::filesystem::path& folder, std::string_view prefix) {
+    for (const auto view : views) {
+        const std::string name = fmt::format("{}.{}", photograph, view);
+        if (!name.starts_with(prefix)) continue;
+        sr::require(Picture(folder, name)
+                        .add("rectangle", {scene_of("rectangle", photograph, view), camera_of(view),
+                                           cell_size, cell_size}),
+                    "Mitsuba can say all of it");
+    }
+}
+
 void export_matrix(const std::filesystem::path& folder, std::string_view prefix) {
     for (const auto shape : shapes) {
         for (const auto view : views) {
@@ -79,6 +90,7 @@ int main(int argc, char** argv) {
     try {
         const std::string_view prefix = argc == 3 ? argv[2] : "";
         export_matrix(argv[1], prefix);
+        export_photographs(argv[1], prefix);
         export_balls(argv[1], prefix);
         export_shadows(argv[1], prefix);
         return 0;

@@ -75,6 +75,7 @@ Measured rendered(std::string_view shape, std::string_view material, std::string
 }
 
 Measured stored(std::string_view shape, std::string_view material, std::string_view view) {
+    if (material == photograph) return stored(fmt::format("{}.{}", photograph, view), 0, cell_size);
     return stored(fmt::format("{}.{}", shape, view),
                   std::ranges::find(materials, material) - materials.begin(), cell_size);
 }

@@ -51,7 +51,7 @@ scene::Material material_named(std::string_view name) {
         material.roughness = 0.1f * static_cast<float>(10 * (name[4] - '0') + (name[5] - '0'));
         return material;
     }
-    require(name == "lambert" || name == "dielectric" || name == "textured",
+    require(name == "lambert" || name == "dielectric" || name == "textured" || name == photograph,
             "the material is one of the list");
     material.base_color = vec4(0.8f, 0.5f, 0.3f, 1.0f);
     material.metallic = 0.0f;
@@ -157,6 +157,7 @@ scene::Scene scene_of(std::string_view shape, std::string_view material, std::st
     scene.meshes.push_back(receiver());
     scene.instances.push_back({0, mat4(1.0f), "receiver"});
     if (material == "textured") add_textures(scene);
+    if (material == photograph) add_photograph(scene);
     add_emitter(scene, shape, place_in(view_named(view)));
     return scene;
 }

@@ -18,6 +18,10 @@ inline constexpr std::array<std::string_view, 10> shapes{
 inline constexpr std::array<std::string_view, 8> materials{"lambert", "ggx_01", "ggx_03",     "ggx_05",
                                                            "ggx_07",  "ggx_10", "dielectric", "textured"};
 
+/// A metal with an sRGB-encoded base colour and a normal map of 8 bits, both enlarged: what software GL would
+/// filter in 8 bits. Under a rectangle alone.
+inline constexpr std::string_view photograph = "photograph";
+
 /// Angles between the normal and the viewer: 0 to 30° and 75 to 85° (perspective), 60° (orthographic).
 inline constexpr std::array<std::string_view, 3> views{"steep", "middle", "grazing"};
 

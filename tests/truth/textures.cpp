@@ -7,20 +7,19 @@ namespace {
 
 constexpr int size = 8; // texels
 
-// Pictures are stored in 16 bits a channel, and those of the receiver are linear: software GL filters 8-bit
-// textures in 8 bits, and decodes sRGB by a polynomial that is off by up to 2 % (Mesa's llvmpipe,
-// lp_bld_format_srgb.c).
+// Pictures have 8 bits a channel, as files do. Software GL alone would filter them in 8 bits and decode sRGB
+// by a polynomial that is off by up to 2 % (Mesa's llvmpipe, lp_bld_format_srgb.c).
 
 /// `value` gives the texel (x, y), four numbers of 0 to 255.
 template<class Value>
 int add_texture(scene::Scene& scene, scene::ColorSpace color_space, const scene::Sampler& sampler,
                 Value value) {
     scene::TextureImage image{"made", size, size, {}};
-    auto& texels = image.texels.emplace<std::vector<std::uint16_t>>();
+    auto& texels = image.texels.emplace<std::vector<std::uint8_t>>();
     for (int y = 0; y < size; ++y) {
         for (int x = 0; x < size; ++x) {
             const std::array<int, 4> texel = value(x, y);
-            for (const int channel : texel) texels.push_back(static_cast<std::uint16_t>(257 * channel));
+            for (const int channel : texel) texels.push_back(static_cast<std::uint8_t>(channel));
         }
     }
     scene.images.push_back(image);
@@ -76,6 +75,20 @@ void add_textures(scene::Scene& scene) {
     m.specular_texture = {add_pattern(scene, scene::ColorSpace::linear, sampler(clamp_to_edge)), 0, turned};
     m.specular_color_texture.texture =
         add_pattern(scene, scene::ColorSpace::linear, sampler(repeat, scene::Filter::nearest));
+}
+
+void add_photograph(scene::Scene& scene) {
+    scene::Mesh& mesh = scene.meshes[0];
+    for (const vec3 p : mesh.positions) mesh.texcoords[0].push_back(vec2(p.x, p.z) * 0.8f + 0.3f);
+    mesh.tangents.assign(4, vec4(1.0f, 0.0f, 0.0f, -1.0f));
+    scene::Sampler sampler;
+    sampler.mipmap = scene::Mipmap::none;
+    scene::Material& m = scene.materials[0];
+    m.metallic = 1.0f;
+    m.roughness = 0.3f;
+    m.normal_scale = 0.5f;
+    m.base_color_texture.texture = add_pattern(scene, scene::ColorSpace::srgb, sampler);
+    m.normal_texture.texture = add_texture(scene, scene::ColorSpace::linear, sampler, normal_texel);
 }
 
 void add_layer_textures(scene::Scene& scene) {

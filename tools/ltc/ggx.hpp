@@ -1,6 +1,7 @@
 #pragma once
 // GGX and its linearly transformed cosine in doubles, in the frame where n = z and wo lies in the plane y =
 // 0. Shares no code with the shaders, so that it can judge them.
+#include <algorithm>
 #include <cmath>
 #include <glm/glm.hpp>
 #include <numbers>

@@ -3,6 +3,7 @@
 #include "ltc/trial.hpp"
 
 #include <CLI/CLI.hpp>
+#include <cstdio>
 #include <fmt/format.h>
 #include <numbers>
 

@@ -1,5 +1,6 @@
 #include "random_emitter.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 

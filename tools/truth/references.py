@@ -109,7 +109,7 @@ def main():
         subprocess.run([arguments.export, scratch, arguments.only], check=True)
         folders = [f for f in sorted(Path(scratch).iterdir()) if f.is_dir()]
         if not folders:
-            sys.exit(f"references.py: no picture begins with '{arguments.only}': the names are SHAPE.VIEW, balls.LIGHT and shadow.SCENE")
+            sys.exit(f"references.py: no picture begins with '{arguments.only}': the names are SHAPE.VIEW, photograph.VIEW, balls.LIGHT and shadow.SCENE")
         sys.path.insert(0, str(folders[0] / parts_of(folders[0])[0]))
         import steradian_mitsuba  # noqa: F401: importing registers the plugins
 

@@ -14,8 +14,8 @@ bool fills_display_window(const OIIO::ImageSpec& spec) {
            && spec.height == spec.full_height;
 }
 
-/// The pixels of the display window. Where the data window leaves it empty they are 0; what lies outside of it
-/// is not shown (OpenEXR, "Technical Introduction", overscan).
+/// The pixels of the display window. Where the data window leaves it empty they are 0; what lies outside of
+/// it is not shown (OpenEXR, "Technical Introduction", overscan).
 Image in_display_window(const Image& data, const OIIO::ImageSpec& spec) {
     Image image(spec.full_width, spec.full_height, data.channels);
     const int left = std::max(spec.x, spec.full_x);

@@ -43,6 +43,29 @@ class CommandLine(unittest.TestCase):
             self.assertEqual(result.returncode, 0)
             self.assertIn("Examples:", result.stdout)
 
+    def test_strict_makes_a_warning_an_error(self):
+        scene = json.loads(Path(SCENE).read_text())
+        scene["extensionsUsed"] = [*scene.get("extensionsUsed", []), "EXT_nothing"]
+        broken = self.folder / "broken.gltf"
+        broken.write_text(json.dumps(scene))
+        what = "it uses what is not supported yet, \"EXT_nothing\""
+        render = ["render", broken, "-o", self.folder / "a.png", "--size", "32x32", "--samples", "1"]
+        self.assert_refused(run(*render, "--strict"), what)
+        self.assert_refused(run("info", broken, "--strict"), what)
+        self.assert_refused(run("export", broken, "--to", "mitsuba", self.folder / "m", "--strict"), what)
+        self.assert_refused(run("probe", broken, "--pixel", "3,4", "--size", "32x32", "--strict"), what)
+        result = run(*render)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(result.stderr.count(what), 1, result.stderr)
+        self.assertIn(what, run("info", broken).stdout)
+        suite = self.folder / "suite.json"
+        for strict, outcome in ((True, "broken"), (False, "missing")):
+            suite.write_text(json.dumps({"tests": [{"name": "a", "scene": "broken.gltf", "size": "8x8", "samples": 1,
+                                                    "tolerance": "rel=0.1", **({} if strict else {"strict": False})}]}))
+            self.assertNotEqual(run("golden", "run", suite, "--output", self.folder / "out").returncode, 0)
+            results = json.loads((self.folder / "out" / "results.json").read_text())
+            self.assertIn(f'"{outcome}"', json.dumps(results))
+
     def test_usage_errors_exit_with_2(self):
         for arguments in ([], ["frobnicate"], ["render"], ["render", SCENE], ["render", SCENE, "-o", "a.png", "--size", "12"],
                           ["render", SCENE, "-o", "a.png", "--samples", "0"],
@@ -79,6 +102,16 @@ class CommandLine(unittest.TestCase):
         (self.folder / "visibility" / "visibility.glsl").write_text(
             "float visibility(vec3 x, vec3 wi, float distance) {\n    return darkness;\n}\n")
         self.assert_refused(self.render("a.png", "--shaders", self.folder), "visibility.glsl:2", "darkness")
+
+    def test_visibility_may_be_a_float_or_a_colour(self):
+        (self.folder / "visibility").mkdir()
+        for kind in "float", "vec3":
+            (self.folder / "visibility" / "visibility.glsl").write_text(
+                '#include "surface/surface.glsl"\n'
+                f"{kind} visibility(Surface x, vec3 wi, float distance, int light, int ray) {{ return {kind}(0.5); }}\n")
+            for estimator in "sampled", "analytic":
+                result = self.render("a.exr", "--shaders", self.folder, "--estimator", estimator)
+                self.assertEqual(result.returncode, 0, result.stderr)
 
     def test_the_analytic_estimator_is_named(self):
         result = self.render("a.exr", "--estimator", "analytic", "--analytic-points", "4", "--json")

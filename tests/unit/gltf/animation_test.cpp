@@ -1,6 +1,8 @@
 // Animations: what they move, when, and what is wrong with some.
 #include "loading.hpp"
 
+#include <cmath>
+
 using namespace sr;
 using namespace sr::testing;
 using sr::testing::Test;
@@ -117,24 +119,68 @@ const Test broken("unit.gltf.animation.what_is_wrong_with_a_sampler_is_said", []
     const json target{{"node", 0}, {"path", "scale"}};
     MadeGltf few = MadeGltf::triangle();
     animate(few, target, {1, 1, 1}, "VEC3");
-    EXPECT_NE(
-        error_of(few).find("/animations/0/samplers/0 has 3 numbers in its output, and 2 keys of what it "
-                           "moves have 6"),
-        std::string::npos);
+    EXPECT_NE(loss_of(few).find("/animations/0/samplers/0 has 3 numbers in its output, and 2 keys of what it "
+                                "moves have 6"),
+              std::string::npos);
     MadeGltf backwards = MadeGltf::triangle();
     animate(backwards, target, {1, 1, 1, 1, 1, 1}, "VEC3");
     backwards.root["animations"][0]["samplers"][0]["input"] = backwards.floats({2, 1}, "SCALAR");
-    EXPECT_NE(error_of(backwards).find("/animations/0/samplers/0/input has times that do not increase"),
+    EXPECT_NE(loss_of(backwards).find("/animations/0/samplers/0/input has times that do not increase"),
               std::string::npos);
     MadeGltf missing = MadeGltf::triangle();
     animate(missing, target, {1, 1, 1, 1, 1, 1}, "VEC3");
     missing.root["animations"][0]["channels"][0]["sampler"] = 3;
-    EXPECT_NE(error_of(missing).find("/animations/0/channels/0/sampler is 3, and there are 1"),
+    EXPECT_NE(loss_of(missing).find("/animations/0/channels/0/sampler is 3, and there are 1"),
               std::string::npos);
     MadeGltf unknown = MadeGltf::triangle();
     animate(unknown, pointer("/materials/0/doubleSided"), {0, 1}, "SCALAR");
-    EXPECT_TRUE(
-        warns_once(load(unknown), R"(an animation moves "/materials/0/doubleSided": that stays as it is)"));
+    EXPECT_TRUE(warns_once(
+        load(unknown), R"(/animations/0/channels/0 moves "/materials/0/doubleSided": that stays as it is)"));
+});
+
+const Test no_target("unit.gltf.animation.a_channel_without_a_target_is_ignored", [] {
+    MadeGltf made = MadeGltf::triangle();
+    animate(made, {{"path", "translation"}}, {0, 0, 0, 2, 4, 6}, "VEC3");
+    EXPECT_NE(loss_of(made, at(0.5)).find("/animations/0/channels/0/target names no node"),
+              std::string::npos);
+    EXPECT_EQ(load(made, at(2)).scene.instances.at(0).world_from_object, mat4(1.0f));
+    EXPECT_NE(error_of(made, at(3.5)).find("ends at 3 s"), std::string::npos); // it still has its length
+    made.root["animations"][0]["channels"][0]["target"]["node"] = 9;
+    EXPECT_NE(loss_of(made, at(0.5)).find("/animations/0/channels/0/target/node must be below 1"),
+              std::string::npos);
+    made.root["animations"][0]["channels"][0] = "none";
+    EXPECT_NE(loss_of(made, at(0.5)).find("/animations/0/channels/0 must be an object"), std::string::npos);
+});
+
+// The other channels go on, and a moment that the lost one may have had is no error.
+const Test lost_channel("unit.gltf.animation.a_broken_channel_costs_that_channel", [] {
+    for (const std::vector<float>& times : {std::vector<float>{2, 1}, {-1, 1}, {0, NAN}, {0, INFINITY}}) {
+        MadeGltf made = MadeGltf::triangle();
+        animate(made, {{"node", 0}, {"path", "scale"}}, {1, 1, 1, 3, 3, 3}, "VEC3");
+        json& animation = made.root["animations"][0];
+        animation["samplers"].push_back(animation["samplers"][0]);
+        animation["samplers"][1]["input"] = made.floats(times, "SCALAR");
+        animation["channels"].push_back(channel(1, {{"node", 0}, {"path", "translation"}}));
+        EXPECT_NE(loss_of(made, at(3)).find("/animations/0/samplers/1/input has times"), std::string::npos);
+        EXPECT_EQ(load(made, at(3)).scene.instances.at(0).world_from_object, glm::mat4(mat3(3.0f)));
+        EXPECT_EQ(load(made, at(30)).scene.instances.at(0).world_from_object, glm::mat4(mat3(3.0f)));
+        EXPECT_EQ(load(made, at(3)).contents.animations.at(0).channels, 1u);
+    }
+});
+
+const Test lost_sampler("unit.gltf.animation.a_sampler_without_accessor_costs_its_channels", [] {
+    for (const json& input : {json(17), json("zero"), json(nullptr)}) {
+        MadeGltf made = MadeGltf::triangle();
+        animate(made, {{"node", 0}, {"path", "scale"}}, {1, 1, 1, 3, 3, 3}, "VEC3");
+        made.root["animations"][0]["samplers"][0]["input"] = input;
+        EXPECT_NE(loss_of(made, at(1)).find("/animations/0/samplers/0/input must be"), std::string::npos);
+        EXPECT_EQ(load(made, at(1)).scene.instances.at(0).world_from_object, mat4(1.0f));
+    }
+    MadeGltf none = MadeGltf::triangle();
+    animate(none, {{"node", 0}, {"path", "scale"}}, {1, 1, 1, 3, 3, 3}, "VEC3");
+    none.root["animations"][0].erase("channels");
+    EXPECT_NE(loss_of(none, at(1)).find("/animations/0 must have the property \"channels\""),
+              std::string::npos);
 });
 
 } // namespace

@@ -88,7 +88,11 @@ struct Packs {
 Packs packs() {
     const std::vector<float> positions{0, 0, 0, 4, 0, 0, 4, 2, 0, 0, 2, 1};
     std::vector<std::uint32_t> exponential(12);
+#if MESHOPTIMIZER_VERSION >= 190
+    meshopt_encodeFilterExp(exponential.data(), 4, 12, 15, positions.data(), meshopt_EncodeExpSharedVector);
+#else
     meshopt_encodeFilterExp(exponential.data(), 4, 12, 15, positions.data());
+#endif
     const std::vector<std::int8_t> octahedral{0, 0, 127, 0, 127, 0, 127, 0, 0, 127, 127, 0, 0, 0, 127, 0};
     const std::vector<std::uint16_t> indices{0, 1, 2, 0, 2, 3};
     Packs result;

@@ -1,5 +1,9 @@
 // Containers, JSON, URIs: whatever comes before the glTF itself.
+#include "gltf/named_files.hpp"
+#include "gltf/warnings.hpp"
 #include "loading.hpp"
+
+#include <algorithm>
 
 using namespace sr;
 using namespace sr::testing;
@@ -45,7 +49,7 @@ const Test broken_json("unit.gltf.file.broken_json_has_line_and_column", [] {
     EXPECT_TRUE(error_of("").starts_with("made.gltf: the file is empty"));
     EXPECT_TRUE(error_of("[]").starts_with("made.gltf: the JSON is not an object"));
     EXPECT_TRUE(error_of(R"({"asset":{"version":"2.0"},"extras":1e999})")
-                    .starts_with("made.gltf: the JSON cannot be"));
+                    .starts_with("made.gltf:1:37: the JSON cannot be read ("));
 });
 
 const Test broken_json_in_glb("unit.gltf.file.broken_json_in_a_glb_has_its_byte", [] {
@@ -130,6 +134,76 @@ const Test containment("unit.gltf.file.uris_stay_in_the_folder", [] {
     EXPECT_EQ(error_with("inner/../inner/near.bin"), "");
 });
 
+// RFC 3986, sections 5.2.4, 2.1 and 3.1; and how exporters write names that they forget to encode.
+const Test references("unit.gltf.file.uris_are_read_as_rfc_3986_says", [] {
+    const auto folder = test_folder();
+    std::filesystem::create_directories(folder / "in");
+    MadeGltf made = MadeGltf::triangle();
+    const auto error_with = [&](const std::string& uri, const std::string& file) {
+        made.root["buffers"] = json::array({{{"byteLength", 36}, {"uri", uri}}});
+        write_text(folder / "made.gltf", made.gltf());
+        write_bytes(folder / file, made.bytes);
+        std::string error = error_at(folder / "made.gltf");
+        const auto named = gltf::named_files(folder / "made.gltf"); // what the viewer watches
+        if (std::ranges::find(named, folder / file) == named.end()) error += " (not watched)";
+        std::filesystem::remove(folder / file);
+        return error;
+    };
+    for (const auto& [uri, file] :
+         std::vector<std::pair<std::string, std::string>>{{"sub/../x.bin", "x.bin"},
+                                                          {"./x.bin", "x.bin"},
+                                                          {"in/./../in/x.bin", "in/x.bin"},
+                                                          {"sub/%2e%2e/x.bin", "x.bin"},
+                                                          {"x%2Ebin", "x.bin"},
+                                                          {"a%20b.bin", "a b.bin"},
+                                                          {"a b.bin", "a b.bin"},
+                                                          {"50%off.bin", "50%off.bin"},
+                                                          {"50%25off.bin", "50%off.bin"},
+                                                          {"50%ad.bin", "50%ad.bin"},
+                                                          {"C#.bin", "C#.bin"},
+                                                          {"x.bin?v=2", "x.bin"},
+                                                          {"x.bin#part", "x.bin"},
+                                                          {"what?.bin", "what?.bin"},
+                                                          {"in\\x.bin", "in/x.bin"},
+                                                          {"%C3%A9.bin", "\u00e9.bin"},
+                                                          {"\u00e9.bin", "\u00e9.bin"},
+                                                          {"100%", "100%"}})
+        EXPECT_EQ(error_with(uri, file), "") << uri;
+    EXPECT_NE(error_with("sub/../../x.bin", "x.bin").find("leaves the folder"), std::string::npos);
+    EXPECT_NE(error_with("C:\\x.bin", "x.bin").find("no file beside"), std::string::npos);
+    EXPECT_NE(error_with("//host/x.bin", "x.bin").find("leaves the folder"), std::string::npos);
+});
+
+const Test data_case("unit.gltf.file.the_scheme_of_a_data_uri_has_any_case", [] {
+    MadeGltf made = MadeGltf::triangle();
+    for (const char* head : {"DATA:application/octet-stream;base64,", "Data:;BASE64,", "data:;Base64,"}) {
+        made.root["buffers"] = json::array({{{"byteLength", 36}, {"uri", head + base64(made.bytes)}}});
+        EXPECT_EQ(error_of(made), "") << head;
+    }
+});
+
+const Test strict("unit.gltf.file.strict_makes_any_warning_an_error", [] {
+    MadeGltf made = MadeGltf::triangle();
+    made.root["extensionsUsed"] = {"A_a"};
+    gltf::LoadOptions options;
+    EXPECT_EQ(error_of(made, options), "");
+    options.is_strict = true;
+    EXPECT_EQ(
+        error_of(made, options),
+        "made.gltf: it uses what is not supported yet, \"A_a\": correct it, or leave out --strict (then: "
+        "shown without, which may look different)");
+});
+
+const Test many("unit.gltf.file.many_warnings_are_summed_up", [] {
+    gltf::Warnings warnings("made.gltf");
+    for (int i = 0; i < 1000; ++i) warnings.add("thing " + std::to_string(i), "left out");
+    for (int i = 0; i < 1000; ++i) warnings.add("thing 5", "left out");
+    const std::vector<std::string> lines = warnings.lines();
+    ASSERT_EQ(lines.size(), gltf::Warnings::max_lines + 1);
+    EXPECT_EQ(lines[5], "made.gltf: thing 5 (1001 times): left out");
+    EXPECT_EQ(lines.back(), "made.gltf: 900 further warnings: correct these first");
+});
+
 const Test data_uris("unit.gltf.file.data_uris_are_decoded", [] {
     EXPECT_EQ(load(MadeGltf::triangle()).scene.meshes.at(0).positions.at(2), vec3(0, 1, 0));
     EXPECT_EQ(error_of(with_buffer({{"byteLength", 36}, {"uri", "data:;base64,AA!A"}})),
@@ -190,6 +264,47 @@ const Test whole_reals("unit.gltf.file.whole_numbers_may_have_a_fraction_of_zero
     made.root["accessors"][0]["count"] = 3.0;
     made.root["nodes"][0]["mesh"] = 0.0;
     EXPECT_EQ(load(made).scene.instances.size(), 1u);
+});
+
+// What public bug reports of other readers are about.
+const Test oddities("unit.gltf.file.what_is_odd_and_valid_loads_without_a_word", [] {
+    const auto expect_triangle = [](const gltf::Loaded& loaded) {
+        EXPECT_TRUE(loaded.warnings.empty()) << ::testing::PrintToString(loaded.warnings);
+        ASSERT_EQ(loaded.scene.instances.size(), 1u);
+        EXPECT_EQ(loaded.scene.meshes.at(0).positions.at(1), vec3(1, 0, 0));
+    };
+    const MadeGltf plain = MadeGltf::triangle();
+    expect_triangle(load_text("\xEF\xBB\xBF" + plain.gltf())); // a byte order mark
+    std::vector<std::uint8_t> glb = plain.glb();
+    glb.insert(glb.end(), {1, 2, 3, 4, 5}); // beyond the length that the header states
+    const auto file = test_folder() / "made.glb";
+    write_bytes(file, glb);
+    expect_triangle(gltf::load(file));
+    for (const json& extra : std::vector<json>{1, "text", json::array({1, 2}), nullptr, true}) {
+        MadeGltf made = MadeGltf::triangle();
+        made.root["extras"] = made.root["asset"]["extras"] = made.root["nodes"][0]["extras"] = extra;
+        made.primitive()["extras"] = made.root["accessors"][0]["extras"] = extra;
+        expect_triangle(load(made));
+    }
+    MadeGltf twins = MadeGltf::triangle(); // names that occur twice, a node without anything, an unused scene
+    twins.root["nodes"][0]["name"] = "same";
+    twins.root["nodes"].push_back({{"name", "same"}});
+    twins.root["scenes"][0]["nodes"] = {0, 1};
+    twins.root["scenes"].push_back(json::object());
+    expect_triangle(load(twins));
+    twins.root.erase("scenes"); // then all nodes
+    twins.root.erase("scene");
+    expect_triangle(load(twins));
+    MadeGltf empty = MadeGltf::triangle(); // a mesh of no primitives, one without positions
+    empty.root["meshes"].push_back({{"primitives", json::array()}});
+    empty.root["nodes"].push_back({{"mesh", 1}});
+    empty.root["scenes"][0]["nodes"] = {0, 1};
+    expect_triangle(load(empty));
+    MadeGltf long_rotation = MadeGltf::triangle(); // no unit quaternion
+    long_rotation.root["nodes"][0]["rotation"] = {0, 0, 2, 0};
+    EXPECT_LT(glm::length(load(long_rotation).scene.instances.at(0).world_from_object * vec4(1, 0, 0, 0)
+                          - vec4(-1, 0, 0, 0)),
+              1e-6f);
 });
 
 } // namespace

@@ -93,7 +93,8 @@ const Test scenes("unit.gltf.node.the_scene_can_be_chosen", [] {
 
 MadeGltf with_camera(const json& camera) {
     MadeGltf made = with_nodes(
-        json::parse(R"([{"name": "node", "camera": 0, "translation": [1, 2, 3], "scale": [2, 3, -4]}])"),
+        json::parse(
+            R"([{"name": "node", "camera": 0, "mesh": 0, "translation": [1, 2, 3], "scale": [2, 3, -4]}])"),
         {0});
     made.root["cameras"] = json::array({camera});
     return made;
@@ -139,8 +140,8 @@ const Test orthographic("unit.gltf.camera.orthographic", [] {
     EXPECT_EQ(projection.zfar, 9.0f);
 });
 
-const Test bad_cameras("unit.gltf.camera.bad_projections_are_errors", [] {
-    const auto error_with = [](const char* camera) { return error_of(with_camera(json::parse(camera))); };
+const Test bad_cameras("unit.gltf.camera.bad_projections_cost_the_camera", [] {
+    const auto error_with = [](const char* camera) { return loss_of(with_camera(json::parse(camera))); };
     EXPECT_EQ(error_with(R"({"type": "perspective", "perspective": {"yfov": 4, "znear": 1}})"),
               "made.gltf: /cameras/0: yfov is 4: it must be between 0 and pi");
     EXPECT_NE(error_with(R"({"type": "perspective", "perspective": {"yfov": 1, "znear": 0}})").find("znear"),
@@ -153,9 +154,21 @@ const Test bad_cameras("unit.gltf.camera.bad_projections_are_errors", [] {
             R"({"type": "orthographic", "orthographic": {"xmag": 0, "ymag": 1, "znear": 0, "zfar": 1}})")
             .find("xmag"),
         std::string::npos);
-    EXPECT_NE(error_with(R"({"type": "perspective"})"), "");
+    EXPECT_NE(error_with(R"({"type": "perspective"})").find("/cameras/0 has no perspective"),
+              std::string::npos);
     EXPECT_NE(error_with(R"({"type": "fisheye"})").find("must be one of perspective, orthographic"),
               std::string::npos);
+});
+
+const Test vanished_camera("unit.gltf.camera.one_at_a_node_that_is_scaled_to_0_is_left_out", [] {
+    const json fine = json::parse(R"({"type": "perspective", "perspective": {"yfov": 1, "znear": 1}})");
+    for (const json& scale : {json{0, 0, 0}, json{1, 1, 0}, json{1, 0, 1}}) {
+        MadeGltf made = with_camera(fine);
+        for (json& node : made.root["nodes"])
+            if (node.contains("camera")) node["scale"] = scale;
+        EXPECT_NE(loss_of(made).find("is scaled to nothing"), std::string::npos);
+        EXPECT_TRUE(load(made).scene.cameras.empty());
+    }
 });
 
 } // namespace

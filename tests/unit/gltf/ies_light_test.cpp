@@ -24,16 +24,18 @@ MadeGltf with_ies(const json& light, const json& instance = {{"light", 0}}) {
 }
 
 // test_folder() starts afresh: the file is written between.
-gltf::Loaded load_beside(const MadeGltf& made, const std::string& ies = lamp) {
+gltf::Loaded load_beside(const MadeGltf& made, const std::string& ies = lamp, bool is_strict = false) {
     const auto folder = test_folder();
     write_text(folder / "lamp.ies", ies);
     write_text(folder / "made.gltf", made.gltf());
-    return gltf::load(folder / "made.gltf");
+    gltf::LoadOptions options;
+    options.is_strict = is_strict;
+    return gltf::load(folder / "made.gltf", options);
 }
 
-std::string error_beside(const MadeGltf& made, const std::string& ies) {
+std::string error_beside(const MadeGltf& made, const std::string& ies, bool is_strict = false) {
     try {
-        load_beside(made, ies);
+        load_beside(made, ies, is_strict);
     } catch (const Error& error) {
         const std::string text = error.what();
         return text.substr(text.find("lamp.ies") == std::string::npos ? text.find("made.gltf")
@@ -104,24 +106,32 @@ const Test tilted("unit.gltf.ies.a_tilted_lamp", [] {
     EXPECT_NEAR(std::get<scene::PointLight>(load_beside(down, text).scene.lights.at(0)).I.r, 1.0f, 1e-6f);
 });
 
-const Test bad("unit.gltf.ies.bad_files_are_one_line", [] {
+/// The error under --strict; without it the lamp is off and there is a warning.
+std::string loss_beside(const MadeGltf& made, const std::string& ies) {
+    const gltf::Loaded loaded = load_beside(made, ies);
+    EXPECT_TRUE(loaded.scene.lights.empty());
+    EXPECT_EQ(loaded.warnings.size(), 1u);
+    return error_beside(made, ies, true);
+}
+
+const Test bad("unit.gltf.ies.bad_files_cost_the_lamp_and_one_line", [] {
     const MadeGltf made = with_ies({{"uri", "lamp.ies"}});
-    EXPECT_EQ(error_beside(made, "no such thing\n"),
+    EXPECT_EQ(loss_beside(made, "no such thing\n"),
               "lamp.ies:1: there is no line that begins with TILT=: give an IES LM-63 file");
     std::string negative = lamp;
     negative.replace(negative.find("9 2"), 3, "9 -2");
-    EXPECT_EQ(error_beside(made, negative),
+    EXPECT_EQ(loss_beside(made, negative),
               "lamp.ies:7: a candela value is -2: give zero or more, as a 32-bit float can say it");
     MadeGltf missing = with_ies({{"uri", "none.ies"}});
-    EXPECT_NE(error_beside(missing, lamp)
+    EXPECT_NE(loss_beside(missing, lamp)
                   .find("/extensions/EXT_lights_ies/lights/0/uri names \"none.ies\": no such file"),
               std::string::npos);
-    EXPECT_NE(error_of(with_ies({{"name", "x"}})).find("has not one of uri and bufferView"),
+    EXPECT_NE(loss_of(with_ies({{"name", "x"}})).find("has not one of uri and bufferView"),
               std::string::npos);
     const MadeGltf broken = with_ies({{"uri", "data:,nothing"}});
-    EXPECT_NE(error_of(broken).find("made.gltf(/extensions/EXT_lights_ies/lights/0):1: there is no line"),
+    EXPECT_NE(loss_of(broken).find("made.gltf(/extensions/EXT_lights_ies/lights/0):1: there is no line"),
               std::string::npos);
-    EXPECT_NE(error_beside(with_ies({{"uri", "lamp.ies"}}, {{"light", 0}, {"multiplier", -1}}), lamp)
+    EXPECT_NE(loss_beside(with_ies({{"uri", "lamp.ies"}}, {{"light", 0}, {"multiplier", -1}}), lamp)
                   .find("has the intensity -1"),
               std::string::npos);
 });

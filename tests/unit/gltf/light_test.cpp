@@ -1,5 +1,6 @@
 #include "loading.hpp"
 
+#include <algorithm>
 #include <limits>
 
 using namespace sr;
@@ -62,32 +63,84 @@ const Test directional("unit.gltf.light.directional", [] {
     EXPECT_EQ(light.E, vec3(3));
 });
 
-const Test bad_lights("unit.gltf.light.bad_ones_are_errors_naming_them", [] {
-    EXPECT_EQ(error_of(punctual(R"({"type": "point", "name": "Key", "intensity": -1})")),
+const Test bad_lights("unit.gltf.light.bad_ones_are_off_and_named", [] {
+    EXPECT_EQ(loss_of(punctual(R"({"type": "point", "name": "Key", "intensity": -1})")),
               "made.gltf: light \"Key\" (/extensions/KHR_lights_punctual/lights/0) has the intensity -1: "
               "give zero or more");
-    EXPECT_NE(error_of(punctual(R"({"type": "point", "color": [1, -1, 1]})")).find("has the colour 1 -1 1"),
+    EXPECT_NE(loss_of(punctual(R"({"type": "point", "color": [1, -1, 1]})")).find("has the colour 1 -1 1"),
               std::string::npos);
-    EXPECT_NE(error_of(punctual(R"({"type": "point", "range": -2})")).find("range"), std::string::npos);
-    EXPECT_NE(error_of(punctual(R"({"type": "laser"})")).find("must be one of point, spot, directional"),
+    EXPECT_NE(loss_of(punctual(R"({"type": "point", "range": -2})")).find("range"), std::string::npos);
+    EXPECT_NE(loss_of(punctual(R"({"type": "laser"})")).find("must be one of point, spot, directional"),
               std::string::npos);
-    EXPECT_NE(error_of(punctual(R"({"type": "spot"})")), "");
-    for (const char* cone :
-         {R"({"innerConeAngle": -0.1})", R"({"innerConeAngle": 0.5, "outerConeAngle": 0.5})",
-          R"({"innerConeAngle": 0.6, "outerConeAngle": 0.5})", R"({"outerConeAngle": 2})"}) {
-        const std::string light = std::string(R"({"type": "spot", "spot": )") + cone + "}";
-        EXPECT_NE(error_of(punctual(light.c_str())).find("0 <= inner < outer <= pi/2"), std::string::npos)
-            << cone;
+    EXPECT_NE(
+        loss_of(punctual(R"({"type": "spot", "spot": {"outerConeAngle": 0}})")).find("outerConeAngle 0"),
+        std::string::npos);
+    EXPECT_TRUE(load(punctual(R"({"type": "laser"})")).scene.lights.empty());
+    EXPECT_EQ(load(punctual(R"({"type": "spot"})")).scene.lights.size(), 1u); // both angles have defaults
+});
+
+// Blender writes inner = outer for spot_blend 0.
+const Test cones("unit.gltf.light.angles_out_of_order_make_a_hard_edge", [] {
+    struct Case {
+        const char* angles;
+        float inner, outer;
+        const char* meaning;
+    };
+    for (const Case& c :
+         {Case{R"({"innerConeAngle": 0.5, "outerConeAngle": 0.5})", 0.5f, 0.5f, "its edge is hard"},
+          Case{R"({"innerConeAngle": 0.6, "outerConeAngle": 0.5})", 0.5f, 0.5f, "its edge is hard"},
+          Case{R"({"innerConeAngle": -0.1})", 0.0f, pi / 4, "taken for 0 and 0.785398"},
+          Case{R"({"innerConeAngle": 0.1, "outerConeAngle": 2})", 0.1f, pi / 2,
+               "taken for 0.1 and 1.5708"}}) {
+        const MadeGltf made =
+            punctual((std::string(R"({"type": "spot", "spot": )") + c.angles + "}").c_str());
+        EXPECT_NE(loss_of(made).find("has the cone angles"), std::string::npos);
+        const gltf::Loaded loaded = load(made);
+        EXPECT_TRUE(warns_once(loaded, c.meaning)) << loaded.warnings.at(0);
+        const auto& light = std::get<scene::SpotLight>(loaded.scene.lights.at(0));
+        EXPECT_NEAR(light.inner_angle, c.inner, 1e-6f);
+        EXPECT_NEAR(light.outer_angle, c.outer, 1e-6f);
     }
 });
 
-const Test bad_reference("unit.gltf.light.a_reference_out_of_range_is_an_error", [] {
+// What is inside the outer angle is full: the ramp of the falloff is a millionth of a cosine wide.
+const Test hard_edge("unit.gltf.light.a_hard_edge_is_full_inside", [] {
+    for (const float angle : {0.01f, 0.6f, pi / 2}) {
+        scene::SpotLight light;
+        light.inner_angle = light.outer_angle = angle;
+        const scene::ConeFalloff cone = scene::cone_falloff(light);
+        const auto falloff = [&](double theta) {
+            return std::clamp(std::cos(theta) * cone.scale + cone.offset, 0.0, 1.0);
+        };
+        EXPECT_EQ(falloff(angle * 0.98), 1.0) << angle;
+        EXPECT_LT(falloff(angle * 1.0001), 0.1) << angle;
+    }
+});
+
+const Test vanished("unit.gltf.light.a_lamp_at_a_node_that_is_scaled_to_0_is_off", [] {
+    for (const char* type : {"point", "spot", "directional"}) {
+        MadeGltf made = punctual((std::string(R"({"type": ")") + type + "\"}").c_str());
+        made.root["nodes"][1]["scale"] = {0, 0, 0};
+        EXPECT_NE(loss_of(made).find("/nodes/1 is scaled to 0"), std::string::npos);
+        EXPECT_TRUE(load(made).scene.lights.empty());
+        made.root["nodes"][1]["scale"] = {1, 1, 0}; // a point needs no direction
+        EXPECT_EQ(load(made).scene.lights.size(), std::string(type) == "point" ? 1u : 0u);
+        made.root["nodes"][1]["scale"] = {1, 0, 1};
+        EXPECT_EQ(load(made).scene.lights.size(), 1u);
+        made.root["nodes"][1].erase("scale"); // and of a node above
+        made.root["nodes"].push_back({{"children", {1}}, {"scale", {0, 0, 0}}});
+        made.root["scenes"][0]["nodes"] = {0, 2};
+        EXPECT_NE(loss_of(made).find("/nodes/1 is scaled to 0"), std::string::npos);
+    }
+});
+
+const Test bad_reference("unit.gltf.light.a_reference_out_of_range_is_no_lamp", [] {
     MadeGltf made = punctual(R"({"type": "point"})");
     made.root["nodes"][1]["extensions"]["KHR_lights_punctual"]["light"] = 1;
-    EXPECT_NE(error_of(made).find("/nodes/1/extensions/KHR_lights_punctual/light must be below 1"),
+    EXPECT_NE(loss_of(made).find("/nodes/1/extensions/KHR_lights_punctual/light must be below 1"),
               std::string::npos);
     made.root.erase("extensions");
-    EXPECT_NE(error_of(made).find("must be below 0"), std::string::npos);
+    EXPECT_NE(loss_of(made).find("must be below 0"), std::string::npos);
 });
 
 const Test rectangle("unit.gltf.light.rectangle", [] {
@@ -127,20 +180,20 @@ const Test rectangle_mirrored("unit.gltf.light.a_mirrored_rectangle_emits_along_
                 1e-5f); // one number scales: the largest
 });
 
-const Test bad_areas("unit.gltf.light.bad_areas_are_errors_naming_them", [] {
+const Test bad_areas("unit.gltf.light.bad_areas_are_off_and_named", [] {
     for (const char* bad : {R"("size": 0)", R"("size": -1)", R"("rect": {"aspect": 0})"}) {
         const std::string light = std::string(R"({"type": "rect", "name": "Panel", )") + bad + "}";
-        EXPECT_NE(error_of(area(light.c_str()))
+        EXPECT_NE(loss_of(area(light.c_str()))
                       .find("light \"Panel\" (/extensions/EXT_lights_area/lights/0) has the size"),
                   std::string::npos)
             << bad;
     }
-    EXPECT_NE(error_of(area(R"({"type": "rect", "intensity": -1})")).find("has the intensity -1"),
+    EXPECT_NE(loss_of(area(R"({"type": "rect", "intensity": -1})")).find("has the intensity -1"),
               std::string::npos);
-    EXPECT_NE(error_of(area(R"({"type": "sphere"})")).find("has the type \"sphere\""), std::string::npos);
+    EXPECT_NE(loss_of(area(R"({"type": "sphere"})")).find("has the type \"sphere\""), std::string::npos);
     MadeGltf flat = area(R"({"type": "rect"})");
     flat.root["nodes"][1]["scale"] = {0, 0, 0};
-    EXPECT_NE(error_of(flat), "");
+    EXPECT_NE(loss_of(flat).find("/nodes/1 is scaled to 0"), std::string::npos);
 });
 
 const Test disk("unit.gltf.light.disk", [] {

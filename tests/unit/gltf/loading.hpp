@@ -53,6 +53,23 @@ inline std::string error_of(const MadeGltf& made, const gltf::LoadOptions& optio
     return error_of(made.gltf(), options);
 }
 
+/// The error of a file under --strict, whose one broken thing costs that thing and this warning without it.
+inline std::string loss_of(const MadeGltf& made, gltf::LoadOptions options = {}) {
+    options.is_strict = false;
+    const gltf::Loaded loaded = load(made, options);
+    options.is_strict = true;
+    const std::string error = error_of(made, options);
+    EXPECT_EQ(loaded.warnings.size(), 1u) << ::testing::PrintToString(loaded.warnings);
+    const auto end = error.find(": correct it, or leave out --strict");
+    const std::string what = error.substr(0, end == std::string::npos ? error.rfind(": ") : end);
+    EXPECT_TRUE(!what.empty() && !loaded.warnings.empty()
+                && loaded.warnings[0].find(what) != std::string::npos)
+        << error << "\n"
+        << ::testing::PrintToString(loaded.warnings);
+    EXPECT_FALSE(loaded.scene.meshes.empty()); // the picture is still there
+    return error;
+}
+
 /// Whether exactly one warning contains the text.
 inline bool warns_once(const gltf::Loaded& loaded, std::string_view text) {
     int count = 0;

@@ -150,11 +150,28 @@ const Test transform("unit.gltf.material.texture_transform", [] {
               1e-6f);
 });
 
-const Test high_sets("unit.gltf.material.texture_coordinate_sets_beyond_1_are_warned_of", [] {
-    const gltf::Loaded loaded = load(with_material(R"({"emissiveTexture": {"index": 0, "texCoord": 2}})"));
-    EXPECT_FALSE(loaded.scene.materials.at(0).emission_texture.is_present());
-    EXPECT_TRUE(warns_once(loaded, "a texture reads TEXCOORD_2, and only 0 and 1 are supported"));
-    EXPECT_TRUE(loaded.scene.images.empty());
+const Test high_sets("unit.gltf.material.any_two_sets_of_texture_coordinates_are_read", [] {
+    MadeGltf made =
+        with_material(R"({"emissiveTexture": {"index": 0, "texCoord": 3}, "emissiveFactor": [1, 1, 1],
+        "normalTexture": {"index": 1, "texCoord": 1, "extensions": {"KHR_texture_transform": {"texCoord": 2}}}})");
+    made.attributes()["TEXCOORD_2"] = made.floats({2, 1, 1, 1, 2, 2}, "VEC2");
+    made.attributes()["TEXCOORD_3"] = made.floats({3, 1, 1, 1, 3, 3}, "VEC2");
+    const gltf::Loaded loaded = load(made);
+    EXPECT_TRUE(loaded.warnings.empty()) << ::testing::PrintToString(loaded.warnings);
+    const scene::Material& material = loaded.scene.materials.at(0);
+    const scene::Mesh& mesh = loaded.scene.meshes.at(0);
+    EXPECT_EQ(mesh.texcoords[material.emission_texture.texcoord].at(0), vec2(3, 1));
+    EXPECT_EQ(mesh.texcoords[material.normal_texture.texcoord].at(0), vec2(2, 1));
+});
+
+const Test third_set("unit.gltf.material.a_third_set_of_texture_coordinates_is_warned_of", [] {
+    const MadeGltf made = with_material(R"({"emissiveTexture": {"index": 0, "texCoord": 2},
+        "emissiveFactor": [1, 1, 1], "pbrMetallicRoughness": {"baseColorTexture": {"index": 0},
+        "metallicRoughnessTexture": {"index": 0, "texCoord": 1}}})");
+    const scene::Material material = load(made).scene.materials.at(0);
+    EXPECT_FALSE(material.emission_texture.is_present());
+    EXPECT_EQ(material.emission, vec3(0)); // all of it lit would be a lamp
+    EXPECT_NE(loss_of(made).find("TEXCOORD_0, TEXCOORD_1 and TEXCOORD_2"), std::string::npos);
 });
 
 const Test images("unit.gltf.material.images_are_decoded", [] {
@@ -174,21 +191,21 @@ const Test view_image("unit.gltf.material.images_may_lie_in_a_buffer_view", [] {
     made.root["images"][0] = {{"bufferView", made.root["accessors"][accessor]["bufferView"]},
                               {"mimeType", "image/png"},
                               {"name", "junk"}};
-    EXPECT_TRUE(error_of(made).starts_with("made.gltf: /images/0 \"junk\": ")) << error_of(made);
+    EXPECT_TRUE(loss_of(made).starts_with("made.gltf: /images/0 \"junk\": ")) << loss_of(made);
     made.root["bufferViews"].back()["byteLength"] = 5000;
-    EXPECT_NE(error_of(made).find("of /buffers/0, which has"), std::string::npos);
+    EXPECT_NE(loss_of(made).find("of /buffers/0, which has"), std::string::npos);
 });
 
-const Test bad_images("unit.gltf.material.absent_images_are_errors_only_if_used", [] {
+const Test bad_images("unit.gltf.material.absent_images_cost_something_only_if_used", [] {
     MadeGltf made = with_material(R"({"emissiveTexture": {"index": 1}})");
     made.root["images"][1] = {{"uri", "../no.png"}};
-    EXPECT_EQ(error_of(made), "");
+    EXPECT_TRUE(load(made).warnings.empty());
     made.root["images"][0] = {{"uri", "no.png"}};
-    EXPECT_EQ(error_of(made), "made.gltf: /images/0/uri names \"no.png\": no such file: check the path");
+    EXPECT_EQ(loss_of(made), "made.gltf: /images/0/uri names \"no.png\": no such file: check the path");
     made.root["images"][0] = {{"uri", "../no.png"}};
-    EXPECT_NE(error_of(made).find("leaves the folder"), std::string::npos);
+    EXPECT_NE(loss_of(made).find("leaves the folder"), std::string::npos);
     made.root["images"][0] = {{"name", "nothing"}};
-    EXPECT_EQ(error_of(made), "made.gltf: /images/0 has neither bufferView nor uri: export the file again");
+    EXPECT_EQ(loss_of(made), "made.gltf: /images/0 has neither bufferView nor uri: export the file again");
 });
 
 const Test foreign_texture("unit.gltf.material.a_texture_without_image_is_warned_of", [] {
@@ -196,7 +213,111 @@ const Test foreign_texture("unit.gltf.material.a_texture_without_image_is_warned
     made.root["textures"][0].erase("source");
     const gltf::Loaded loaded = load(made);
     EXPECT_FALSE(loaded.scene.materials.at(0).emission_texture.is_present());
-    EXPECT_TRUE(warns_once(loaded, "a texture has no image in a supported format"));
+    EXPECT_TRUE(warns_once(loaded, "/textures/0 has no image in a supported format"));
+});
+
+// Base colour white, normal flat, metallic and roughness by their factors; of what glows, nothing.
+const Test lost_images("unit.gltf.material.a_lost_image_leaves_the_factors", [] {
+    MadeGltf made = with_material(R"({"emissiveFactor": [1, 1, 1], "emissiveTexture": {"index": 1},
+        "normalTexture": {"index": 1}, "pbrMetallicRoughness": {"baseColorFactor": [0.5, 1, 1, 1],
+        "baseColorTexture": {"index": 1}, "metallicRoughnessTexture": {"index": 0}, "metallicFactor": 0.25}})");
+    const std::vector<json> broken{{{"uri", "no.png"}},
+                                   {{"uri", "data:image/png;base64,iVBORw0KGgo="}},
+                                   {{"uri", 5}},
+                                   {{"bufferView", 77}},
+                                   "picture",
+                                   nullptr,
+                                   {{"uri", "data:image/png;base64,AAAA"}},
+                                   {{"uri", "http://a/b.png"}}};
+    for (const json& image : broken) {
+        SCOPED_TRACE(image.dump());
+        made.root["images"][0] = image;
+        EXPECT_NE(loss_of(made).find("/images/0"), std::string::npos);
+        const scene::Material material = load(made).scene.materials.at(0);
+        EXPECT_FALSE(material.base_color_texture.is_present());
+        EXPECT_FALSE(material.normal_texture.is_present());
+        EXPECT_TRUE(material.metallic_roughness_texture.is_present()); // of the other image
+        EXPECT_EQ(material.base_color, vec4(0.5f, 1, 1, 1));
+        EXPECT_EQ(material.emission, vec3(0));
+    }
+});
+
+const Test lost_textures("unit.gltf.material.a_lost_texture_leaves_the_factors", [] {
+    const char* text = R"({"emissiveFactor": [1, 1, 1], "emissiveTexture": {"index": 1}})";
+    const auto expect_dark = [](const MadeGltf& made, std::string_view what) {
+        const std::string error = loss_of(made);
+        EXPECT_NE(error.find(what), std::string::npos) << error;
+        EXPECT_EQ(load(made).scene.materials.at(0).emission, vec3(0));
+    };
+    MadeGltf made = with_material(text);
+    made.root["textures"][1]["source"] = 7;
+    expect_dark(made, "/textures/1 has image 7, and there are 2");
+    made = with_material(text);
+    made.root["textures"][1] = 3;
+    expect_dark(made, "/textures/1 must be an object");
+    made = with_material(text);
+    made.root["materials"][0]["emissiveTexture"]["index"] = 9;
+    expect_dark(made, "/materials/0/emissiveTexture/index must be below 3");
+    made = with_material(text);
+    made.root["textures"][1]["sampler"] = 9;
+    EXPECT_NE(loss_of(made).find("/textures/1/sampler must be below 1"), std::string::npos);
+    EXPECT_EQ(load(made).scene.materials.at(0).emission, vec3(1)); // read with the default sampler
+    made.root["textures"][1]["sampler"] = 0;
+    made.root["samplers"][0]["wrapS"] = 5;
+    EXPECT_NE(loss_of(made).find("/samplers/0/wrapS must be one of"), std::string::npos);
+    EXPECT_EQ(load(made).scene.textures.at(0).sampler.wrap_u, scene::Wrap::repeat);
+});
+
+// A buffer that only an image needs is no geometry.
+const Test lost_buffer("unit.gltf.material.a_buffer_that_is_not_there_costs_what_lies_in_it", [] {
+    MadeGltf made = with_material(R"({"emissiveTexture": {"index": 1}})");
+    made.root["buffers"] = json::array({nullptr, {{"uri", "no.bin"}, {"byteLength", 100}}});
+    made.root["bufferViews"].push_back({{"buffer", 1}, {"byteLength", 100}});
+    made.root["images"][0] = {{"bufferView", made.root["bufferViews"].size() - 1}};
+    made.root["buffers"][0] = {{"byteLength", made.bytes.size()},
+                               {"uri", "data:;base64," + base64(made.bytes)}};
+    EXPECT_NE(loss_of(made).find("/buffers/1/uri names \"no.bin\": no such file"), std::string::npos);
+    made.root["accessors"][0]["bufferView"] = made.root["bufferViews"].size() - 1; // of positions
+    EXPECT_NE(error_of(made).find("/buffers/1/uri names \"no.bin\": no such file"), std::string::npos);
+});
+
+const Test ktx("unit.gltf.material.what_is_ktx2_alone_names_the_conversion", [] {
+    MadeGltf made = with_material(R"({"emissiveFactor": [1, 1, 1], "emissiveTexture": {"index": 0}})");
+    made.root["textures"][0] = {{"extensions", {{"KHR_texture_basisu", {{"source", 1}}}}}};
+    EXPECT_TRUE(warns_once(load(made),
+                           "/textures/0 has no image in a supported format: the material is shown "
+                           "without it; convert its textures to PNG: gltf-transform ktxdecompress"));
+    made.root["textures"][0]["source"] = 0;
+    EXPECT_EQ(load(made).scene.images.at(0).name, "first"); // what stands beside it
+    made.root["extensionsRequired"] = {"KHR_texture_basisu"};
+    EXPECT_NE(error_of(made).find("\"KHR_texture_basisu\": convert its textures to PNG"), std::string::npos);
+});
+
+// F0 is the specular factor, at an infinite ior; shaders/surface/ has the rest.
+const Test glossy("unit.gltf.material.specular_glossiness_goes_before_metallic_roughness", [] {
+    const char* text = R"({"name": "m", "pbrMetallicRoughness": {"baseColorFactor": [1, 0, 0, 1],
+        "baseColorTexture": {"index": 1}, "metallicRoughnessTexture": {"index": 1}}, "extensions":
+        {"KHR_materials_pbrSpecularGlossiness": {"diffuseFactor": [0.1, 0.2, 0.3, 0.4], "glossinessFactor": 0.75,
+         "specularFactor": [0.5, 0.25, 0], "diffuseTexture": {"index": 0, "texCoord": 1},
+         "specularGlossinessTexture": {"index": 2}}}})";
+    const gltf::Loaded loaded = load(with_material(text));
+    EXPECT_TRUE(loaded.warnings.empty());
+    const scene::Material& m = loaded.scene.materials.at(0);
+    EXPECT_TRUE(m.is_specular_glossiness);
+    EXPECT_EQ(m.base_color, vec4(0.1f, 0.2f, 0.3f, 0.4f));
+    EXPECT_EQ(m.specular_color, vec3(0.5f, 0.25f, 0));
+    EXPECT_EQ(vec3(m.metallic, m.roughness, m.ior), vec3(0, 0.25f, 0));
+    EXPECT_FALSE(m.metallic_roughness_texture.is_present());
+    EXPECT_EQ(m.base_color_texture.texcoord, 1);
+    EXPECT_TRUE(m.specular_color_texture.is_present());
+    EXPECT_EQ(loaded.scene.textures.at(m.specular_color_texture.texture).color_space,
+              scene::ColorSpace::srgb);
+    MadeGltf unlit = with_material(text);
+    unlit.root["materials"][0]["extensions"]["KHR_materials_unlit"] = json::object();
+    EXPECT_EQ(load(unlit).scene.materials.at(0).base_color, vec4(1, 0, 0, 1));
+    const scene::Material defaults =
+        material_of(R"({"extensions": {"KHR_materials_pbrSpecularGlossiness": {}}})");
+    EXPECT_EQ(vec2(defaults.roughness, defaults.specular_color.g), vec2(0, 1));
 });
 
 const Test layers("unit.gltf.material.layers", [] {

@@ -3,6 +3,7 @@
 #include "golden/bytes_of_file.hpp"
 #include "image/file.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace sr::testing {

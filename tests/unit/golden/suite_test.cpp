@@ -31,8 +31,9 @@ const Test reads("unit.golden.suite.reads_all_keys", [] {
     EXPECT_EQ(suite.name, "mine");
     EXPECT_EQ(suite.laws, folder / "l.xml");
     const golden::GoldenTest& a = suite.tests.at(0);
-    EXPECT_EQ(a.command, (std::vector<std::string>{"{steradian}", "render", "dir/b.gltf", "-o", "{out}",
-                                                   "--size", "8x8", "--samples", "9", "--shaders", "o"}));
+    EXPECT_EQ(a.command,
+              (std::vector<std::string>{"{steradian}", "render", "dir/b.gltf", "-o", "{out}", "--strict",
+                                        "--size", "8x8", "--samples", "9", "--shaders", "o"}));
     EXPECT_EQ(suite.golden_of(a), folder / "g" / "a.exr");
     EXPECT_EQ(a.guards, (std::vector<std::string>{"law.", "truth.b", "analytic.b"}));
     EXPECT_EQ(a.tolerances.at(0).limit, 0.5);

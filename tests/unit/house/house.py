@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """The house's own rules, checked by reading the sources. Each rule also shows that it fails on a tree that breaks it.
 
-usage: house.py RULE SOURCE_FOLDER      (RULE: floors, terms, sizes, readmes)
+usage: house.py RULE SOURCE_FOLDER      (RULE: floors, terms, includes, sizes, readmes)
 """
 import re
 import sys
@@ -9,6 +9,37 @@ import tempfile
 from pathlib import Path
 
 INCLUDE = re.compile(r'^\s*#include "([a-z_]+)/', re.MULTILINE)
+
+# Names of the standard library (ranges:: as well), by the header that has them. Another standard header may declare them, too,
+# with one compiler and not with the next: GCC 12 finds std::clamp without <algorithm>, GCC 14 does not.
+STANDARD_HEADERS = {
+    "algorithm": """adjacent_find all_of any_of binary_search clamp copy copy_backward copy_if copy_n count count_if equal equal_range
+        fill fill_n find find_end find_first_of find_if find_if_not for_each generate generate_n includes inplace_merge
+        is_sorted lexicographical_compare lower_bound make_heap max max_element merge min min_element minmax minmax_element mismatch
+        next_permutation none_of nth_element partial_sort partition partition_point pop_heap push_heap remove_copy remove_copy_if
+        remove_if replace replace_if reverse rotate search set_difference set_intersection set_union shuffle sort sort_heap
+        stable_partition stable_sort swap_ranges transform unique upper_bound""",
+    "numeric": "accumulate exclusive_scan gcd inclusive_scan inner_product iota lcm midpoint partial_sum reduce",
+    "array": "array to_array",
+    "atomic": "atomic atomic_bool atomic_flag",
+    "bit": "bit_cast bit_ceil bit_floor bit_width countl_zero countr_zero endian has_single_bit popcount",
+    "charconv": "from_chars to_chars",
+    "chrono": "chrono::[a-z_]+",
+    "cstdio": "fclose fflush fopen fprintf fputs fread fseek fwrite printf puts snprintf",
+    "cstdlib": "abort exit getenv strtod strtof strtol strtoul",
+    "cstring": "memchr memcmp memcpy memmove memset strchr strcmp strlen strncmp strstr",
+    "deque": "deque", "filesystem": "filesystem::[a-z_]+", "fstream": "fstream ifstream ofstream",
+    "functional": "bind_front function greater hash less plus", "future": "async future promise",
+    "limits": "numeric_limits", "map": "map multimap",
+    "memory": "make_shared make_unique shared_ptr unique_ptr weak_ptr", "mutex": "lock_guard mutex scoped_lock unique_lock",
+    "numbers": "numbers::[a-z_0-9]+", "optional": "make_optional nullopt optional",
+    "random": "mt19937 mt19937_64 normal_distribution uniform_int_distribution uniform_real_distribution",
+    "regex": "regex regex_match regex_replace regex_search smatch", "set": "multiset set", "span": "as_bytes span",
+    "sstream": "istringstream ostringstream stringstream", "string": "getline stod stof stoi string to_string",
+    "string_view": "string_view", "thread": "jthread this_thread thread", "tuple": "make_tuple tie tuple",
+    "unordered_map": "unordered_map", "unordered_set": "unordered_set", "utility": "exchange",
+    "variant": "get_if holds_alternative monostate variant visit", "vector": "vector",
+}
 
 
 def sources(folder: Path, *suffixes: str):
@@ -60,6 +91,37 @@ def terms(root: Path) -> list[str]:
     return broken
 
 
+def included_by(root: Path, file: Path, known: dict[Path, set[str]]) -> set[str]:
+    """The standard headers that a file includes, itself or by headers of ours."""
+    if file not in known:
+        known[file] = set()
+        text = file.read_text()
+        known[file] |= set(re.findall(r"^\s*#include <([a-z_]+)>", text, re.MULTILINE))
+        for name in re.findall(r'^\s*#include "([^"]+)"', text, re.MULTILINE):
+            for folder in (file.parent, root / "src", root / "tests", root / "tools"):
+                if (folder / name).is_file():
+                    known[file] |= included_by(root, (folder / name).resolve(), known)
+                    break
+    return known[file]
+
+
+def includes(root: Path) -> list[str]:
+    """A name of the standard library comes from a header that the file, or a header of ours that it includes, names."""
+    header_of = {name: header for header, names in STANDARD_HEADERS.items() for name in names.split()}
+    used = re.compile(r"\bstd::(?:ranges::)?(" + "|".join(sorted(header_of, key=len, reverse=True)) + r")\b(?!::)")
+    broken, known = [], {}
+    for file in (f for folder in ("src", "tests", "tools") for f in sources(root / folder, ".cpp", ".hpp")):
+        code = re.sub(r"//[^\n]*", "", file.read_text())
+        there = included_by(root, file.resolve(), known)
+        lacking = {}
+        for name in used.findall(code):
+            header = header_of.get(name) or next(h for n, h in header_of.items() if re.fullmatch(n, name))
+            if header not in there:
+                lacking.setdefault(header, name)
+        broken += [f"{file.relative_to(root)}: std::{name} without #include <{header}>" for header, name in lacking.items()]
+    return broken
+
+
 def sizes(root: Path) -> list[str]:
     """C++ and Python files have at most 500 lines, GLSL files 120."""
     broken = []
@@ -97,6 +159,11 @@ BAD_TREES = {
                 "shaders/visibility/a.glsl": '#include "brdf/f_r.glsl"\n'}),
     sizes: (3, {"shaders/brdf/a.glsl": "\n" * 121, "src/core/a.cpp": "\n" * 501, "tools/a.py": "\n" * 501,
                 "src/core/b.hpp": "\n" * 500}),
+    includes: (2, {"src/core/a.hpp": "#include <vector>\n", "src/core/b.hpp": '#include "core/a.hpp"\n#include <algorithm>\n',
+                   "src/core/a.cpp": '#include "core/a.hpp"\nstd::vector<int> a{std::max(1, 2)}; // std::min\n',
+                   "tests/support/a.hpp": "#include <optional>\n",
+                   "tests/a.cpp": '#include "core/b.hpp"\n#include "support/a.hpp"\nbool a = std::ranges::none_of(b, std::nullopt);\n',
+                   "tools/a.cpp": "std::chrono::seconds a;\n"}),
     readmes: (1, {"src/core/a.cpp": "", "src/gl/a.cpp": "", "src/README.md": "gl/ is named"}),
 }
 

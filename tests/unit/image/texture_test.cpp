@@ -4,6 +4,7 @@
 #include "support/address.hpp"
 #include "support/models.hpp"
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <random>

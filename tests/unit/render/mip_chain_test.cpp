@@ -1,6 +1,10 @@
 #include "render/mip_chain.hpp"
 
+#include "image/srgb.hpp"
 #include "support/address.hpp"
+
+#include <cmath>
+#include <glm/gtc/packing.hpp>
 
 using namespace sr;
 using namespace sr::render;
@@ -8,46 +12,68 @@ using sr::testing::Test;
 
 namespace {
 
+using scene::ColorSpace;
+
+/// All channels of a texel have one value.
+template<class Code = std::uint8_t>
 scene::TextureImage grey(int width, int height, auto value_at) {
-    std::vector<std::uint8_t> texels;
+    std::vector<Code> texels;
     for (int i = 0; i < width * height; ++i)
         for (int c = 0; c < 4; ++c) texels.push_back(value_at(i % width, i / width));
     return {"grey", width, height, texels};
 }
 
-std::uint8_t first_texel(const MipLevel& level, std::size_t channel = 0) {
-    return std::get<std::vector<std::uint8_t>>(level.texels)[channel];
+template<class T = std::uint8_t>
+T value(const MipLevel& level, std::size_t index = 0) {
+    return reinterpret_cast<const T*>(level.texels.data())[index];
 }
 
+float half_value(const MipLevel& level, std::size_t index = 0) {
+    return glm::unpackHalf1x16(value<std::uint16_t>(level, index));
+}
+
+std::vector<MipLevel> chain(const scene::TextureImage& image, ColorSpace color_space, TexelNeeds needs = {}) {
+    return mip_chain(image, color_space, texel_format(image, color_space, needs));
+}
+
+constexpr TexelNeeds exact{true, false};
+
 const Test sizes("unit.render.mip_chain.sizes_halve_rounding_down", [] {
-    const auto levels =
-        mip_chain(grey(13, 4, [](int, int) { return std::uint8_t{7}; }), scene::ColorSpace::linear);
-    ASSERT_EQ(levels.size(), 3u);
-    EXPECT_EQ(levels[0].width, 6);
-    EXPECT_EQ(levels[0].height, 2);
-    EXPECT_EQ(levels[2].width, 1);
-    EXPECT_EQ(levels[2].height, 1);
-    for (const MipLevel& level : levels) EXPECT_EQ(first_texel(level), 7) << "a constant stays what it is";
+    const auto image = grey(13, 4, [](int, int) { return std::uint8_t{7}; });
+    const auto levels = chain(image, ColorSpace::linear);
+    ASSERT_EQ(levels.size(), 4u);
+    EXPECT_EQ(levels[0].width, 13);
+    EXPECT_EQ(levels[1].width, 6);
+    EXPECT_EQ(levels[1].height, 2);
+    EXPECT_EQ(levels[3].width, 1);
+    EXPECT_EQ(levels[3].height, 1);
+    for (const MipLevel& level : levels) {
+        EXPECT_EQ(value(level), 7) << "a constant stays what it is";
+        EXPECT_EQ(level.texels.size(), static_cast<std::size_t>(level.width) * level.height * 4);
+    }
+    EXPECT_TRUE(levels[0].own_storage.empty()) << "level 0 is the image's own";
 });
 
 // Black and white in equal parts are half the light: 128 as data, 188 as an sRGB colour; alpha is never a
 // colour.
 const Test light("unit.render.mip_chain.srgb_averages_light", [] {
-    const auto checker = [](int x, int y) { return static_cast<std::uint8_t>((x + y) % 2 ? 255 : 0); };
-    EXPECT_EQ(first_texel(mip_chain(grey(2, 2, checker), scene::ColorSpace::linear)[0]), 128);
-    const auto srgb = mip_chain(grey(2, 2, checker), scene::ColorSpace::srgb);
-    EXPECT_EQ(first_texel(srgb[0]), 188);
-    EXPECT_EQ(first_texel(srgb[0], 3), 128);
+    const auto checker =
+        grey(2, 2, [](int x, int y) { return static_cast<std::uint8_t>((x + y) % 2 ? 255 : 0); });
+    EXPECT_EQ(value(chain(checker, ColorSpace::linear)[1]), 128);
+    const auto srgb = chain(checker, ColorSpace::srgb);
+    EXPECT_EQ(value(srgb[1]), 188);
+    EXPECT_EQ(value(srgb[1], 3), 128);
+    EXPECT_EQ(half_value(chain(checker, ColorSpace::srgb, exact)[1]), 0.5f);
 });
 
 // A constant survives in both colour spaces for every value, on even and odd sizes.
 const Test constants("unit.render.mip_chain.constants_survive", [] {
-    for (int value = 0; value < 256; ++value) {
+    for (int code = 0; code < 256; ++code) {
         for (const int size : {2, 3}) {
-            const auto image =
-                grey(size, size, [value](int, int) { return static_cast<std::uint8_t>(value); });
-            EXPECT_EQ(first_texel(mip_chain(image, scene::ColorSpace::srgb)[0]), value);
-            EXPECT_EQ(first_texel(mip_chain(image, scene::ColorSpace::linear)[0]), value);
+            const auto image = grey(size, size, [code](int, int) { return static_cast<std::uint8_t>(code); });
+            EXPECT_EQ(value(chain(image, ColorSpace::srgb)[1]), code);
+            EXPECT_EQ(value(chain(image, ColorSpace::linear)[1]), code);
+            EXPECT_EQ(value<std::uint16_t>(chain(image, ColorSpace::linear, exact)[1]), 257 * code);
         }
     }
 });
@@ -55,13 +81,41 @@ const Test constants("unit.render.mip_chain.constants_survive", [] {
 // Three columns become one: each counts a third.
 const Test odd("unit.render.mip_chain.odd_sizes_weigh_by_area", [] {
     const auto image = grey(3, 1, [](int x, int) { return static_cast<std::uint8_t>(x == 2 ? 255 : 0); });
-    EXPECT_EQ(first_texel(mip_chain(image, scene::ColorSpace::linear)[0]), 85);
+    EXPECT_EQ(value(chain(image, ColorSpace::linear)[1]), 85);
 });
 
 const Test words("unit.render.mip_chain.sixteen_bits_stay", [] {
-    const scene::TextureImage image{"w", 2, 1, std::vector<std::uint16_t>{1, 1, 1, 1, 3, 3, 3, 3}};
-    const auto levels = mip_chain(image, scene::ColorSpace::linear);
-    EXPECT_EQ(std::get<std::vector<std::uint16_t>>(levels[0].texels)[0], 2);
+    const auto image =
+        grey<std::uint16_t>(2, 1, [](int x, int) { return static_cast<std::uint16_t>(1 + 2 * x); });
+    EXPECT_EQ(value<std::uint16_t>(chain(image, ColorSpace::linear)[1]), 2);
+});
+
+// Half floats keep every sRGB code's light to 2^-11 of it, and 8-bit data stays what it is to the bit.
+const Test exactness("unit.render.mip_chain.exact_formats_keep_every_code", [] {
+    const auto ramp = grey(256, 1, [](int x, int) { return static_cast<std::uint8_t>(x); });
+    EXPECT_EQ(texel_format(ramp, ColorSpace::srgb, exact), TexelFormat::float16);
+    EXPECT_EQ(texel_format(ramp, ColorSpace::linear, exact), TexelFormat::unorm16);
+    const auto colors = chain(ramp, ColorSpace::srgb, exact), data = chain(ramp, ColorSpace::linear, exact);
+    for (std::size_t code = 0; code < 256; ++code) {
+        const float stored = static_cast<float>(code) / 255.0f, linear = image::linear_of_srgb(stored);
+        EXPECT_NEAR(half_value(colors[0], 4 * code), linear, linear / 2048.0f) << code;
+        EXPECT_NEAR(half_value(colors[0], 4 * code + 3), stored, stored / 2048.0f) << code;
+        EXPECT_EQ(static_cast<float>(value<std::uint16_t>(data[0], 4 * code)) / 65535.0f, stored) << code;
+    }
+});
+
+// A cutoff equal to a code's alpha must find it equal, and 16-bit sRGB keeps more than 8 bits on every
+// driver.
+const Test formats("unit.render.mip_chain.formats_follow_the_need", [] {
+    const auto bytes = grey(1, 1, [](int, int) { return std::uint8_t{128}; });
+    const auto words_of_color = grey<std::uint16_t>(1, 1, [](int, int) { return std::uint16_t{300}; });
+    EXPECT_EQ(texel_format(bytes, ColorSpace::srgb, {}), TexelFormat::srgb8);
+    EXPECT_EQ(texel_format(bytes, ColorSpace::linear, {}), TexelFormat::unorm8);
+    EXPECT_EQ(texel_format(words_of_color, ColorSpace::srgb, {}), TexelFormat::float16);
+    EXPECT_EQ(texel_format(words_of_color, ColorSpace::linear, {}), TexelFormat::unorm16);
+    const auto compared = chain(bytes, ColorSpace::srgb, {true, true});
+    EXPECT_EQ(value<float>(compared[0], 3), 128.0f / 255.0f);
+    EXPECT_EQ(value<float>(compared[0], 0), image::linear_of_srgb(128.0f / 255.0f));
 });
 
 } // namespace

@@ -2,6 +2,7 @@
 
 #include "support/address.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 using namespace sr;

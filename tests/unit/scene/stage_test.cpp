@@ -4,6 +4,7 @@
 #include "scene/framing.hpp"
 #include "support/address.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 using namespace sr;

@@ -20,6 +20,7 @@ class TestScript(unittest.TestCase):
         for name in ("common.sh", "test"):
             shutil.copy(SOURCES / "tools" / name, self.folder / "tools" / name)
         self.stand_in("tools/setup", "exit 0")
+        self.stand_in("tools/lint", "exit 0")
         self.stand_in("bin/cmake", "exit 0")
         self.stand_in("bin/ctest", "exit 0")
 
@@ -34,7 +35,8 @@ class TestScript(unittest.TestCase):
         path = f"{self.folder / 'bin'}{os.pathsep}{os.environ['PATH']}"
         done = subprocess.run([self.folder / "tools" / "test", *arguments], env={**os.environ, "PATH": path},
                               capture_output=True, text=True, timeout=60, check=False)
-        calls = (self.folder / "calls").read_text().splitlines()
+        log = self.folder / "calls"
+        calls = log.read_text().splitlines() if log.exists() else []
         return done.returncode, [call for call in calls if call.startswith("ctest")]
 
     def test_passes_when_every_test_passes(self):
@@ -53,6 +55,17 @@ class TestScript(unittest.TestCase):
         status, calls = self.run_it("--no-sanitize")
         self.assertNotEqual(status, 0)
         self.assertEqual(calls, [])
+
+    def test_fails_when_the_form_is_wrong_and_still_runs_the_tests(self):
+        self.stand_in("tools/lint", "exit 1")
+        status, calls = self.run_it()
+        self.assertEqual(status, 1)
+        self.assertEqual(len(calls), 2)
+
+    def test_refuses_what_it_does_not_know(self):
+        for arguments in (["--nonsense"], ["law"], ["-L"]):
+            status, calls = self.run_it(*arguments)
+            self.assertEqual((status, calls), (2, []), arguments)
 
     def test_hands_its_arguments_to_ctest(self):
         status, calls = self.run_it("--no-sanitize", "-L", "law")

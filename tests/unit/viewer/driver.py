@@ -126,10 +126,14 @@ class Viewer:
         self.key("Return")
 
     def count(self, color: tuple[int, int, int]) -> int:
-        """How many pixels of the screen have just this colour."""
-        time.sleep(0.3)
+        """How many pixels of the screen have just this colour now."""
         pixels = self.display.words()
         return sum(word & 0xffffff == (color[0] << 16 | color[1] << 8 | color[2]) for word in pixels)
+
+    @staticmethod
+    def pause():
+        """Gives the window time to draw, before a check that something has not changed. What shall change is waited for."""
+        time.sleep(0.3)
 
     @staticmethod
     def write(file: Path, text: str):
@@ -139,8 +143,7 @@ class Viewer:
         unfinished.rename(file)
 
     def screen(self, x: int, y: int) -> tuple[int, int, int]:
-        """A pixel of the screen, when the window has drawn what it has to draw."""
-        time.sleep(0.3)
+        """A pixel of the screen as it is now."""
         return self.display.pixels()(x, y)
 
     def shot(self, exr: bool = True) -> Path:

@@ -4,6 +4,7 @@
 #include "viewer/extents.hpp"
 #include "viewer/saved_gltf.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <glm/gtc/matrix_transform.hpp>

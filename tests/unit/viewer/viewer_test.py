@@ -17,6 +17,7 @@ from driver import Display, Viewer
 STERADIAN, SCENES, SCRATCH = (Path(argument).resolve() for argument in sys.argv[1:])
 WIDTH, HEIGHT = 400, 300  # of the window
 SIZE, SAMPLES = f"{WIDTH}x{HEIGHT}", "2"
+UPRIGHT = "--attrib", "pnm:pfmflip", "0"  # OpenImageIO 2.5 writes a PPM upside down without it
 
 
 def steradian(*arguments) -> subprocess.CompletedProcess:
@@ -42,7 +43,7 @@ def rendered(scene: Path, camera: str, *arguments) -> Path:
 def brightest(picture: Path) -> tuple[int, int]:
     """Where the picture is brightest: the middle of the lamp."""
     small = SCRATCH / "lamp.ppm"
-    subprocess.run(["oiiotool", picture, "--ch", "G,G,G", "--divc", "16000", "-d", "uint8", "-o", small], check=True)
+    subprocess.run(["oiiotool", picture, "--ch", "G,G,G", "--divc", "16000", "-d", "uint8", *UPRIGHT, "-o", small], check=True)
     pixels = small.read_bytes()[-3 * WIDTH * HEIGHT:]
     lit = [i // 3 for i in range(0, len(pixels), 3) if pixels[i] == 255]
     return lit[len(lit) // 2] % WIDTH, lit[len(lit) // 2] // WIDTH
@@ -104,18 +105,20 @@ def asking_and_comparing(viewer: Viewer):
     viewer.click(WIDTH // 2, HEIGHT - 40)
     viewer.wait(lambda: f"pixel {WIDTH // 2},{HEIGHT - 40} answers" in viewer.errors(), "an answer")
     lobe = (0, 158, 115)
+    viewer.pause()
     assert viewer.count(lobe) == 0, "it is drawn among the panels, which are hidden"
     viewer.key("h")
     viewer.click(21, 20)  # folds the panel that is in the way
-    assert viewer.count(lobe) > 100, "no lobe"
+    viewer.wait(lambda: viewer.count(lobe) > 100, "a lobe", 10)
     viewer.click(21, 20)
     viewer.key("h", "Escape", "b")
     viewer.wait(lambda: "kept: " in viewer.errors(), "a kept picture")
     places = (WIDTH // 4, HEIGHT // 2), (3 * WIDTH // 4, HEIGHT // 2)
+    viewer.pause()
     before = [viewer.screen(*place) for place in places]
     viewer.changed_by(lambda: viewer.key("1"))
+    viewer.wait(lambda: viewer.screen(*places[0]) != before[0], "the new picture on the wipe's own side", 10)
     assert viewer.screen(*places[1]) == before[1], "the wipe's other side is not the kept picture"
-    assert viewer.screen(*places[0]) != before[0], "the wipe's own side is not the new picture"
     viewer.key("Escape")
     viewer.changed_by(lambda: viewer.key("0"))
 
@@ -214,7 +217,7 @@ def converging_by_error(display: Display):
     assert f"done, {summary['samples']} samples, error" in viewer.title(), (viewer.title(), summary)
     assert same(exr, file), "not the picture that render makes"
     shown = SCRATCH / "error.ppm"
-    subprocess.run(["oiiotool", png, "--ch", "R,G,B", "-d", "uint8", "-o", shown], check=True)
+    subprocess.run(["oiiotool", png, "--ch", "R,G,B", "-d", "uint8", *UPRIGHT, "-o", shown], check=True)
     pixels, screen = shown.read_bytes()[-3 * size[0] * size[1]:], viewer.display.pixels()
     for x, y in ((x, y) for x in range(0, size[0], 5) for y in range(0, size[1], 5)):
         there = pixels[3 * (y * size[0] + x):][:3]

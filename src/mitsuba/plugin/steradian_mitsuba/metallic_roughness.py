@@ -17,10 +17,11 @@ class MetallicRoughness(Reflector):
         metal      = F(base colour) D V
         dielectric = (1 - s max F(F0)) ρ/π + s F(F0) D V
 
-    KHR_materials_specular and _ior (s, F0), _anisotropy (D V), _iridescence (F), _sheen, _clearcoat.
+    KHR_materials_specular and _ior (s, F0), _anisotropy (D V), _iridescence (F), _sheen, _clearcoat;
+    _pbrSpecularGlossiness: F0 is the specular colour, ρ = diffuse (1 - max F0), 1 - roughness is the glossiness.
     """
 
-    own_textures = ("specular_texture", "specular_color_texture", "anisotropy_texture", "clearcoat_texture",
+    own_textures = ("specular_texture", "specular_color_texture", "glossiness_texture", "anisotropy_texture", "clearcoat_texture",
                     "clearcoat_roughness_texture", "clearcoat_normal_texture", "sheen_color_texture",
                     "sheen_roughness_texture", "iridescence_texture", "film_thickness_texture")
 
@@ -29,6 +30,7 @@ class MetallicRoughness(Reflector):
         self.F0_from_ior = number(props, "F0", 0.04)
         self.specular = number(props, "specular", 1.0)
         self.specular_color = color(props, "specular_color")
+        self.is_specular_glossiness = "specular_glossiness" in props
         self.has_anisotropy, self.has_coat, self.has_sheen, self.has_film = (
             name in props for name in ("anisotropy", "clearcoat", "sheen_color", "iridescence"))
         self.anisotropy = number(props, "anisotropy", 0.0)
@@ -49,6 +51,9 @@ class MetallicRoughness(Reflector):
         x = Reflector.surface(self, si, active)
         x.F0 = dr.minimum(self.F0_from_ior * self.specular_color * self.read("specular_color_texture", si, active), 1)
         x.specular = self.specular * self.read("specular_texture", si, active).x
+        if self.is_specular_glossiness:
+            x.base_color = x.base_color * (1 - dr.max(x.F0))
+            x.roughness = 1 - (1 - x.roughness) * self.read("glossiness_texture", si, active).x
         self.add_lobe(x, si, active)
         if self.has_coat:
             self.add_coat(x, si, active)

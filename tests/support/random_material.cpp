@@ -1,0 +1,213 @@
+#include "support/random_parts.hpp"
+#include "unit/image/png_bytes.hpp"
+
+#include <algorithm>
+#include <array>
+#include <functional>
+
+namespace sr::testing {
+namespace {
+
+std::uint8_t byte_of(double value) {
+    return static_cast<std::uint8_t>(std::lround(255.0 * std::clamp(value, 0.0, 1.0)));
+}
+
+using Texel = std::function<glm::dvec4(Random&)>;
+
+void append_picture(MadeGltf& made, int edge, Random& random, const Texel& texel) {
+    Png png{static_cast<std::uint32_t>(edge), static_cast<std::uint32_t>(edge), 8, 6, {}, {}, {}};
+    for (int row = 0; row < edge; ++row) {
+        png.rows.push_back(0);
+        for (int column = 0; column < edge; ++column) {
+            const glm::dvec4 value = texel(random);
+            for (int i = 0; i < 4; ++i) png.rows.push_back(byte_of(value[i]));
+        }
+    }
+    made.root["images"].push_back({{"uri", "data:image/png;base64," + base64(png.bytes())}});
+    constexpr std::array wraps{10497, 33071, 33648};
+    made.root["samplers"].push_back({{"wrapS", wraps[static_cast<std::size_t>(random.below(3))]},
+                                     {"wrapT", wraps[static_cast<std::size_t>(random.below(3))]},
+                                     {"magFilter", random.has_chance(0.7) ? 9729 : 9728},
+                                     {"minFilter", random.has_chance(0.7) ? 9987 : 9729}});
+    const int index = static_cast<int>(made.root["images"].size()) - 1;
+    made.root["textures"].push_back({{"source", index}, {"sampler", index}});
+}
+
+json color(Random& random, double low = 0.1, double high = 0.9) {
+    return {random.within(low, high), random.within(low, high), random.within(low, high)};
+}
+
+/// A factor between 0 and 1, at the ends of its range if extremes ask for it.
+double fraction(Random& random, const Extremes& extremes, double low, double high) {
+    if (extremes.has_extreme_factors && random.has_chance(0.5)) return random.below(2);
+    return random.within(low, high);
+}
+
+json texture(Picture picture, Random& random, const Extremes& extremes) {
+    json made{{"index", static_cast<int>(picture)}, {"texCoord", random.below(2)}};
+    if (random.has_chance(0.5)) return made;
+    const double most = extremes.has_extreme_factors && random.has_chance(0.3) ? 1e6 : 1.5;
+    made["extensions"]["KHR_texture_transform"] = {
+        {"offset", {random.within(-most, most), random.within(-1, 1)}},
+        {"rotation", random.within(-3, 3)},
+        {"scale", {random.within(-most, most), random.within(0.5, 1.5)}}};
+    return made;
+}
+
+/// Fills in one material; the functions are named after the surfaces.
+class Maker {
+public:
+    Maker(json& material, Random& random, const Extremes& extremes)
+        : m_(material), random_(random), extremes_(extremes) {}
+
+    void core() {
+        json& pbr = m_["pbrMetallicRoughness"];
+        pbr["baseColorFactor"] = color(random_);
+        pbr["baseColorFactor"].push_back(1.0);
+        pbr["metallicFactor"] = fraction(random_, extremes_, 0.0, 1.0);
+        pbr["roughnessFactor"] = fraction(random_, extremes_, 0.25, 1.0);
+    }
+
+    void make(Surface surface) {
+        core();
+        switch (surface) {
+        case Surface::lambert: brdf("lambert"); break;
+        case Surface::plain:
+        case Surface::colored: break;
+        case Surface::textured: textured(); break;
+        case Surface::mapped: normal_map(); break;
+        case Surface::anisotropic: anisotropic(); break;
+        case Surface::coated: coated(); break;
+        case Surface::sheen: sheen(); break;
+        case Surface::film: film(); break;
+        case Surface::masked:
+        case Surface::blended: transparent(surface == Surface::masked); break;
+        case Surface::unlit: extension("unlit") = json::object(); break;
+        case Surface::oren_nayar: brdf("oren_nayar"); break;
+        case Surface::mirror: brdf("mirror"); break;
+        case Surface::phong: phong("phong"); break;
+        case Surface::blinn_phong: phong("blinn_phong"); break;
+        case Surface::two_widths:
+            brdf("ggx")["roughness_across"] = fraction(random_, extremes_, 0.25, 1.0);
+            break;
+        case Surface::conductor:
+            brdf("conductor")["metal"] = random_.has_chance(0.5) ? "gold" : "silver";
+            break;
+        case Surface::glowing:
+        case Surface::glowing_quad:
+        case Surface::textured_glowing: glowing(surface == Surface::textured_glowing); break;
+        }
+    }
+
+private:
+    json& extension(const char* name) { return m_["extensions"][std::string("KHR_materials_") + name]; }
+    json picture(Picture number) { return texture(number, random_, extremes_); }
+
+    json& brdf(const char* name) {
+        json& stated = m_["extras"]["steradian"];
+        stated["brdf"] = name;
+        return stated;
+    }
+
+    void phong(const char* name) {
+        for (int i = 0; i < 3; ++i)
+            m_["pbrMetallicRoughness"]["baseColorFactor"][i] = random_.within(0.0, 0.6);
+        brdf(name)["exponent"] = random_.within(2.0, 40.0);
+        brdf(name)["specular_color"] = color(random_, 0.05, 0.4);
+    }
+
+    void normal_map() {
+        m_["normalTexture"] = picture(normals_picture);
+        m_["normalTexture"]["scale"] = random_.within(0.3, 1.5);
+    }
+
+    void textured() {
+        m_["pbrMetallicRoughness"]["baseColorTexture"] = picture(colors_picture);
+        m_["pbrMetallicRoughness"]["metallicRoughnessTexture"] = picture(data_picture);
+        normal_map();
+        extension("ior")["ior"] = fraction(random_, extremes_, 1.2, 2.0);
+        extension("specular") = {{"specularFactor", fraction(random_, extremes_, 0.2, 1.0)},
+                                 {"specularColorFactor", color(random_)},
+                                 {"specularTexture", picture(data_picture)},
+                                 {"specularColorTexture", picture(colors_picture)}};
+    }
+
+    void anisotropic() {
+        extension("anisotropy") = {{"anisotropyStrength", random_.within(0.2, 0.9)},
+                                   {"anisotropyRotation", random_.within(0.0, 6.0)},
+                                   {"anisotropyTexture", picture(data_picture)}};
+    }
+
+    void coated() {
+        extension("clearcoat") = {{"clearcoatFactor", random_.within(0.2, 1.0)},
+                                  {"clearcoatRoughnessFactor", fraction(random_, extremes_, 0.25, 0.9)},
+                                  {"clearcoatTexture", picture(data_picture)},
+                                  {"clearcoatRoughnessTexture", picture(data_picture)},
+                                  {"clearcoatNormalTexture", picture(normals_picture)}};
+    }
+
+    void sheen() {
+        extension("sheen") = {{"sheenColorFactor", color(random_)},
+                              {"sheenRoughnessFactor", fraction(random_, extremes_, 0.3, 1.0)},
+                              {"sheenColorTexture", picture(colors_picture)},
+                              {"sheenRoughnessTexture", picture(data_picture)}};
+    }
+
+    void film() {
+        const double least = random_.within(100.0, 300.0);
+        extension("iridescence") = {{"iridescenceFactor", random_.within(0.2, 1.0)},
+                                    {"iridescenceIor", random_.within(1.2, 1.8)},
+                                    {"iridescenceThicknessMinimum", least},
+                                    {"iridescenceThicknessMaximum", least + random_.within(50.0, 300.0)},
+                                    {"iridescenceTexture", picture(data_picture)},
+                                    {"iridescenceThicknessTexture", picture(data_picture)}};
+    }
+
+    void transparent(bool is_mask) {
+        m_["alphaMode"] = is_mask ? "MASK" : "BLEND";
+        m_["pbrMetallicRoughness"]["baseColorTexture"] = picture(alpha_picture);
+        m_["pbrMetallicRoughness"]["baseColorFactor"][3] = fraction(random_, extremes_, 0.5, 1.0);
+        if (is_mask) m_["alphaCutoff"] = fraction(random_, extremes_, 0.3, 0.6);
+    }
+
+    void glowing(bool is_textured) {
+        m_["emissiveFactor"] = color(random_, 0.2, 1.0);
+        extension("emissive_strength")["emissiveStrength"] = random_.within(2.0, 20.0);
+        if (is_textured) m_["emissiveTexture"] = picture(glow_picture);
+    }
+
+    json& m_;
+    Random& random_;
+    const Extremes& extremes_;
+};
+
+} // namespace
+
+void append_pictures(MadeGltf& made, Random& random) {
+    const auto middling = [](Random& r) { return r.within(0.3, 0.9); };
+    append_picture(made, 4, random,
+                   [&](Random& r) { return glm::dvec4(middling(r), middling(r), middling(r), 1.0); });
+    append_picture(made, 4, random, [&](Random& r) {
+        return glm::dvec4(middling(r), r.within(0.6, 1.0), middling(r), middling(r));
+    });
+    append_picture(made, 4, random, [](Random& r) {
+        const glm::dvec3 n = glm::normalize(glm::dvec3(r.within(-0.4, 0.4), r.within(-0.4, 0.4), 1.0));
+        return glm::dvec4(0.5 + 0.5 * n, 1.0);
+    });
+    append_picture(made, 4, random, [&](Random& r) {
+        return glm::dvec4(middling(r), middling(r), middling(r),
+                          r.has_chance(0.5) ? r.within(0.0, 0.3) : 1.0);
+    });
+    append_picture(made, 4, random,
+                   [&](Random& r) { return glm::dvec4(middling(r), middling(r), middling(r), 1.0); });
+}
+
+int append_material(MadeGltf& made, Surface surface, Random& random, const Extremes& extremes) {
+    json material;
+    Maker(material, random, extremes).make(surface);
+    material["doubleSided"] = random.has_chance(0.4);
+    made.root["materials"].push_back(material);
+    return static_cast<int>(made.root["materials"].size()) - 1;
+}
+
+} // namespace sr::testing
