@@ -1,28 +1,37 @@
 #include "brdf/specimen.hpp"
 
 #include "core/error.hpp"
+#include "core/file.hpp"
 
 #include <array>
+#include <cctype>
 #include <fmt/format.h>
-#include <fstream>
-#include <regex>
-#include <sstream>
+#include <string_view>
 
 namespace sr::brdf {
 namespace {
 
-bool declares(const std::string& text, const std::string& function) {
-    return std::regex_search(text, std::regex("\\b" + function + "\\s*\\([^;]*\\)\\s*\\{"));
+bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+
+/// Whether the text has `function(…) {`: not a call and no prototype, which a ';' follows.
+bool declares(std::string_view text, std::string_view function) {
+    constexpr std::string_view blank = " \t\r\n\v\f";
+    for (auto at = text.find(function); at != text.npos; at = text.find(function, at + 1)) {
+        const std::string_view after = text.substr(at + function.size());
+        const auto open = after.find_first_not_of(blank);
+        if ((at > 0 && is_word(text[at - 1])) || open == after.npos || after[open] != '(') continue;
+        const auto brace = after.find_first_of(";{", open);
+        if (brace == after.npos || after[brace] == ';') continue;
+        const auto last = after.find_last_not_of(blank, brace - 1);
+        if (after[last] == ')') return true;
+    }
+    return false;
 }
 
 } // namespace
 
 UserShader read_user_shader(const std::filesystem::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    std::ostringstream text;
-    if (stream) text << stream.rdbuf();
-    if (!stream) throw Error({file.string()}, "cannot be read", "name a GLSL file that declares f_r");
-    UserShader shader{text.str(), file.string(), false};
+    UserShader shader{read_text(file), file.string(), false};
     if (!declares(shader.text, "f_r"))
         throw Error({file.string()}, "does not declare f_r",
                     "write vec3 f_r(Surface x, vec3 wi, vec3 wo) { … }, as shaders/brdf/f_r.glsl does");

@@ -40,6 +40,10 @@ std::optional<Size> parsed_size(const std::string& text) {
     return Size{*width, *height};
 }
 
+std::string refusal_of_number(const std::string& text) {
+    return std::isfinite(std::strtod(text.c_str(), nullptr)) ? "" : "'" + text + "' is not a finite number";
+}
+
 std::optional<vec3> parsed_color(const std::string& text) {
     std::vector<float> numbers;
     for (std::size_t begin = 0; begin <= text.size();) {

@@ -21,6 +21,9 @@ Size picture_size(std::optional<float> aspect_ratio);
 /// "1280x720"; absent if it is not two whole numbers from 1 to 65536.
 std::optional<Size> parsed_size(const std::string& text);
 
+/// What is wrong with a number that is not finite, which range checks let through; empty for others.
+std::string refusal_of_number(const std::string& text);
+
 /// "0.1,0.2,0.3" or a single number for all three; absent if it is neither, or not finite.
 std::optional<vec3> parsed_color(const std::string& text);
 

@@ -2,6 +2,7 @@
 #include "assignment/self_test.hpp"
 #include "cli/commands.hpp"
 #include "core/error.hpp"
+#include "core/output.hpp"
 #include "gl/context.hpp"
 #include "golden/bytes_of_file.hpp"
 #include "golden/child.hpp"
@@ -48,14 +49,14 @@ void list_assignments() {
     std::ranges::sort(folders);
     for (const fs::path& folder : folders) {
         const assignment::Assignment a = assignment::load(folder);
-        fmt::print("{:<16} {:3g} points  {}: {}\n", a.id, a.points(), a.title, a.summary);
+        print_data("{:<16} {:3g} points  {}: {}\n", a.id, a.points(), a.title, a.summary);
     }
 }
 
 void make_new(const AssignmentArguments& arguments) {
     const auto assignment = assignment::load(assignment::assignment_named(arguments.name));
     assignment::make_folder(assignment, arguments.folder, arguments.student);
-    fmt::print(stderr, "{}: read README.md, edit the .glsl files, then: steradian assignment check {}\n",
+    print_remark("{}: read README.md, edit the .glsl files, then: steradian assignment check {}",
                arguments.folder, arguments.folder);
 }
 
@@ -154,7 +155,7 @@ ExitStatus check(const AssignmentArguments& arguments) {
     const auto assignment = assignment::load(assignment::assignment_named(label.assignment));
     const ordered_json result =
         assignment::summed(assignment, label.student, marked_by_children(arguments, assignment));
-    fmt::print("{}",
+    print_data("{}",
                arguments.json ? result.dump(2, ' ', false, replace) + "\n" : assignment::table_of(result));
     const bool is_whole = std::ranges::all_of(result["tasks"], [](const ordered_json& task) {
         return task["extra"].get<bool>() || task["status"] == "passed";
@@ -167,12 +168,12 @@ ExitStatus prove(const AssignmentArguments& arguments) {
     const auto context = gl::open_context({gl::Backend::automatic, true});
     const auto proofs = assignment::proofs_of(assignment);
     context->require_silence();
-    fmt::print("| task | submission | must get | gets | |\n|---|---|---|---|---|\n");
+    print_data("| task | submission | must get | gets | |\n|---|---|---|---|---|\n");
     for (const assignment::Proof& proof : proofs)
-        fmt::print("| {} | {} | {} | {} | {} |\n", proof.task, proof.name, proof.must, proof.got,
+        print_data("| {} | {} | {} | {} | {} |\n", proof.task, proof.name, proof.must, proof.got,
                    proof.holds ? "ok" : "**WRONG**");
     const auto shortages = assignment::shortages(assignment);
-    for (const std::string& line : shortages) fmt::print(stderr, "{}: {}\n", assignment.id, line);
+    for (const std::string& line : shortages) print_remark("{}: {}", assignment.id, line);
     return shortages.empty() && std::ranges::all_of(proofs, &assignment::Proof::holds) ? done : failed_check;
 }
 

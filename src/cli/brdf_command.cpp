@@ -3,7 +3,8 @@
 #include "brdf/sphere.hpp"
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
-#include "core/error.hpp"
+#include "core/file.hpp"
+#include "core/output.hpp"
 #include "gl/context.hpp"
 #include "image/display.hpp"
 #include "image/file.hpp"
@@ -14,9 +15,9 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <utility>
 
 namespace sr::cli {
@@ -35,15 +36,6 @@ struct BrdfCommand {
     bool json = false;
 };
 
-std::vector<std::byte> bytes_of(const std::string& name) {
-    std::ifstream file(name, std::ios::binary | std::ios::ate);
-    std::vector<std::byte> bytes(file ? static_cast<std::size_t>(file.tellg()) : 0);
-    file.seekg(0);
-    file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-    if (!file) throw Error({name}, "cannot be read", "name a BRDF (--help lists them) or a file");
-    return bytes;
-}
-
 /// Which BRDF the name stands for: one of ours, a GLSL file or a measured one.
 void choose(BrdfCommand& command) {
     brdf::Specimen& specimen = command.specimen;
@@ -54,7 +46,8 @@ void choose(BrdfCommand& command) {
     } else if (ends_in(".binary")) {
         specimen.material.model = Model::merl;
         specimen.material.measured = 0;
-        specimen.measured.push_back(scene::read_merl(bytes_of(command.name), command.name));
+        const std::vector<std::uint8_t> bytes = read_file(command.name, command.name);
+        specimen.measured.push_back(scene::read_merl(std::as_bytes(std::span(bytes)), command.name));
     } else if (const auto model = scene::model_named(command.name); model && *model != Model::merl) {
         specimen.material.model = *model;
     } else {
@@ -123,16 +116,16 @@ ordered_json laws_json(const std::vector<brdf::Law>& laws) {
 }
 
 void print(const ordered_json& json) {
-    fmt::print("{}\n\n", json["brdf"].get<std::string>());
+    print_data("{}\n\n", json["brdf"].get<std::string>());
     const char* head = "albedo";
     for (const auto& row : json["albedo"])
-        fmt::print("  {:<6}    cosθ {:.3g}: {:.4f} {:.4f} {:.4f}\n", std::exchange(head, ""),
+        print_data("  {:<6}    cosθ {:.3g}: {:.4f} {:.4f} {:.4f}\n", std::exchange(head, ""),
                    row["cos_o"].get<double>(), row["albedo"][0].get<double>(), row["albedo"][1].get<double>(),
                    row["albedo"][2].get<double>());
-    fmt::print("\n");
+    print_data("\n");
     for (const auto& law : json["laws"]) {
         const char* verdict = law["holds"] ? "holds" : law["broken_by_definition"] ? "waived" : "BROKEN";
-        fmt::print("  {:<14} {:<7} {:>11.4g}, limit {:g}, at {}\n", law["law"].get<std::string>(), verdict,
+        print_data("  {:<14} {:<7} {:>11.4g}, limit {:g}, at {}\n", law["law"].get<std::string>(), verdict,
                    law["worst"].is_number() ? law["worst"].get<double>() : INFINITY,
                    law["limit"].get<double>(), law["where"].get<std::string>());
     }
@@ -143,9 +136,8 @@ ExitStatus look_at(BrdfCommand& command) {
     check_outputs(command);
     const auto context = gl::open_context({command.backend, false});
     if (command.specimen.is_delta()) {
-        fmt::print(stderr,
-                   "{}: a delta has no values to check: it reflects its base colour from one direction\n",
-                   command.name);
+        print_remark("{}: a delta has no values to check: it reflects its base colour from one direction",
+                     command.name);
         brdf::Trial trial(command.specimen);
         write_outputs(command, trial);
         return done;
@@ -157,11 +149,11 @@ ExitStatus look_at(BrdfCommand& command) {
     write_outputs(command, trial);
     context->require_silence();
     if (command.json)
-        fmt::print("{}\n", json.dump(2, ' ', false, ordered_json::error_handler_t::replace));
+        write_json(json.dump(2, ' ', false, ordered_json::error_handler_t::replace));
     else
         print(json);
     if (!command.specimen.has_sampling())
-        fmt::print(stderr, "{}: its sampling is not checked: it declares none\n", command.name);
+        print_remark("{}: its sampling is not checked: it declares none", command.name);
     const bool is_lawful =
         std::ranges::all_of(laws, [](const brdf::Law& law) { return law.holds() || law.is_waived; });
     return is_lawful ? done : failed_check;
@@ -182,7 +174,10 @@ void declare_parameters(CLI::App& command, BrdfCommand& o) {
             ->type_name("R,G,B");
     };
     const auto fraction = [&](const char* name, float& value, const char* help) {
-        command.add_option(name, value, help)->check(CLI::Range(0.0f, 1.0f))->capture_default_str();
+        command.add_option(name, value, help)
+            ->check(refusal_of_number)
+            ->check(CLI::Range(0.0f, 1.0f))
+            ->capture_default_str();
     };
     m.base_color = vec4(1.0f);
     m.roughness = 0.5f;
@@ -191,23 +186,32 @@ void declare_parameters(CLI::App& command, BrdfCommand& o) {
     fraction("--roughness", m.roughness, "of gltf, ggx, conductor, oren_nayar");
     fraction("--metallic", m.metallic, "of gltf");
     fraction("--specular", m.specular, "of gltf: weight of the dielectric's layer");
-    command.add_option("--ior", m.ior, "of gltf")->check(CLI::Range(1.0f, 100.0f))->capture_default_str();
+    command.add_option("--ior", m.ior, "of gltf")
+        ->check(refusal_of_number)
+        ->check(CLI::Range(1.0f, 100.0f))
+        ->capture_default_str();
     fraction("--anisotropy", m.anisotropy, "of gltf");
-    command.add_option("--rotation", m.anisotropy_rotation, "of the anisotropy [rad]")->capture_default_str();
+    command.add_option("--rotation", m.anisotropy_rotation, "of the anisotropy [rad]")
+        ->check(refusal_of_number)
+        ->capture_default_str();
     fraction("--clearcoat", m.clearcoat, "of gltf");
     fraction("--clearcoat-roughness", m.clearcoat_roughness, "of gltf");
     color("--sheen-color", "of gltf (default: 0)", [&m](vec3 v) { m.sheen_color = v; });
     fraction("--sheen-roughness", m.sheen_roughness, "of gltf");
     fraction("--iridescence", m.iridescence, "of gltf: weight of a thin film");
     command.add_option("--film-ior", m.film_ior, "of the thin film")
+        ->check(refusal_of_number)
         ->check(CLI::Range(1.0f, 10.0f))
         ->capture_default_str();
     command.add_option("--film-thickness", m.largest_film_thickness, "of the thin film [nm]")
+        ->check(refusal_of_number)
         ->check(CLI::NonNegativeNumber)
         ->capture_default_str();
     command.add_option("--roughness-across", m.roughness_across, "of ggx, conductor: across the tangent")
+        ->check(refusal_of_number)
         ->check(CLI::Range(0.0f, 1.0f));
     command.add_option("--exponent", m.exponent, "of phong, blinn_phong")
+        ->check(refusal_of_number)
         ->check(CLI::Range(0.0f, 1e6f))
         ->capture_default_str();
     color("--specular-color",

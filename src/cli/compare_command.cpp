@@ -1,5 +1,8 @@
+#include "cli/arguments.hpp"
 #include "cli/commands.hpp"
 #include "core/error.hpp"
+#include "core/output.hpp"
+#include "core/text.hpp"
 #include "golden/compare.hpp"
 #include "golden/comparison_json.hpp"
 #include "golden/pictures.hpp"
@@ -49,9 +52,8 @@ golden::Encoding encoding_of(const CompareCommand& command) {
     if (command.encoding == "srgb") return display_referred;
     const bool test = is_for_screens(command.test), reference = is_for_screens(command.reference);
     if (test != reference)
-        fmt::print(stderr,
-                   "one image holds light and the other codes for a screen: their numbers are compared as "
-                   "they are (--encoding tells what they are)\n");
+        print_remark("one image holds light and the other codes for a screen: their numbers are compared as "
+                     "they are (--encoding tells what they are)");
     return test && reference ? display_referred : scene_referred;
 }
 
@@ -81,6 +83,8 @@ image::Image read_noise(const std::string& text) {
     char* end = nullptr;
     const float number = std::strtof(text.c_str(), &end);
     if (text.empty() || *end != '\0') return image::read(text);
+    if (!std::isfinite(number) || number < 0.0f)
+        throw CLI::ValidationError("--noise", "'" + text + "' is not a number from 0, nor an image");
     image::Image noise(1, 1, 1);
     noise.pixels[0] = number;
     return noise;
@@ -99,32 +103,33 @@ golden::CompareOptions options_of(const CompareCommand& command) {
 
 void print_metrics(const golden::Metrics& m) {
     if (m.pixels == 0) return;
-    fmt::print("  {:<7} max_abs {:.4g}, mean_abs {:.4g}, rmse {:.4g}; max_rel {:.4g}, mean_rel {:.4g}, "
+    print_data("  {:<7} max_abs {:.4g}, mean_abs {:.4g}, rmse {:.4g}; max_rel {:.4g}, mean_rel {:.4g}, "
                "rel_mse {:.4g}\n",
                "numbers", m.max_abs, m.mean_abs, m.rmse, m.max_rel, m.mean_rel, m.rel_mse);
-    fmt::print("  {:<7} Σtest/Σreference {:.6g}, {:.6g}, {:.6g}; ssim {:.6g}, flip {:.4g}", "",
+    print_data("  {:<7} Σtest/Σreference {:.6g}, {:.6g}, {:.6g}; ssim {:.6g}, flip {:.4g}", "",
                m.energy_ratio[0], m.energy_ratio[1], m.energy_ratio[2], m.ssim, m.flip);
-    if (!std::isnan(m.hdr_flip)) fmt::print(", hdr_flip {:.4g}", m.hdr_flip);
-    fmt::print("\n  {:<7} {:.4g} % of {} pixels fail, {:.4g} % in the densest 16x16 window\n", "",
+    if (!std::isnan(m.hdr_flip)) print_data(", hdr_flip {:.4g}", m.hdr_flip);
+    print_data("\n  {:<7} {:.4g} % of {} pixels fail, {:.4g} % in the densest 16x16 window\n", "",
                100.0 * m.failing_fraction, m.pixels, 100.0 * m.density);
 }
 
 void print(const golden::Comparison& comparison, const CompareCommand& command) {
-    fmt::print("{} {} against {}\n", comparison.passed ? "PASS" : "FAIL", command.test, command.reference);
+    print_data("{} {} against {}\n", comparison.passed ? "PASS" : "FAIL", shown(command.test),
+               shown(command.reference));
     for (const golden::Verdict& verdict : comparison.verdicts)
-        fmt::print("  {:<7} {}\n", verdict.passed ? "ok" : "FAIL", verdict.line);
+        print_data("  {:<7} {}\n", verdict.passed ? "ok" : "FAIL", shown(verdict.line));
     print_metrics(comparison.metrics);
     if (const auto& diagnosis = comparison.diagnosis)
-        fmt::print("  {:<7} {} ({}; {:.2g} of the difference is left)\n", "cause", diagnosis->statement,
+        print_data("  {:<7} {} ({}; {:.2g} of the difference is left)\n", "cause", diagnosis->statement,
                    diagnosis->name, diagnosis->residual);
     else if (!comparison.passed)
-        fmt::print("  {:<7} no mistake with a name explains the difference\n", "cause");
+        print_data("  {:<7} no mistake with a name explains the difference\n", "cause");
 }
 
 void print_json(const golden::Comparison& comparison, const CompareCommand& command) {
     nlohmann::ordered_json json{{"test", command.test}, {"reference", command.reference}};
     json.update(golden::json_of(comparison));
-    fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+    write_json(json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
 }
 
 ExitStatus compare(const CompareCommand& command) {
@@ -211,6 +216,7 @@ void declare_scope(CLI::App& command, CompareCommand& o) {
         ->type_name("START,STOP,COUNT")
         ->check(accepted_by(parsed_exposures, "START,STOP,COUNT, such as -2,6,9 (at most 64)"));
     command.add_option("--pixels-per-degree", o.options.pixels_per_degree, "of the screen, for FLIP")
+        ->check(refusal_of_number)
         ->check(CLI::Range(1.0f, 1000.0f))
         ->capture_default_str();
 }

@@ -1,5 +1,6 @@
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
+#include "core/output.hpp"
 #include "glsl/source.hpp"
 
 #include <CLI/CLI.hpp>
@@ -27,7 +28,7 @@ void add_expand_command(CLI::App& app) {
         "Examples:\n  steradian expand forward.frag\n  steradian expand brdf/f_r.glsl --shaders my_shaders");
     command->callback([arguments] {
         const auto path = shader_path(arguments->shaders);
-        std::fputs(glsl::expand(path, arguments->file).text.c_str(), stdout);
+        write_output(glsl::expand(path, arguments->file).text);
     });
 }
 

@@ -1,6 +1,7 @@
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
 #include "cli/render_options.hpp"
+#include "core/output.hpp"
 #include "gltf/load.hpp"
 #include "mitsuba/write.hpp"
 #include "scene/emitters.hpp"
@@ -44,13 +45,13 @@ void export_scene(const ExportCommand& command) {
     gltf::LoadOptions options = command.moment;
     options.scene = command.scene_index;
     gltf::Loaded loaded = gltf::load(command.scene, options);
-    for (const std::string& warning : loaded.warnings) fmt::print(stderr, "{}\n", warning);
+    for (const std::string& warning : loaded.warnings) write_remark(warning);
     const scene::Stage stage = staged(command, asked, std::move(loaded.scene));
-    for (const std::string& remark : stage.remarks) fmt::print(stderr, "{}\n", remark);
+    for (const std::string& remark : stage.remarks) write_remark(remark);
     const Size size = asked.value_or(picture_size(stage.camera.aspect_ratio()));
     const auto warnings =
         mitsuba::write({stage.scene, stage.camera, size.width, size.height}, command.folder);
-    for (const std::string& warning : warnings) fmt::print(stderr, "{}: {}\n", command.scene, warning);
+    for (const std::string& warning : warnings) print_remark("{}: {}", command.scene, warning);
 }
 
 } // namespace
@@ -81,6 +82,7 @@ void add_export_command(CLI::App& app) {
         ->add_option("--at", options->moment.at,
                      "the moment of the animation (default: the file's rest pose)")
         ->type_name("SECONDS")
+        ->check(refusal_of_number)
         ->check(CLI::NonNegativeNumber);
     command->add_option("--animation", options->moment.animation,
                         "which one, as render's (default: the first)");

@@ -1,6 +1,8 @@
 #include "cli/commands.hpp"
 #include "cli/interruption.hpp"
 #include "core/error.hpp"
+#include "core/output.hpp"
+#include "core/text.hpp"
 #include "golden/approve.hpp"
 #include "golden/bytes_of_file.hpp"
 #include "golden/junit.hpp"
@@ -8,6 +10,7 @@
 #include "golden/run.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <fmt/format.h>
@@ -30,9 +33,9 @@ struct GoldenArguments {
 
 void print_line(const golden::TestResult& test) {
     const bool passed = test.outcome == golden::Outcome::passed;
-    fmt::print("{:<8} {:<28} {:6.2f} s{}{}\n", passed ? "ok" : golden::name_of(test.outcome), test.name,
-               test.seconds, test.message.empty() ? "" : "  ", test.message);
-    std::fflush(stdout);
+    print_data("{:<8} {:<28} {:6.2f} s{}{}\n", passed ? "ok" : golden::name_of(test.outcome), test.name,
+               test.seconds, test.message.empty() ? "" : "  ", shown(test.message));
+    flush_output();
 }
 
 std::string summary(const golden::RunResult& result) {
@@ -67,26 +70,28 @@ ExitStatus run_suite(GoldenArguments& arguments) {
     const auto begin = std::chrono::steady_clock::now();
     const auto result = golden::run(suite, options);
     if (!result) {
-        fmt::print(stderr, "interrupted: no results were written\n");
+        print_remark("interrupted: no results were written");
         return interrupted;
     }
     golden::write_results(*result, options.output);
     golden::write_text(golden::junit_file(options.output), golden::junit_xml(*result));
     write_report(*result, suite, options.output);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    fmt::print("{} in {:.1f} s; {}\n", summary(*result), seconds,
-               golden::report_file(options.output).string());
+    print_data("{} in {:.1f} s; {}\n", summary(*result), seconds,
+               shown(golden::report_file(options.output).string()));
+    if (std::ranges::any_of(result->tests, &golden::TestResult::has_unreadable_file)) return worlds_fault;
     return result->passed() ? done : failed_check;
 }
 
 void print_plan(const golden::ApprovalPlan& plan, bool force) {
-    for (const std::string& remark : plan.remarks) fmt::print(stderr, "{}\n", remark);
+    for (const std::string& remark : plan.remarks) write_remark(remark);
     for (const golden::Approval& approval : plan.approvals) {
         const char* what = approval.change == "new" ? "add" : approval.change == "equal" ? "keep" : "replace";
-        fmt::print("{:<8} {}{}{}\n", approval.bytes.empty() ? "-" : what, approval.golden.string(),
+        print_data("{:<8} {}{}{}\n", approval.bytes.empty() ? "-" : what, shown(approval.golden.string()),
                    approval.change.empty() ? "" : ": ", approval.change);
         for (const golden::Refusal& refusal : approval.refusals)
-            fmt::print("  {}: {}\n", force && refusal.yields_to_force ? "forced" : "refused", refusal.reason);
+            print_data("  {}: {}\n", force && refusal.yields_to_force ? "forced" : "refused",
+                       shown(refusal.reason));
     }
 }
 
@@ -96,10 +101,10 @@ ExitStatus approve(GoldenArguments& arguments) {
     options.output = arguments.output;
     const golden::ApprovalPlan plan = golden::plan_approval(suite, options);
     print_plan(plan, options.force);
-    if (plan.approvals.empty()) fmt::print("nothing to approve: every test of the last run passed\n");
+    if (plan.approvals.empty()) print_data("nothing to approve: every test of the last run passed\n");
     if (!plan.is_allowed(options.force)) {
-        fmt::print(stderr, "nothing was approved: mend what is refused, or name the other tests{}\n",
-                   options.force ? "" : ", or use --force where you know better");
+        print_remark("nothing was approved: mend what is refused, or name the other tests{}",
+                     options.force ? "" : ", or use --force where you know better");
         return failed_check;
     }
     if (!arguments.dry_run) golden::carry_out(plan);
@@ -109,7 +114,8 @@ ExitStatus approve(GoldenArguments& arguments) {
 void list(const GoldenArguments& arguments) {
     const golden::Suite suite = golden::load_suite(arguments.suite);
     for (const golden::GoldenTest& test : golden::chosen_tests(suite, arguments.run))
-        fmt::print("{}{}{}\n", test.name, test.tags.empty() ? "" : "  ", fmt::join(test.tags, " "));
+        print_data("{}{}{}\n", test.name, test.tags.empty() ? "" : "  ",
+                   shown(fmt::format("{}", fmt::join(test.tags, " "))));
 }
 
 CLI::App* subcommand(CLI::App& app, GoldenArguments& arguments, const char* name, const char* help) {
@@ -150,7 +156,8 @@ void add_run(CLI::App& app, const std::shared_ptr<GoldenArguments>& arguments) {
         ->allow_extra_args(false)
         ->type_name("DIR");
     command->footer(
-        "Writes results.json, junit.xml and report.html. Exit status 0 only if every test passed.\n"
+        "Writes results.json, junit.xml and report.html. Exit status 0 if every test passed,\n"
+        "1 if one did not, 3 if a candidate or golden is no image that can be read.\n"
         "Examples:\n  steradian golden run suite.json\n  steradian golden run suite.json -j 4 --filter "
         "'cornell*' -o out");
     command->callback([arguments] {

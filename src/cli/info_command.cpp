@@ -2,6 +2,8 @@
 #include "cli/light_description.hpp"
 #include "cli/render_options.hpp"
 #include "cli/version.hpp"
+#include "core/output.hpp"
+#include "core/text.hpp"
 #include "gl/context.hpp"
 #include "gltf/extensions.hpp"
 #include "gltf/load.hpp"
@@ -39,15 +41,15 @@ ordered_json backends_json() {
 }
 
 void print_backends(const ordered_json& backends) {
-    fmt::print("{}\n\nOpenGL backends, in the order in which --backend auto tries them:\n",
+    print_data("{}\n\nOpenGL backends, in the order in which --backend auto tries them:\n",
                name_and_version());
     for (const auto& entry : backends) {
         if (entry["works"])
-            fmt::print("  {:<8} {}\n           OpenGL {}, GLSL {} ({})\n", entry["name"].get<std::string>(),
+            print_data("  {:<8} {}\n           OpenGL {}, GLSL {} ({})\n", entry["name"].get<std::string>(),
                        entry["GL_RENDERER"].get<std::string>(), entry["GL_VERSION"].get<std::string>(),
                        entry["GLSL_VERSION"].get<std::string>(), entry["kind"].get<std::string>());
         else
-            fmt::print("  {:<8} does not work here: {}\n", entry["name"].get<std::string>(),
+            print_data("  {:<8} does not work here: {}\n", entry["name"].get<std::string>(),
                        entry["failure"].get<std::string>());
     }
 }
@@ -133,13 +135,14 @@ ordered_json scene_json(const std::string& file, bool is_strict) {
 void print_scene(const ordered_json& json) {
     for (const auto& [key, value] : json.items()) {
         if (!value.is_array() && !value.is_object())
-            fmt::print("{:<22} {}\n", key, value.is_string() ? value.get<std::string>() : value.dump());
+            print_data("{:<22} {}\n", key,
+                       value.is_string() ? shown(value.get<std::string>()) : value.dump());
         else if (value.empty())
-            fmt::print("{:<22} none\n", key);
+            print_data("{:<22} none\n", key);
         else
             for (const auto& [name, entry] : value.items())
-                fmt::print("{:<22} {}{}\n", key, value.is_object() ? name + " " : "",
-                           key == "lights" ? line_of(entry) : text_of(entry));
+                print_data("{:<22} {}{}\n", key, value.is_object() ? name + " " : "",
+                           shown(key == "lights" ? line_of(entry) : text_of(entry)));
     }
 }
 
@@ -164,7 +167,7 @@ void add_info_command(CLI::App& app) {
         const ordered_json json =
             is_scene ? scene_json(arguments->scene, arguments->is_strict) : backends_json();
         if (arguments->json)
-            fmt::print("{}\n", json.dump(2, ' ', false, ordered_json::error_handler_t::replace));
+            write_json(json.dump(2, ' ', false, ordered_json::error_handler_t::replace));
         else if (is_scene)
             print_scene(json);
         else

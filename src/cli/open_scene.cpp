@@ -1,6 +1,7 @@
 #include "cli/open_scene.hpp"
 
 #include "core/error.hpp"
+#include "core/output.hpp"
 #include "gltf/load.hpp"
 
 #include <algorithm>
@@ -93,19 +94,19 @@ void remark_on_estimator(const RenderCommand& command, const scene::Stage& stage
     if (command.estimator != render::Estimator::analytic) return;
     for (const scene::Light& light : stage.lights) {
         if (const auto* environment = std::get_if<scene::EnvironmentLight>(&light))
-            fmt::print(stderr, "{}: '{}' surrounds the scene: it is sampled{}\n", command.scene,
+            print_remark("{}: '{}' surrounds the scene: it is sampled{}", command.scene,
                        environment->name, environment->map ? "" : ", but for Lambert's surfaces");
         const auto* mesh = std::get_if<scene::MeshLight>(&light);
         if (mesh && mesh->triangles.size() > render::most_outlined_triangles)
-            fmt::print(stderr, "{}: '{}' has {} emissive triangles, more than {}: it is sampled\n",
-                       command.scene, mesh->name, mesh->triangles.size(), render::most_outlined_triangles);
+            print_remark("{}: '{}' has {} emissive triangles, more than {}: it is sampled", command.scene,
+                         mesh->name, mesh->triangles.size(), render::most_outlined_triangles);
     }
 }
 
 /// Prints the file's warnings that have not been printed yet: moments of an animation may have their own.
 void tell_new_warnings(OpenScene& open) {
     for (const std::string& warning : open.asset.warnings())
-        if (open.told.insert(warning).second) fmt::print(stderr, "{}\n", warning);
+        if (open.told.insert(warning).second) write_remark(warning);
 }
 
 } // namespace
@@ -135,7 +136,7 @@ OpenScene open_scene(const RenderCommand& command, PhaseTimes& times) {
     else
         show_frame(result, command, result.frames.front());
     result.stage_options.rig = result.stage.rig; // what lights the first frame lights all
-    for (const std::string& remark : result.stage.remarks) fmt::print(stderr, "{}\n", remark);
+    for (const std::string& remark : result.stage.remarks) write_remark(remark);
     remark_on_estimator(command, result.stage);
     result.size = command.size.value_or(picture_size(result.stage.camera.aspect_ratio()));
     times.end("stage");

@@ -1,5 +1,6 @@
 #include "cli/outputs.hpp"
 
+#include "core/output.hpp"
 #include "image/half.hpp"
 
 #include <algorithm>
@@ -72,14 +73,14 @@ void remark_on(const image::Image& film, const RenderCommand& command, const sce
     }
     const auto& file = command.scene;
     if (broken > 0)
-        fmt::print(stderr, "{}: {} pixels are not finite: they are magenta in .png and .jpg\n", file, broken);
+        print_remark("{}: {} pixels are not finite: they are magenta in .png and .jpg", file, broken);
     if (stage.scene.instances.empty()) return; // the loader has said so
     if (covered == 0)
-        fmt::print(stderr, "{}: camera '{}' sees no surface: --camera auto frames the scene\n", file,
-                   stage.camera.name);
+        print_remark("{}: camera '{}' sees no surface: --camera auto frames the scene", file,
+                     stage.camera.name);
     else if (lit == 0)
-        fmt::print(stderr, "{}: no light reaches what camera '{}' sees: the picture is black\n", file,
-                   stage.camera.name);
+        print_remark("{}: no light reaches what camera '{}' sees: the picture is black", file,
+                     stage.camera.name);
 }
 
 bool holds_layers(const std::string& output) { return output.ends_with(".exr") || output.ends_with(".EXR"); }
@@ -90,7 +91,7 @@ void warn_of_half_overflow(const image::Image& image, const std::string& output)
     const std::size_t count = image::half_overflow_count(image);
     if (count == 0) return;
     const bool is_one = count == 1;
-    fmt::print(stderr,
+    print_data(stderr,
                "{}: {} value{} beyond 65504, the largest of --exr-type half, {} stored as that: "
                "--exr-type float holds {}\n",
                output, count, is_one ? "" : "s", is_one ? "is" : "are", is_one ? "it" : "them");

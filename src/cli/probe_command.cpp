@@ -1,6 +1,8 @@
 #include "cli/commands.hpp"
 #include "cli/interruption.hpp"
 #include "cli/open_scene.hpp"
+#include "core/output.hpp"
+#include "core/text.hpp"
 #include "image/luminance.hpp"
 #include "render/probe.hpp"
 
@@ -129,25 +131,25 @@ std::string row_of(int k, const scene::Light& light, const render::LightTerms& t
 }
 
 void print(const ProbeCommand& command, const OpenScene& open, const render::PixelTerms& terms) {
-    fmt::print("pixel {},{} of {}x{}, camera '{}', {} samples, seed {}\n\n", command.pixel.column,
-               command.pixel.row, open.size.width, open.size.height, open.stage.camera.name,
+    print_data("pixel {},{} of {}x{}, camera '{}', {} samples, seed {}\n\n", command.pixel.column,
+               command.pixel.row, open.size.width, open.size.height, shown(open.stage.camera.name),
                command.rendering.stop.samples, command.rendering.seed);
     const glm::dvec3 x = open.stage.scene.origin + glm::dvec3(terms.x);
     const bool is_far = open.stage.scene.origin != glm::dvec3(0.0); // more digits than four
-    fmt::print("  x   {} m\n  n   {}\n  wo  {}\n\n",
+    print_data("  x   {} m\n  n   {}\n  wo  {}\n\n",
                is_far ? fmt::format("{:>15.10g}{:>15.10g}{:>15.10g}", x.x, x.y, x.z) : cells(terms.x, 11),
                cells(terms.n, 11), cells(terms.wo, 11));
-    fmt::print("  L_o = L_e + Σ E f_r; directions, cosθ, V and f_r are means over the light; f_r and E as "
+    print_data("  L_o = L_e + Σ E f_r; directions, cosθ, V and f_r are means over the light; f_r and E as "
                "luminance\n\n");
-    fmt::print("    {:<18}{:<12}{:>9} {:>21}{:>8}{:>8}{:>11}{:>10}{:>33}\n", "light", "shape", "Ω [sr]", "wi",
+    print_data("    {:<18}{:<12}{:>9} {:>21}{:>8}{:>8}{:>11}{:>10}{:>33}\n", "light", "shape", "Ω [sr]", "wi",
                "cosθ", "V", "f_r [1/sr]", with_unit("E", scene::Quantity::irradiance, open),
                with_unit("L R, G, B", scene::Quantity::radiance, open));
     vec3 sum = terms.L_e;
     for (std::size_t k = 0; k < terms.lights.size(); ++k) {
-        fmt::print("{}\n", row_of(static_cast<int>(k), open.stage.lights[k], terms.lights[k]));
+        print_data("{}\n", shown(row_of(static_cast<int>(k), open.stage.lights[k], terms.lights[k])));
         sum += terms.lights[k].L_r;
     }
-    const auto line = [](const char* what, vec3 L) { fmt::print("    {:<98}{}\n", what, cells(L, 11)); };
+    const auto line = [](const char* what, vec3 L) { print_data("    {:<98}{}\n", what, cells(L, 11)); };
     line("L_e, the surface's own emission and the background", terms.L_e);
     line("sum", sum);
     line("L_o, the pixel as render writes it", terms.L_o);
@@ -167,14 +169,12 @@ ExitStatus probe(const ProbeCommand& command) {
                       command.pixel.column, command.pixel.row, [&] { return !interruption.has_come(); });
     open.context->require_silence();
     if (!terms) {
-        fmt::print(stderr, "interrupted: nothing was printed\n");
+        print_remark("interrupted: nothing was printed");
         return interrupted;
     }
-    if (terms->coverage == 0.0f)
-        fmt::print(stderr, "no surface covers this pixel: it shows the background\n");
+    if (terms->coverage == 0.0f) print_remark("no surface covers this pixel: it shows the background");
     if (command.rendering.json)
-        fmt::print(
-            "{}\n",
+        write_json(
             as_json(command, open, *terms).dump(2, ' ', false, ordered_json::error_handler_t::replace));
     else
         print(command, open, *terms);

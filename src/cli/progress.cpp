@@ -1,5 +1,7 @@
 #include "cli/progress.hpp"
 
+#include "core/text.hpp"
+
 #include <algorithm>
 #include <cstdio>
 #include <fmt/format.h>
@@ -23,8 +25,9 @@ void Progress::update(double share, const std::string& state) {
     const int filled = std::clamp(static_cast<int>(bar * share), 0, bar);
     const double elapsed = std::chrono::duration<double>(now - begin_).count();
     const double left = share > 0.0 ? elapsed * (1.0 - share) / share : 0.0;
-    fmt::print(stderr, "\r{} [{:#<{}}{:.<{}}] {}, {:.0f} s left\033[K", what_, "", filled, "", bar - filled,
-               state, left);
+    const std::string line = fmt::format("\r{} [{:#<{}}{:.<{}}] {}, {:.0f} s left\033[K", shown(what_), "",
+                                         filled, "", bar - filled, state, left);
+    std::fputs(line.c_str(), stderr);
     std::fflush(stderr);
 }
 

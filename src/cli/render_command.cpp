@@ -7,6 +7,7 @@
 #include "cli/render_options.hpp"
 #include "cli/summary.hpp"
 #include "core/error.hpp"
+#include "core/output.hpp"
 #include "render/renderer.hpp"
 
 #include <CLI/CLI.hpp>
@@ -130,14 +131,13 @@ Picture draw(const Work& work) {
 void remark_on_stop(const Picture& picture, const RenderCommand& command) {
     const int samples = picture.samples.most;
     if (picture.stop.by == StoppedBy::interruption)
-        fmt::print(stderr, "interrupted after {} of {} samples: what there is was written{}\n", samples,
-                   command.stop.samples,
-                   command.light_layers || !command.aovs.empty() ? ", not all layers" : "");
+        print_remark("interrupted after {} of {} samples: what there is was written{}", samples,
+                     command.stop.samples,
+                     command.light_layers || !command.aovs.empty() ? ", not all layers" : "");
     else if (command.stop.error && picture.stop.by != StoppedBy::error)
-        fmt::print(stderr,
-                   "{}: stopped by {} after {} samples with an estimated error of {:.3g} %, not {:.3g} %\n",
-                   command.scene, name_of(picture.stop.by), samples,
-                   100.0 * picture.stop.error.value_or(INFINITY), 100.0 * *command.stop.error);
+        print_remark("{}: stopped by {} after {} samples with an estimated error of {:.3g} %, not {:.3g} %",
+                     command.scene, name_of(picture.stop.by), samples,
+                     100.0 * picture.stop.error.value_or(INFINITY), 100.0 * *command.stop.error);
 }
 
 /// Draws, and writes the files. @return absent if nothing was: half a frame of a sequence is not
@@ -145,12 +145,11 @@ std::optional<std::pair<Picture, std::optional<float>>> make_picture(const Work&
                                                                      const gl::Context& context) {
     Picture picture = draw(work);
     if (work.interruption.asks_to_leave()) {
-        fmt::print(stderr, "asked to leave after {} samples: nothing was written\n",
-                   work.renderer.sample_count());
+        print_remark("asked to leave after {} samples: nothing was written", work.renderer.sample_count());
         return std::nullopt;
     }
     if (work.command.frames && work.interruption.has_come()) {
-        fmt::print(stderr, "interrupted in {}: the frames before are written\n", work.what);
+        print_remark("interrupted in {}: the frames before are written", work.what);
         return std::nullopt;
     }
     context.require_silence();
@@ -225,7 +224,7 @@ void print_summary(const Rendering& rendering) {
     json["shadows"] = shadows(rendering.scene, rendering.renderer);
     if (rendering.ev100) json["ev100"] = *rendering.ev100;
     json["seconds"] = seconds(rendering.times);
-    fmt::print("{}\n", json.dump(2, ' ', false, ordered_json::error_handler_t::replace));
+    write_json(json.dump(2, ' ', false, ordered_json::error_handler_t::replace));
 }
 
 ExitStatus render(const RenderCommand& command) {

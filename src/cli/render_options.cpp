@@ -1,4 +1,5 @@
 #include "cli/render_options.hpp"
+#include "core/output.hpp"
 
 #include "gltf/environment.hpp"
 
@@ -113,6 +114,7 @@ void declare_moment(CLI::App& command, RenderCommand& o) {
         .add_option("--at", o.at,
                     "show the animation at this time (default: the file's rest pose, without its animations)")
         ->type_name("SECONDS")
+        ->check(refusal_of_number)
         ->check(CLI::NonNegativeNumber);
     command
         .add_option("--animation", o.animation,
@@ -129,6 +131,7 @@ void declare_sequence(CLI::App& command, RenderCommand& o) {
         "A:B|A:", parsed_frames, [&o](FrameRange range) { o.frames = range; });
     frames->excludes(command.get_option("--at"));
     command.add_option("--fps", o.fps, "frames a second: frame n is at n / fps seconds")
+        ->check(refusal_of_number)
         ->check(CLI::Range(1e-3, 1e6))
         ->needs(frames)
         ->capture_default_str();
@@ -227,7 +230,7 @@ std::optional<scene::EnvironmentLight> EnvironmentArguments::light() const {
         light.name = std::filesystem::path(source).stem().string();
         std::vector<std::string> warnings;
         light.map = gltf::read_environment(source, warnings);
-        for (const std::string& warning : warnings) fmt::print(stderr, "{}\n", warning);
+        for (const std::string& warning : warnings) print_remark("{}", warning);
     }
     light.L *= strength;
     light.rotation = glm::radians(degrees);

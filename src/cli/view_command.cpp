@@ -1,6 +1,7 @@
 #include "cli/commands.hpp"
 #include "cli/interruption.hpp"
 #include "cli/render_options.hpp"
+#include "core/output.hpp"
 #include "gl/lost_display.hpp"
 #include "viewer/session.hpp"
 
@@ -92,11 +93,11 @@ void view(const ViewCommand& command) {
     const Interruption interruption;
     viewer::Session session(viewer_options(command));
     gl::when_display_is_lost([] {
-        std::fputs("window: its display is gone: start again on one that can be reached\n", stderr);
+        write_remark("window: its display is gone: start again on one that can be reached");
         std::_Exit(worlds_fault);
     });
     session.run([&] { return interruption.has_come(); });
-    if (command.rendering.json) fmt::print("{}\n", summary(session.statistics()).dump(2));
+    if (command.rendering.json) write_json(summary(session.statistics()).dump(2));
 }
 
 } // namespace

@@ -1,5 +1,7 @@
 #include "core/error.hpp"
 
+#include "core/text.hpp"
+
 #include <cstdio>
 #include <cstdlib>
 #include <fmt/format.h>
@@ -13,10 +15,10 @@ std::string Location::text() const {
 }
 
 Error::Error(const Location& where, std::string_view what, std::string_view what_to_do)
-    : std::runtime_error(fmt::format("{}: {}: {}", where.text(), what, what_to_do)) {}
+    : std::runtime_error(shown(fmt::format("{}: {}: {}", where.text(), what, what_to_do))) {}
 
 Error::Error(std::string_view what, std::string_view what_to_do)
-    : std::runtime_error(fmt::format("{}: {}", what, what_to_do)) {}
+    : std::runtime_error(shown(fmt::format("{}: {}", what, what_to_do))) {}
 
 void require(bool claim, const char* what, std::source_location here) {
     if (claim) return;

@@ -1,10 +1,9 @@
 #include "glsl/root.hpp"
 
 #include "core/error.hpp"
+#include "core/file.hpp"
 
 #include <fmt/format.h>
-#include <fstream>
-#include <sstream>
 
 namespace sr::glsl {
 
@@ -36,12 +35,7 @@ std::optional<std::string> Root::text_of(std::string_view name) const {
     const fs::path file = std::get<fs::path>(place_) / name;
     std::error_code ignored;
     if (!fs::exists(file, ignored)) return std::nullopt;
-    std::ifstream stream(file, std::ios::binary);
-    std::ostringstream text;
-    if (fs::is_directory(file, ignored) || !stream)
-        throw Error({place_of(name)}, "not a readable file", "check its permissions");
-    text << stream.rdbuf();
-    return text.str();
+    return read_text(file);
 }
 
 std::string Root::place_of(std::string_view name) const {

@@ -162,6 +162,7 @@ std::vector<float> numbers(const Document& document, int accessor) {
         from = elements_of(document, accessor, element_size);
     else
         check_zeros(document, accessor);
+    document.values_read->add(a.count * width);
 
     std::vector<float> elements(a.count * width);
     if (from.count > 0) decode(from, a, components, elements.data());
@@ -203,6 +204,7 @@ std::vector<std::uint32_t> indices(const Document& document, int accessor) {
             fmt::format("/accessors/{} holds indices, and is not SCALAR of unsigned integers", accessor),
             export_again);
     if (a.bufferView < 0) check_zeros(document, accessor);
+    document.values_read->add(a.count);
     std::vector<std::uint32_t> result =
         a.bufferView >= 0 ? decode_indices(elements_of(document, accessor, size_of(type)), type)
                           : std::vector<std::uint32_t>(a.count, 0);

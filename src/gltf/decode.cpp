@@ -1,31 +1,33 @@
 #include "gltf/decode.hpp"
 
+#include "core/error.hpp"
+#include "core/limits.hpp"
 #include "gltf/text.hpp"
 #include "gltf/uri.hpp"
 #include "image/file.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <system_error>
 
 namespace sr::gltf {
 namespace {
 
-scene::TextureImage decoded(const Document& document, int source) {
+/// The bytes of an image's file, which `file` holds unless they are in a buffer.
+Bytes bytes_of(const Document& document, int source, std::vector<std::uint8_t>& file) {
     const ImageSource& image = document.images[static_cast<std::size_t>(source)];
     const std::string pointer = fmt::format("/images/{}", source);
-    std::vector<std::uint8_t> file;
-    Bytes bytes;
-    if (image.buffer_view >= 0) {
-        bytes = document.view(image.buffer_view, pointer);
-    } else if (!image.uri.empty()) {
-        file = read_uri(image.uri, document.folder, {document.name, pointer + "/uri"});
-        bytes = file;
-    } else {
-        document.fail(pointer + " has neither bufferView nor uri", export_again);
-    }
+    if (image.buffer_view >= 0) return document.view(image.buffer_view, pointer);
+    if (image.uri.empty()) document.fail(pointer + " has neither bufferView nor uri", export_again);
+    file = read_uri(image.uri, document.folder, {document.name, pointer + "/uri"});
+    return file;
+}
+
+scene::TextureImage decoded(const Document& document, int source, Bytes bytes) {
+    const ImageSource& image = document.images[static_cast<std::size_t>(source)];
     const std::string name = image.name.empty() ? "" : fmt::format(" {}", in_quotes(image.name));
     image::DecodedTexture texture =
-        image::decode_texture(bytes, fmt::format("{}: {}{}", document.name, pointer, name));
+        image::decode_texture(bytes, fmt::format("{}: /images/{}{}", document.name, source, name));
     return {image.name, texture.width, texture.height, std::move(texture.texels)};
 }
 
@@ -34,12 +36,18 @@ scene::TextureImage decoded(const Document& document, int source) {
 Decoding::Decoding(const Document& document, std::vector<int> sources)
     : document_(document),
       sources_(std::move(sources)),
+      files_(sources_.size()),
+      bytes_(sources_.size()),
       images_(sources_.size()),
       errors_(sources_.size()),
       failures_(sources_.size()) {
+    read_files();
     const std::size_t cores = std::max(1u, std::thread::hardware_concurrency());
-    for (std::size_t i = 0; i < std::min(cores, sources_.size()); ++i)
-        workers_.emplace_back([this] { work(); });
+    try {
+        for (std::size_t i = 0; i < std::min(cores, sources_.size()); ++i)
+            workers_.emplace_back([this] { work(); });
+    } catch (const std::system_error&) { // a limit on threads or memory: images() decodes what is left
+    }
 }
 
 Decoding::~Decoding() {
@@ -48,10 +56,24 @@ Decoding::~Decoding() {
         if (worker.joinable()) worker.join();
 }
 
+void Decoding::read_files() {
+    Tally texels(Limit::texels, document_.name);
+    for (std::size_t i = 0; i < sources_.size(); ++i) {
+        try {
+            bytes_[i] = bytes_of(document_, sources_[i], files_[i]);
+        } catch (const Error& error) {
+            errors_[i] = error;
+        }
+        texels.add(image::claimed_texels(bytes_[i]));
+    }
+}
+
 void Decoding::work() {
     for (std::size_t i = next_++; i < sources_.size(); i = next_++) {
         try {
-            images_[i] = decoded(document_, sources_[i]);
+            if (errors_[i]) continue;
+            images_[i] = decoded(document_, sources_[i], bytes_[i]);
+            files_[i] = {};
         } catch (const Error& error) {
             errors_[i] = error;
         } catch (...) {
@@ -61,6 +83,7 @@ void Decoding::work() {
 }
 
 std::vector<scene::TextureImage> Decoding::images(Warnings& warnings, std::set<int>& lost) {
+    work(); // whatever no thread has begun
     for (std::thread& worker : workers_) worker.join();
     for (const std::exception_ptr& failure : failures_)
         if (failure) std::rethrow_exception(failure);

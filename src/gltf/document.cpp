@@ -1,6 +1,7 @@
 #include "gltf/document.hpp"
 
 #include "core/error.hpp"
+#include "core/file.hpp"
 #include "gltf/compression.hpp"
 #include "gltf/container.hpp"
 #include "gltf/extensions.hpp"
@@ -34,6 +35,13 @@ void check_version(const json& root, const std::string& name) {
         throw Error({name},
                     fmt::format("it needs a reader of glTF {}", in_quotes(root.at(min_version).dump())),
                     "export it as glTF 2.0");
+}
+
+/// Each entry of an array costs far more memory than its two characters.
+void check_counts(const json& root, const std::string& name) {
+    for (const auto& [key, value] : root.items())
+        if (value.is_array())
+            check_limit(key == "materials" ? Limit::materials : Limit::elements, value.size(), name);
 }
 
 std::optional<Bytes> buffer_bytes(Document& document, const json& buffer, std::size_t index,
@@ -146,6 +154,7 @@ Document read_document(const std::filesystem::path& file, Warnings& warnings) {
     Document document;
     document.name = file.string();
     document.folder = file.parent_path();
+    document.values_read = std::make_unique<Tally>(Limit::values, document.name);
     document.storage.push_back(
         std::make_unique<const std::vector<std::uint8_t>>(read_file(file, document.name)));
 
@@ -153,6 +162,7 @@ Document read_document(const std::filesystem::path& file, Warnings& warnings) {
     json root = parse(container, document.name);
     check_version(root, document.name);
     check_required_extensions(root, document.name);
+    check_counts(root, document.name);
     document.lost = check(root, gltf_rule(), document.name, warnings);
 
     complete(root, document, warnings);

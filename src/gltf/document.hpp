@@ -1,5 +1,6 @@
 #pragma once
 // A glTF file and everything it refers to, checked and in memory, before anything is made of it.
+#include "core/limits.hpp"
 #include "gltf/bytes.hpp"
 #include "gltf/tinygltf.hpp"
 #include "gltf/warnings.hpp"
@@ -67,6 +68,7 @@ struct Document {
     /// JSON pointers of the things that were broken and were warned of: they are absent, or have a stand-in.
     std::set<std::string> lost;
     std::vector<std::unique_ptr<const std::vector<std::uint8_t>>> storage; // what `buffers` look into
+    std::unique_ptr<Tally> values_read; // from accessors, which may share their bytes
 
     /// The bytes of a buffer view. `pointer` ("/images/0") says in errors who wants them.
     /// @throws Error if it reaches beyond its buffer, or its buffer has no bytes

@@ -48,7 +48,12 @@ bool mirrors(const std::vector<dmat4>& joints) { return glm::determinant(glm::dm
 
 DrawnMeshes::DrawnMeshes(const Document& document, const std::vector<PlacedNode>& placed,
                          std::optional<int> variant)
-    : document_(document), placed_(placed), variant_(variant) {
+    : document_(document),
+      placed_(placed),
+      variant_(variant),
+      instance_count_(Limit::instances, document.name),
+      vertex_count_(Limit::vertices, document.name),
+      name_size_(Limit::names, document.name) {
     for (const PlacedNode& node : placed) {
         const int mesh = node_of(document, node).mesh;
         if (mesh >= 0 && std::ranges::find(meshes_, mesh) == meshes_.end()) meshes_.push_back(mesh);
@@ -116,12 +121,21 @@ void DrawnMeshes::add(std::size_t placed, const PlacedNode& node, Part& part, sc
         drawn.node_from_instance = instances_of(document_, node.node);
     for (dmat4& node_from_instance : drawn.node_from_instance)
         node_from_instance = glm::translate(node_from_instance, part.middle);
+    count(drawn, node, *part.rest);
     if (drawn.deformation || part.mesh < 0) {
         drawn.mesh = static_cast<int>(scene.meshes.size());
         scene.meshes.push_back(*part.rest);
         if (!drawn.deformation) part.mesh = drawn.mesh;
     }
     drawn_.push_back(std::move(drawn));
+}
+
+void DrawnMeshes::count(const Drawn& drawn, const PlacedNode& node, const scene::Mesh& mesh) {
+    const std::size_t instances = drawn.node_from_instance.size();
+    const std::size_t shapes = 1 + (drawn.deformation ? drawn.deformation->targets.size() : 0);
+    instance_count_.add(instances);
+    vertex_count_.add(instances * shapes * std::max(mesh.positions.size(), mesh.indices.size() / 3));
+    name_size_.add(instances * (node_of(document_, node).name.size() + mesh.name.size()));
 }
 
 void DrawnMeshes::require_joints(int skin, const Deformation& deformation) const {

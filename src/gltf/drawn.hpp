@@ -50,6 +50,8 @@ private:
     std::vector<Part> parts_of(int mesh, MaterialTable& materials, scene::Scene& scene,
                                Warnings& warnings) const;
     void add(std::size_t placed, const PlacedNode& node, Part& part, scene::Scene& scene, Warnings& warnings);
+    /// @throws Error if this is more than a file may draw
+    void count(const Drawn& drawn, const PlacedNode& node, const scene::Mesh& mesh);
     void require_joints(int skin, const Deformation& deformation) const;
     /// world_from_rest() of every skin that is drawn.
     std::map<int, std::vector<glm::dmat4>> joints(const std::vector<PlacedNode>& placed) const;
@@ -61,6 +63,7 @@ private:
     std::optional<int> variant_;
     std::map<int, Skin> skins_;
     std::vector<Drawn> drawn_;
+    Tally instance_count_, vertex_count_, name_size_;
 };
 
 } // namespace sr::gltf

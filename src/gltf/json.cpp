@@ -1,6 +1,8 @@
 #include "gltf/json.hpp"
 
 #include "core/error.hpp"
+#include "core/json_scan.hpp"
+#include "core/limits.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -11,26 +13,6 @@ namespace {
 using nlohmann::json;
 
 constexpr int deepest = 128;
-
-// Counted on the text: nlohmann's parser callback, which is told the depth, makes parsing quadratic in the
-// length of arrays (3.11 looks through all earlier siblings after each element).
-bool is_too_deep(std::string_view text) {
-    int depth = 0;
-    bool is_in_string = false;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const char c = text[i];
-        if (c == '"')
-            is_in_string = !is_in_string;
-        else if (is_in_string)
-            i += c == '\\' ? 1 : 0;
-        else if (c == '{' || c == '[')
-            ++depth;
-        else if (c == '}' || c == ']')
-            --depth;
-        if (depth > deepest) return true;
-    }
-    return false;
-}
 
 // nlohmann's text is "[json.exception…] parse error at line 3, column 5: <what>"; `what` may quote the file's
 // bytes.
@@ -46,16 +28,15 @@ std::string description(const std::exception& error) {
     return text;
 }
 
-[[noreturn]] void fail_at(std::size_t byte, const std::exception& error, const Container& container,
-                          const std::string& name) {
+[[noreturn]] void fail_at(std::size_t byte, const char* what, const std::exception& error,
+                          const Container& container, const std::string& name) {
     const std::string_view before = container.json.substr(0, byte > 0 ? byte - 1 : 0);
     const auto line = 1 + std::count(before.begin(), before.end(), '\n');
     const auto line_start = before.rfind('\n') == std::string_view::npos ? 0 : before.rfind('\n') + 1;
     const auto column = 1 + before.size() - line_start;
     if (container.json_offset == 0)
         throw Error({name, static_cast<int>(line), static_cast<int>(column)},
-                    "this is not valid JSON (" + description(error) + ")",
-                    "correct it, or export the file again");
+                    fmt::format("{} ({})", what, description(error)), "correct it, or export the file again");
     throw Error(
         {name},
         fmt::format("the GLB's JSON is broken at byte {} of the file (line {}, column {} of the JSON; {})",
@@ -66,7 +47,9 @@ std::string description(const std::exception& error) {
 } // namespace
 
 json parse(const Container& container, const std::string& name) {
-    if (is_too_deep(container.json))
+    const JsonExtent extent = json_extent(container.json);
+    check_limit(Limit::json_values, extent.values, name);
+    if (extent.depth > deepest)
         throw Error({name}, fmt::format("the JSON is nested deeper than {} levels", deepest),
                     "flatten the extras or extensions that do so");
     try {
@@ -74,9 +57,10 @@ json parse(const Container& container, const std::string& name) {
         if (!root.is_object()) throw Error({name}, "the JSON is not an object", "give a glTF 2.0 file");
         return root;
     } catch (const json::parse_error& error) {
-        fail_at(error.byte, error, container, name);
+        fail_at(error.byte, "this is not valid JSON", error, container, name);
     } catch (const json::exception& error) { // a number that fits no double
-        throw Error({name}, "the JSON cannot be read (" + description(error) + ")", "export the file again");
+        fail_at(overflowing_number(container.json).value_or(0) + 1, "the JSON cannot be read", error,
+                container, name);
     }
 }
 

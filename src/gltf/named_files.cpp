@@ -1,6 +1,7 @@
 #include "gltf/named_files.hpp"
 
 #include "core/error.hpp"
+#include "core/file.hpp"
 #include "gltf/json.hpp"
 #include "gltf/uri.hpp"
 

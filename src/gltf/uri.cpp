@@ -1,12 +1,12 @@
 #include "gltf/uri.hpp"
 
 #include "core/error.hpp"
+#include "core/file.hpp"
 #include "gltf/text.hpp"
 
 #include <algorithm>
 #include <array>
 #include <fmt/format.h>
-#include <fstream>
 #include <optional>
 
 namespace sr::gltf {
@@ -130,6 +130,17 @@ bool leaves_folder(const std::string& reading) {
     return normal.is_absolute() || normal.has_root_path() || normal.empty() || *normal.begin() == "..";
 }
 
+/// Whether a symbolic link on the way leads out of the folder. A link to another place in the folder does
+/// not.
+bool is_linked_away(const fs::path& file, const fs::path& folder) {
+    std::error_code failure;
+    const fs::path root = fs::canonical(folder.empty() ? fs::path(".") : folder, failure);
+    if (failure) return false; // so that reading it says what is wrong
+    const fs::path target = fs::canonical(file, failure);
+    if (failure) return false;
+    return std::ranges::mismatch(root, target).in1 != root.end();
+}
+
 fs::path contained(std::string_view uri, const fs::path& folder, const UriPlace& place) {
     if (has_scheme(uri))
         fail(place, fmt::format("is {}, which is no file beside the glTF", in_quotes(uri)),
@@ -144,30 +155,14 @@ fs::path contained(std::string_view uri, const fs::path& folder, const UriPlace&
     std::error_code ignored;
     const auto found =
         std::ranges::find_if(files, [&](const fs::path& file) { return fs::exists(file, ignored); });
-    return found == files.end() ? files.front() : *found;
+    const fs::path& file = found == files.end() ? files.front() : *found;
+    if (is_linked_away(file, folder))
+        fail(place, fmt::format("is {}, a symbolic link out of the folder of the glTF", in_quotes(literal)),
+             "copy that file into the folder in its place");
+    return file;
 }
 
 } // namespace
-
-std::vector<std::uint8_t> read_file(const fs::path& file, const std::string& name,
-                                    const std::string& problem_prefix) {
-    std::error_code ignored;
-    const auto fail_to = [&](std::string_view problem, std::string_view remedy) {
-        throw Error({name}, problem_prefix + std::string(problem), remedy);
-    };
-    const fs::file_status status = fs::status(file, ignored);
-    if (!fs::exists(status)) fail_to("no such file", "check the path");
-    if (fs::is_directory(status)) fail_to("this is a folder", "name a file");
-    if (!fs::is_regular_file(status)) fail_to("this is not a regular file", "name a file");
-    std::ifstream stream(file, std::ios::binary | std::ios::ate);
-    if (!stream) fail_to("the file cannot be opened", "check its permissions");
-    const std::streamoff size = stream.tellg();
-    std::vector<std::uint8_t> bytes(static_cast<std::size_t>(std::max<std::streamoff>(size, 0)));
-    stream.seekg(0);
-    stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-    if (!stream && !bytes.empty()) fail_to("the file cannot be read to its end", "check the disk");
-    return bytes;
-}
 
 bool is_data_uri(std::string_view uri) {
     constexpr std::string_view scheme = "data:";

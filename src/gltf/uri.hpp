@@ -25,14 +25,9 @@ std::vector<std::filesystem::path> files_named(std::string_view uri, const std::
 
 /// The bytes of a data URI (base64 or percent-encoded), or of the file that a relative URI names in `folder`.
 /// The first of files_named() that is there is read. A URI that leaves the folder or names a network address
-/// is refused; a symbolic link inside the folder is the user's own doing and is followed.
+/// is refused, and so is a symbolic link that leads out of the folder; one within it is followed.
 /// @throws Error
 std::vector<std::uint8_t> read_uri(std::string_view uri, const std::filesystem::path& folder,
                                    const UriPlace& place);
-
-/// The whole file. @throws Error calling it `name`, followed by `problem_prefix` where the caller needs
-/// context.
-std::vector<std::uint8_t> read_file(const std::filesystem::path& file, const std::string& name,
-                                    const std::string& problem_prefix = "");
 
 } // namespace sr::gltf

@@ -1,17 +1,19 @@
 #include "golden/child.hpp"
 
+#include <array>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <cstring>
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <spawn.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
-
-extern char** environ;
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
 
 namespace sr::golden {
 namespace {
@@ -19,45 +21,100 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using namespace std::chrono_literals;
 
-/// posix_spawn's two descriptions of a child, freed at the end.
-class SpawnPlan {
-public:
-    explicit SpawnPlan(const ChildOptions& options) {
-        posix_spawn_file_actions_init(&actions_);
-        posix_spawn_file_actions_addopen(&actions_, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-        posix_spawn_file_actions_addopen(&actions_, STDOUT_FILENO, options.log.c_str(),
-                                         O_WRONLY | O_CREAT | O_TRUNC, 0666);
-        posix_spawn_file_actions_adddup2(&actions_, STDOUT_FILENO, STDERR_FILENO);
-        posix_spawn_file_actions_addchdir_np(&actions_, options.folder.c_str());
-        posix_spawnattr_init(&attributes_);
-        sigset_t none, all;
-        sigemptyset(&none);
-        sigfillset(&all);
-        posix_spawnattr_setsigmask(&attributes_, &none);
-        posix_spawnattr_setsigdefault(&attributes_, &all);
-        posix_spawnattr_setpgroup(&attributes_, 0);
-        posix_spawnattr_setflags(&attributes_,
-                                 POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
-    }
-    ~SpawnPlan() {
-        posix_spawn_file_actions_destroy(&actions_);
-        posix_spawnattr_destroy(&attributes_);
-    }
-    SpawnPlan(const SpawnPlan&) = delete;
-    SpawnPlan& operator=(const SpawnPlan&) = delete;
+// A child is a supervisor and the program below it, both in a process group of their own. The supervisor dies
+// with the thread that made it, and takes the group along: a run that is killed leaves nothing behind.
+// Between fork and exec only functions are called that are safe there: this program has other threads.
 
-    /// @return errno, 0 for success.
-    int spawn(pid_t& child, const std::vector<std::string>& words) const {
-        std::vector<char*> arguments;
-        for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
-        arguments.push_back(nullptr);
-        return posix_spawnp(&child, arguments[0], &actions_, &attributes_, arguments.data(), environ);
-    }
+void kill_group(int) { kill(0, SIGKILL); }
 
-private:
-    posix_spawn_file_actions_t actions_{};
-    posix_spawnattr_t attributes_{};
+void reset_signals() {
+    sigset_t none;
+    sigemptyset(&none);
+    sigprocmask(SIG_SETMASK, &none, nullptr);
+    for (int number = 1; number < NSIG; ++number) signal(number, SIG_DFL);
+}
+
+/// Ends as the program below it has ended.
+[[noreturn]] void end_as(int status) {
+    if (WIFEXITED(status)) _exit(WEXITSTATUS(status));
+    const struct rlimit no_core { 0, 0 };
+    setrlimit(RLIMIT_CORE, &no_core);
+    signal(WTERMSIG(status), SIG_DFL);
+    raise(WTERMSIG(status));
+    _exit(128 + WTERMSIG(status));
+}
+
+[[noreturn]] void supervise(pid_t program) {
+    signal(SIGUSR1, kill_group);
+    for (const int number : {SIGTERM, SIGINT, SIGHUP}) signal(number, SIG_IGN); // they end the program
+    int status = 0;
+    while (waitpid(program, &status, 0) < 0 && errno == EINTR) {
+    }
+    end_as(status);
+}
+
+/// What a child needs, in plain data: nothing is allocated after the fork.
+struct ChildPlan {
+    std::vector<char*> words;
+    const char* folder;
+    const char* log;
+    pid_t parent;
 };
+
+/// In the child: opens its streams and starts the program. @param report gets errno if that fails
+[[noreturn]] void run_as_child(const ChildPlan& plan, int report) {
+    const auto fail = [&] {
+        const int cause = errno;
+        [[maybe_unused]] const ssize_t written = write(report, &cause, sizeof cause);
+        _exit(127);
+    };
+    reset_signals();
+    setpgid(0, 0);
+#ifdef __linux__
+    signal(SIGUSR1, kill_group);
+    prctl(PR_SET_PDEATHSIG, SIGUSR1);
+    if (getppid() != plan.parent) _exit(127); // it died before
+#endif
+    const int input = open("/dev/null", O_RDONLY);
+    const int output = open(plan.log, O_WRONLY | O_CREAT | O_TRUNC, 0666);
+    if (input < 0 || output < 0 || chdir(plan.folder) != 0) fail();
+    dup2(input, STDIN_FILENO);
+    dup2(output, STDOUT_FILENO);
+    dup2(output, STDERR_FILENO);
+    const pid_t program = fork();
+    if (program < 0) fail();
+    if (program == 0) {
+        signal(SIGUSR1, SIG_DFL);
+        execvp(plan.words[0], plan.words.data());
+        fail();
+    }
+    close(report);
+    supervise(program);
+}
+
+/// @return errno, 0 for success
+int start(pid_t& child, const ChildOptions& options) {
+    ChildPlan plan{{}, options.folder.c_str(), options.log.c_str(), getpid()};
+    for (const std::string& word : options.words) plan.words.push_back(const_cast<char*>(word.c_str()));
+    plan.words.push_back(nullptr);
+    std::array<int, 2> report{};
+    if (pipe2(report.data(), O_CLOEXEC) != 0) return errno;
+    child = fork();
+    if (child == 0) run_as_child(plan, report[1]);
+    int failure = child < 0 ? errno : 0;
+    close(report[1]);
+    if (child > 0) {
+        setpgid(child, child); // also here, so that it is done before anyone kills the group
+        while (read(report[0], &failure, sizeof failure) < 0 && errno == EINTR) {
+        } // ends when the program has begun
+        if (failure != 0) {
+            kill(-child, SIGKILL);
+            waitpid(child, nullptr, 0);
+        }
+    }
+    close(report[0]);
+    return failure;
+}
 
 /// Whether the child has ended. It stays a zombie, so that its group's number is not given to others.
 bool has_ended(pid_t child) {
@@ -80,8 +137,7 @@ bool wait_for(pid_t child, Clock::time_point deadline, const std::function<bool(
 ChildEnd run_child(const ChildOptions& options) {
     const auto begin = Clock::now();
     pid_t child = 0;
-    if (const int failure = SpawnPlan(options).spawn(child, options.words))
-        return {ChildEnd::Way::not_started, failure, 0.0};
+    if (const int failure = start(child, options)) return {ChildEnd::Way::not_started, failure, 0.0};
     ChildEnd end;
     const auto limit =
         std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(options.time_limit));

@@ -1,5 +1,7 @@
 #include "golden/json_text.hpp"
 
+#include "core/json_scan.hpp"
+#include "core/limits.hpp"
 #include "golden/bytes_of_file.hpp"
 
 #include <algorithm>
@@ -83,18 +85,18 @@ std::string reason(const json::parse_error& error) {
 } // namespace
 
 JsonText::JsonText(const std::filesystem::path& file) : file_(file.string()), text_(bytes_of_file(file)) {
-    bool is_too_deep = false;
-    const auto watch_depth = [&](int depth, json::parse_event_t, json&) {
-        is_too_deep = is_too_deep || depth > deepest;
-        return depth <= deepest;
-    };
+    const JsonExtent extent = json_extent(text_);
+    check_limit(Limit::json_values, extent.values, file_);
+    if (extent.depth > deepest)
+        throw Error({file_}, "nested deeper than 64 levels", "a suite is two levels of lists and objects");
     try {
-        root_ = json::parse(text_, watch_depth);
+        root_ = json::parse(text_);
     } catch (const json::parse_error& error) {
         throw Error(place_of(error.byte > 0 ? error.byte - 1 : 0), reason(error), "correct the JSON there");
+    } catch (const json::exception&) {
+        throw Error(place_of(overflowing_number(text_).value_or(0)), "a number that is too large",
+                    "write one below 1.8e308");
     }
-    if (is_too_deep)
-        throw Error({file_}, "nested deeper than 64 levels", "a suite is two levels of lists and objects");
 }
 
 Location JsonText::place_of(std::size_t byte) const {

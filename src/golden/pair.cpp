@@ -83,7 +83,8 @@ std::string obstacle(const Image& test, const Image& reference, const std::strin
                            reference.width, reference.height);
     const auto found = layer_of(test, layer);
     if (!found) return fmt::format("the test has no layer '{}'", layer);
-    if (found->colors.size() != wanted.colors.size())
+    const bool is_grey_beside_rgb = found->colors.size() == 1 || wanted.colors.size() == 1;
+    if (found->colors.size() != wanted.colors.size() && !is_grey_beside_rgb)
         return fmt::format("the test has {} colour channels, the reference {}", found->colors.size(),
                            wanted.colors.size());
     return {};
@@ -93,6 +94,10 @@ Pair paired(const Image& test, const Image& reference, const CompareOptions& opt
     auto test_layer = layer_of(test, options.layer);
     auto reference_layer = layer_of_reference(reference, options.layer);
     require(test_layer.has_value(), "images with an obstacle are not paired");
+    // Grey is a colour whose channels are equal.
+    for (auto* colors : {&test_layer->colors, &reference_layer.colors})
+        if (colors->size() == 1 && test_layer->colors.size() != reference_layer.colors.size())
+            colors->assign(3, colors->front());
     Pair pair;
     pair.colors = static_cast<int>(reference_layer.colors.size());
     if (test_layer->alpha && reference_layer.alpha) {

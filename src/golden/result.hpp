@@ -25,9 +25,10 @@ struct TestResult {
     Outcome outcome = Outcome::broken;
     std::string message; // one line; empty for a test that passed
     bool fails_known_pixel = false;
-    std::string candidate;        // file in the output folder; empty if there is none
-    std::string candidate_sha256; // fingerprint of the candidate that was compared
-    std::string golden;           // file, relative to the suite's folder
+    bool has_unreadable_file = false; // a candidate or golden that is no image; not kept in results.json
+    std::string candidate;            // file in the output folder; empty if there is none
+    std::string candidate_sha256;     // fingerprint of the candidate that was compared
+    std::string golden;               // file, relative to the suite's folder
     std::string alternate; // label of the alternate that it agrees with in the golden's stead; mostly empty
     std::string candidate_renderer; // "GL_RENDERER, GL_VERSION" as its file says; empty if it does not
     std::string golden_renderer;

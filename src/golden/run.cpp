@@ -1,6 +1,7 @@
 #include "golden/run.hpp"
 
 #include "core/error.hpp"
+#include "core/parallel.hpp"
 #include "golden/run_test.hpp"
 
 #include <algorithm>
@@ -8,7 +9,6 @@
 #include <fmt/format.h>
 #include <fnmatch.h>
 #include <mutex>
-#include <thread>
 
 namespace sr::golden {
 namespace {
@@ -88,11 +88,7 @@ std::optional<RunResult> run(const Suite& suite, const RunOptions& options) {
             if (!is_interrupted()) results.put(i, std::move(result));
         }
     };
-    {
-        std::vector<std::jthread> workers;
-        const int count = std::clamp(options.jobs, 1, static_cast<int>(tests.size()));
-        for (int i = 0; i < count; ++i) workers.emplace_back(work);
-    }
+    on_threads(std::clamp(options.jobs, 1, static_cast<int>(tests.size())), work);
     if (is_interrupted()) return std::nullopt;
     return RunResult{suite.name, suite.file.string(), results.take()};
 }

@@ -25,6 +25,13 @@ std::string replaced(std::string word, std::string_view placeholder, std::string
     return word;
 }
 
+/// Where a file lies, as seen from the suite; as it is named where that has no answer.
+std::string seen_from(const Suite& suite, const fs::path& file) {
+    std::error_code failure;
+    const fs::path relative = fs::relative(file, suite.folder, failure);
+    return (failure ? file : relative).generic_string();
+}
+
 constexpr int first_option = 5; // of {steradian} render SCENE -o {out} …
 
 std::vector<std::string> command_words(const GoldenTest& test, const RunOptions& options,
@@ -105,7 +112,7 @@ bool passes_alternate(TestResult& result, const image::Image& candidate, const S
         const Comparison comparison = compare(candidate, reference, compare_options(test));
         if (!comparison.passed) continue;
         result.alternate = label;
-        result.golden = fs::relative(file, suite.folder).generic_string();
+        result.golden = seen_from(suite, file);
         result.golden_renderer = renderer;
         result.comparison = json_of(comparison);
         return true;
@@ -142,6 +149,7 @@ bool made_image(TestResult& result, const Suite& suite, const GoldenTest& test, 
     const fs::path log = fs::absolute(options.output / "logs" / (test.name + ".txt"));
     std::error_code ignored;
     fs::remove(candidate, ignored);
+    fs::remove(log, ignored); // whatever it is: a FIFO would not open
     ChildOptions child;
     child.words = command_words(test, options, options.program.string(), fs::absolute(candidate).string());
     child.folder = fs::absolute(suite.folder);
@@ -151,7 +159,7 @@ bool made_image(TestResult& result, const Suite& suite, const GoldenTest& test, 
     const ChildEnd end = run_child(child);
     result.seconds = end.seconds;
     result.log = tail_of(log);
-    if (end.is_success() && fs::exists(candidate, ignored)) return true;
+    if (end.is_success() && fs::exists(fs::symlink_status(candidate, ignored))) return true;
     fs::remove(candidate, ignored); // what a failed command leaves is no candidate
     result.message = end.is_success() ? "the command wrote no image" : "the command " + end.text();
     if (end.way == ChildEnd::Way::timed_out) result.message += fmt::format(" of {} s", test.time_limit);
@@ -166,7 +174,7 @@ TestResult run_test(const Suite& suite, const GoldenTest& test, const RunOptions
     result.name = test.name;
     result.description = test.description;
     result.tags = test.tags;
-    result.golden = fs::relative(suite.golden_of(test), suite.folder).generic_string();
+    result.golden = seen_from(suite, suite.golden_of(test));
     result.command = shell_line(command_words(test, options, "steradian", test.name + test.extension));
     try {
         const std::string file = "candidates/" + test.name + test.extension;
@@ -177,8 +185,9 @@ TestResult run_test(const Suite& suite, const GoldenTest& test, const RunOptions
         result.candidate_sha256 = fingerprint(image);
         result.candidate_renderer = renderer_of(image);
         judge(result, image, suite, test);
-    } catch (const Error& error) {
+    } catch (const std::exception& error) { // an Error, or what memory and the file system refuse
         result.outcome = Outcome::broken;
+        result.has_unreadable_file = true;
         result.message = error.what();
     }
     return result;

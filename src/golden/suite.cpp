@@ -103,8 +103,9 @@ void read_comparison(GoldenTest& test, const SuiteReader& entry, const SuiteRead
         test.region = Region{static_cast<int>(r[0]), static_cast<int>(r[1]), static_cast<int>(r[2]),
                              static_cast<int>(r[3])};
     }
-    if (entry.has("mask")) test.mask = folder / entry.text("mask", "");
-    for (const std::string& file : entry.texts("noise")) test.noise.push_back(folder / file);
+    if (entry.has("mask")) test.mask = entry.path("mask", entry.text("mask", ""), folder);
+    for (const std::string& file : entry.texts("noise"))
+        test.noise.push_back(entry.path("noise", file, folder));
     for (const SuiteReader& pixel : entry.objects("pixels")) test.pixels.push_back(known_pixel(pixel));
 }
 
@@ -157,8 +158,8 @@ Suite load_suite(const fs::path& file) {
     suite.file = file;
     suite.name = root.text("name", file.stem().string());
     suite.folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
-    suite.goldens = suite.folder / root.text("goldens", "goldens");
-    if (root.has("laws")) suite.laws = suite.folder / root.text("laws", "");
+    suite.goldens = root.path("goldens", root.text("goldens", "goldens"), suite.folder);
+    if (root.has("laws")) suite.laws = root.path("laws", root.text("laws", ""), suite.folder);
     if (root.has("renderer")) {
         const SuiteReader renderer(text, SuiteReader::Pointer("/renderer"));
         renderer.allow_only({"GL_RENDERER", "GL_VERSION"});

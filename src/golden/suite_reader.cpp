@@ -1,12 +1,16 @@
 #include "golden/suite_reader.hpp"
 
+#include "core/text.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <system_error>
 
 namespace sr::golden {
 
+namespace fs = std::filesystem;
 using nlohmann::json;
 
 SuiteReader::SuiteReader(const JsonText& text, Pointer place) : text_(&text), place_(std::move(place)) {
@@ -29,7 +33,24 @@ std::string SuiteReader::text(const std::string& key, const std::string& fallbac
     if (!member.is_string())
         fail_at(key, fmt::format("\"{}\" is a {}", key, member.type_name()),
                 "write a text in quotation marks");
+    refuse_nul(key, member);
     return member.get<std::string>();
+}
+
+void SuiteReader::refuse_nul(const std::string& key, const json& text) const {
+    if (text.get_ref<const std::string&>().find('\0') != std::string::npos)
+        fail_at(key, fmt::format("\"{}\" has a NUL character, where the system ends a text", key),
+                "leave it out");
+}
+
+fs::path SuiteReader::path(const std::string& key, const std::string& text, const fs::path& folder) const {
+    const fs::path file = folder / text;
+    std::error_code failure;
+    [[maybe_unused]] const fs::file_status status = fs::status(file, failure);
+    if (failure == std::errc::filename_too_long || failure == std::errc::too_many_symbolic_link_levels)
+        fail_at(key, fmt::format("{} is no path ({})", shortened(text, 60), failure.message()),
+                "name a file or folder that can be there");
+    return file;
 }
 
 std::string SuiteReader::required_text(const std::string& key) const {
@@ -64,9 +85,10 @@ bool SuiteReader::flag(const std::string& key, bool fallback) const {
 std::vector<std::string> SuiteReader::texts(const std::string& key) const {
     if (!has(key)) return {};
     const json& member = value().at(key);
-    if (member.is_string()) return {member.get<std::string>()};
+    if (member.is_string()) return {text(key, "")};
     if (!member.is_array() || !std::ranges::all_of(member, [](const json& e) { return e.is_string(); }))
         fail_at(key, fmt::format("\"{}\" is no list of texts", key), "write [\"…\", \"…\"]");
+    for (const json& element : member) refuse_nul(key, element);
     return member.get<std::vector<std::string>>();
 }
 

@@ -32,6 +32,9 @@ public:
     SuiteReader object(const std::string& key) const { return {*text_, place_ / key}; }
     /// A required text.
     std::string required_text(const std::string& key) const;
+    /// `text`, which stands at `key`, as a path in `folder`. @throws Error if the system takes no such path
+    std::filesystem::path path(const std::string& key, const std::string& text,
+                               const std::filesystem::path& folder) const;
 
     /// @throws Error at the first member that is not among `keys`.
     void allow_only(std::initializer_list<const char*> keys) const;
@@ -42,6 +45,8 @@ public:
                               const std::string& what_to_do) const;
 
 private:
+    void refuse_nul(const std::string& key, const nlohmann::json& text) const;
+
     const JsonText* text_;
     Pointer place_;
 };

@@ -16,7 +16,8 @@ enum class Format { exr, hdr, png, jpeg };
 struct Codec {
     std::vector<std::uint8_t> (*encode)(const Image& image, Format format, SampleType type,
                                         const std::string& name);
-    Image (*read)(const std::filesystem::path& file);
+    /// Refuses images of more than `max_values` numbers.
+    Image (*read)(const std::filesystem::path& file, std::uint64_t max_values);
     DecodedTexture (*decode)(std::span<const std::uint8_t> bytes, const std::string& name);
 };
 

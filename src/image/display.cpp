@@ -1,13 +1,13 @@
 #include "image/display.hpp"
 
 #include "core/error.hpp"
+#include "core/parallel.hpp"
 #include "image/log_table.hpp"
 #include "image/luminance.hpp"
 #include "image/srgb.hpp"
 #include "image/tone_curve.hpp"
 
 #include <cmath>
-#include <thread>
 
 namespace sr::image {
 namespace {
@@ -25,25 +25,15 @@ vec3 rgb_of(const float* pixel, int channels) {
     return channels >= 3 ? vec3(pixel[0], pixel[1], pixel[2]) : vec3(pixel[0]);
 }
 
-/// Calls f(first, last) for parts of 0..rows, each on a thread of its own.
-template<typename Function>
-void in_parallel(int rows, Function f) {
-    const int parts = std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 8);
-    std::vector<std::jthread> threads;
-    for (int i = 1; i < parts; ++i) threads.emplace_back(f, rows * i / parts, rows * (i + 1) / parts);
-    f(0, rows / parts);
-}
-
 /// `curve` is a template's argument so that it is inlined into the loop over pixels.
 template<typename Curve>
 Image displayed_through(const Image& film, float factor, Curve curve) {
     static const LogTable srgb(srgb_exact, -9, 0); // below 2^-9 the function is linear
     Image screen(film.width, film.height, 3);
-    in_parallel(film.height, [&](int first, int last) {
-        const std::size_t width = static_cast<std::size_t>(film.width);
-        const float* from = film.at(0, first).data();
-        float* to = screen.at(0, first).data();
-        const float* end = to + 3 * width * static_cast<std::size_t>(last - first);
+    for_each_row(film.height, [&](int row) {
+        const float* from = film.at(0, row).data();
+        float* to = screen.at(0, row).data();
+        const float* end = to + 3 * static_cast<std::size_t>(film.width);
         for (; to != end; from += film.channels, to += 3) {
             const vec3 L = rgb_of(from, film.channels);
             // One test for three channels: a difference of infinities or NaNs is NaN.

@@ -1,8 +1,12 @@
 #include "image/file.hpp"
 
 #include "core/error.hpp"
+#include "core/file.hpp"
+#include "core/limits.hpp"
+#include "core/parallel.hpp"
 #include "image/codec.hpp"
 #include "image/half.hpp"
+#include "image/header.hpp"
 #include "image/webp.hpp"
 #include "image/whole_file.hpp"
 
@@ -32,7 +36,7 @@ Format format_of(const fs::path& file) {
 } // namespace
 
 std::future<void> preload() {
-    return std::async(std::launch::async, [] { codec(); });
+    return started([] { codec(); });
 }
 
 bool is_scene_referred(const fs::path& file) {
@@ -51,9 +55,8 @@ void write(const Image& image, const fs::path& file, SampleType type) {
 }
 
 Image read(const fs::path& file) {
-    std::error_code ignored;
-    if (!fs::exists(file, ignored)) throw Error({file.string()}, "no such file", "check the path");
-    return codec().read(file);
+    require_regular_file(file); // before OpenImageIO opens it by its path
+    return codec().read(file, limit(Limit::pixels));
 }
 
 bool is_webp(std::span<const std::uint8_t> bytes) {
@@ -61,6 +64,16 @@ bool is_webp(std::span<const std::uint8_t> bytes) {
     constexpr std::string_view webp = "WEBP"; // after the size
     return bytes.size() >= 12 && std::equal(riff.begin(), riff.end(), bytes.begin())
            && std::equal(webp.begin(), webp.end(), bytes.begin() + 8);
+}
+
+std::uint64_t claimed_texels(std::span<const std::uint8_t> bytes) {
+    try {
+        if (is_webp(bytes)) return webp_texels(bytes);
+        const Header header = header_of(bytes, "");
+        return std::uint64_t{header.width} * header.height;
+    } catch (const Error&) { // decoding it will say what is wrong
+        return 0;
+    }
 }
 
 DecodedTexture decode_texture(std::span<const std::uint8_t> bytes, const std::string& name) {

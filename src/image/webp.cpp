@@ -9,6 +9,12 @@ namespace sr::image {
 
 bool decodes_webp() { return true; }
 
+std::uint64_t webp_texels(std::span<const std::uint8_t> bytes) {
+    WebPBitstreamFeatures features;
+    if (WebPGetFeatures(bytes.data(), bytes.size(), &features) != VP8_STATUS_OK) return 0;
+    return static_cast<std::uint64_t>(features.width) * static_cast<std::uint64_t>(features.height);
+}
+
 DecodedTexture decode_webp(std::span<const std::uint8_t> bytes, const std::string& name) {
     const auto fail = [&] { throw Error({name}, "a broken or truncated WebP", "export it again"); };
     WebPBitstreamFeatures features;

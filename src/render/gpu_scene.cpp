@@ -1,6 +1,7 @@
 #include "render/gpu_scene.hpp"
 
 #include "core/error.hpp"
+#include "core/parallel.hpp"
 #include "gl/context.hpp"
 #include "render/gpu_texture.hpp"
 #include "render/light_table.hpp"
@@ -173,8 +174,9 @@ void GpuScene::upload_textures(const scene::Scene& scene) {
     std::deque<std::future<ReadyImage>> ready;
     for (std::size_t i = 0, begun = 0; i < uses.size(); ++i) {
         for (; begun < uses.size() && begun < i + max_ahead; ++begun)
-            ready.push_back(std::async(std::launch::async, make_ready,
-                                       std::cref(scene.images[uses[begun].image]), uses[begun]));
+            ready.push_back(started([&image = scene.images[uses[begun].image], use = uses[begun]] {
+                return make_ready(image, use);
+            }));
         const ReadyImage image = ready.front().get();
         ready.pop_front();
         images_.push_back(upload(scene.images[uses[i].image].name, image.format, image.levels));

@@ -1,6 +1,7 @@
 #include "render/ray_answers.hpp"
 
 #include "core/error.hpp"
+#include "core/parallel.hpp"
 #include "render/passes.hpp"
 
 #include <algorithm>
@@ -9,7 +10,6 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
-#include <thread>
 
 namespace sr::render {
 namespace {
@@ -19,19 +19,6 @@ constexpr int most_rays = 7; // rays_a_pass of shaders/interface/rays.glsl
 // surfaces; but pixels that do have more rays sample all of these lights anew in every pass.
 constexpr int lights_a_pass = 16;
 constexpr std::size_t target_memory = std::size_t{512} << 20; // [bytes] that may go into targets
-
-/// Calls work(row) for all rows, on all cores.
-template<class Work>
-void for_each_row(int rows, const Work& work) {
-    std::atomic<int> next = 0;
-    const auto run = [&] {
-        for (int row = next++; row < rows; row = next++) work(row);
-    };
-    std::vector<std::jthread> threads;
-    const int count = std::min(rows, static_cast<int>(std::thread::hardware_concurrency()));
-    for (int i = 1; i < count; ++i) threads.emplace_back(run);
-    run();
-}
 
 int rays_that_fit(int width, int height, int wanted) {
     const std::size_t target =

@@ -2,11 +2,11 @@
 
 #include "core/error.hpp"
 #include "core/math.hpp"
+#include "core/parallel.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <thread>
 
 namespace sr::render {
 namespace {
@@ -15,17 +15,6 @@ constexpr int passes = 5;
 constexpr int radius = 2;
 constexpr std::array spline{0.375f, 0.25f, 0.0625f}; // B3, Dammertz 2010, section 3.1
 constexpr float noise_widths = 2.0f;                 // σ_l of Schied 2017, section 4.4
-
-/// Calls f(row) for all rows, on all cores.
-template<class Function>
-void for_each_row(int rows, const Function& f) {
-    const int parts = std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 16);
-    std::vector<std::jthread> threads;
-    for (int i = 0; i < parts; ++i)
-        threads.emplace_back([=, &f] {
-            for (int row = i; row < rows; row += parts) f(row);
-        });
-}
 
 /// What of a pixel's surroundings lies on the same surface.
 class Surfaces {

@@ -1,8 +1,12 @@
 #include "viewer/config.hpp"
 
+#include "core/error.hpp"
+#include "core/file.hpp"
+
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
+#include <sstream>
 
 namespace sr::viewer {
 namespace {
@@ -24,8 +28,11 @@ void write_lines(const fs::path& file, const std::vector<std::string>& lines) {
 
 std::vector<std::string> lines_of(const fs::path& file) {
     std::vector<std::string> lines;
-    std::ifstream in(file);
-    for (std::string line; std::getline(in, line);) lines.push_back(line);
+    try {
+        std::istringstream in(read_text(file));
+        for (std::string line; std::getline(in, line);) lines.push_back(line);
+    } catch (const Error&) { // there is none yet
+    }
     return lines;
 }
 
@@ -73,7 +80,8 @@ void remember_file(const std::string& file) {
 
 WindowSize remembered_size() {
     WindowSize size;
-    std::ifstream(file_named("window")) >> size.width >> size.height;
+    const std::vector<std::string> lines = lines_of(file_named("window"));
+    if (!lines.empty()) std::istringstream(lines.front()) >> size.width >> size.height;
     const auto is_sensible = [](int side) { return side >= 64 && side <= 16384; };
     return is_sensible(size.width) && is_sensible(size.height) ? size : WindowSize{};
 }

@@ -1,9 +1,9 @@
 #include "viewer/gltf_text.hpp"
 
 #include "core/error.hpp"
+#include "core/file.hpp"
 
 #include <algorithm>
-#include <fstream>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <optional>
@@ -48,9 +48,7 @@ glm::dmat4 local(const ordered_json& node) {
 } // namespace
 
 GltfText read_gltf(const std::filesystem::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>(in), {}};
-    if (!in && bytes.empty()) throw Error({file.string()}, "cannot be read", "put it back");
+    const std::vector<std::uint8_t> bytes = read_file(file, file.string());
     GltfText gltf;
     auto begin = bytes.begin(), end = bytes.end();
     if (bytes.size() > glb_head + chunk_head && std::equal(begin, begin + 4, "glTF")) {

@@ -1,6 +1,7 @@
 #include "viewer/session.hpp"
 
 #include "core/error.hpp"
+#include "core/output.hpp"
 #include "gltf/named_files.hpp"
 #include "image/luminance.hpp"
 #include "viewer/animation_bar.hpp"
@@ -10,7 +11,6 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <bit>
-#include <cstdio>
 #include <filesystem>
 #include <fmt/format.h>
 #include <imgui.h>
@@ -141,7 +141,7 @@ void Session::show(LoadedScene scene) {
     }
     for (const std::string& remark : show_->scene().remarks) {
         say(remark);
-        std::fprintf(stderr, "%s\n", remark.c_str());
+        write_remark(remark);
     }
     std::vector<std::filesystem::path> files = gltf::named_files(show_->scene().file);
     files.emplace_back(show_->scene().file);
@@ -183,8 +183,8 @@ void Session::advance() {
     const bool was_done = picture.is_done();
     picture.advance();
     if (picture.is_done() && !was_done && options_.is_verbose)
-        std::fprintf(stderr, "converged: %s, --camera '%s'%s\n", progress_of(picture).c_str(),
-                     eye_->argument().c_str(), moment_argument().c_str());
+        print_remark("converged: {}, --camera '{}'{}", progress_of(picture), eye_->argument(),
+                     moment_argument());
     measure_exposure();
     advance_turntable();
     if (exposure_.advance(std::min(seconds, 0.1))) frames_to_draw_ = std::max(frames_to_draw_, 1);

@@ -2,10 +2,10 @@
 #include "viewer/session.hpp"
 
 #include "core/error.hpp"
+#include "core/output.hpp"
 #include "viewer/saved_gltf.hpp"
 #include "viewer/screenshot.hpp"
 
-#include <cstdio>
 #include <filesystem>
 #include <fmt/format.h>
 
@@ -172,7 +172,7 @@ void Session::reload_shaders() {
 void Session::fail(const std::string& title, const std::string& text) {
     error_title_ = title;
     error_text_ = text;
-    if (options_.is_verbose) std::fprintf(stderr, "%s\n", text.c_str());
+    if (options_.is_verbose) write_remark(text);
 }
 
 } // namespace sr::viewer

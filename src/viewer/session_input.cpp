@@ -2,11 +2,11 @@
 #include "viewer/session.hpp"
 
 #include "core/error.hpp"
+#include "core/output.hpp"
 #include "viewer/pick.hpp"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
-#include <cstdio>
 #include <fmt/format.h>
 #include <utility>
 
@@ -214,12 +214,12 @@ void Session::note_keyboard() {
         frames_to_draw_ = std::max(frames_to_draw_, 1);
     const bool has_keyboard = ui_.has_keyboard();
     if (!std::exchange(had_keyboard_, has_keyboard) && has_keyboard && options_.is_verbose)
-        std::fprintf(stderr, "a field has the keyboard\n");
+        write_remark("a field has the keyboard");
 }
 
 void Session::say(std::string message) {
     message_ = std::move(message);
-    if (options_.is_verbose) std::fprintf(stderr, "%s\n", message_.c_str());
+    if (options_.is_verbose) write_remark(message_);
 }
 
 } // namespace sr::viewer

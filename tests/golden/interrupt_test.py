@@ -12,6 +12,13 @@ import time
 from pathlib import Path
 
 
+def is_running(pid):
+    try:
+        return Path("/proc", pid, "stat").read_text().rsplit(")")[-1].split()[0] != "Z"
+    except FileNotFoundError:
+        return False
+
+
 def main():
     program, source, scratch = sys.argv[1], Path(sys.argv[2]), Path(sys.argv[3])
     shutil.rmtree(scratch, ignore_errors=True)
@@ -19,7 +26,7 @@ def main():
     # The second test says when it runs, and would then run for a minute.
     suite = {"defaults": {"size": "16x16", "samples": 1}, "tests": [
         {"name": "quick", "scene": str(source / "tests/golden/scenes/sun.gltf")},
-        {"name": "slow", "command": ["sh", "-c", "echo half > $0; touch started; exec sleep 60", "{out}"]}]}
+        {"name": "slow", "command": ["sh", "-c", "echo half > $0; sleep 60 & echo $$ $! > pids; touch started; wait", "{out}"]}]}
     file, out, started = scratch / "suite.json", scratch / "out", scratch / "started"
     file.write_text(json.dumps(suite))
     for number, status in ((signal.SIGINT, 130), (signal.SIGTERM, 130), (signal.SIGKILL, -signal.SIGKILL)):
@@ -35,6 +42,10 @@ def main():
         _, error = run.communicate()
         assert run.returncode == status, (number, run.returncode)
         assert time.monotonic() - begin < 5, "it went on"
+        for pid in (scratch / "pids").read_text().split():
+            while is_running(pid):
+                assert time.monotonic() - begin < 10, f"a child is left after {number!r}"
+                time.sleep(0.01)
         left = sorted(path.name for path in out.iterdir())
         assert left == ["candidates", "logs"], left
         assert not (scratch / "goldens").exists()

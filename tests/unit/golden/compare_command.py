@@ -4,8 +4,10 @@
     compare_command.py STERADIAN GOLDEN_MUTANTS FOLDER
 """
 import json
+import struct
 import subprocess
 import sys
+import zlib
 from pathlib import Path
 
 steradian, golden_mutants, folder = sys.argv[1], sys.argv[2], Path(sys.argv[3])
@@ -39,6 +41,50 @@ check("a wrong limit", *files("identical"), "--max", "rel=x", status=2, err="is 
 check("a heat map is a picture", *files("identical"), "--heat-map", folder / "heat.exr", status=2, err=".png")
 check("no noise, no z", *files("identical"), "--max", "z=5", status=3, err="noise floor")
 check("help has examples", "--help", status=0, out="Examples:")
+
+
+
+def png(name, channels, values):
+    """An 8-bit PNG of one row."""
+    def chunk(kind, data):
+        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+    head = struct.pack(">IIBBBBB", len(values), 1, 8, {1: 0, 3: 2}[channels], 0, 0, 0)
+    row = bytes(1) + bytes(value for value in values for _ in range(channels))
+    (folder / name).write_bytes(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", head) + chunk(b"IDAT", zlib.compress(row)) + chunk(b"IEND", b""))
+    return folder / name
+
+
+grey = range(0, 250, 10)
+check("grey is RGB with equal channels", png("grey.png", 1, grey), png("rgb.png", 3, grey), status=0, out="PASS")
+check("and the other way round", png("rgb.png", 3, grey), png("grey.png", 1, grey), status=0, out="PASS")
+check("other grey is not", png("grey.png", 1, grey), png("dark.png", 3, [value // 2 for value in grey]), status=1, out="FAIL")
+
+
+def exr(name, window, display):
+    """An EXR of one float channel Y, uncompressed, whose data window holds 1, 2, 3 … (OpenEXR File Layout)."""
+    (left, top, right, bottom) = window
+
+    def attribute(label, kind, data):
+        return label.encode() + b"\0" + kind.encode() + b"\0" + struct.pack("<i", len(data)) + data
+    head = struct.pack("<ii", 20000630, 2) + attribute("channels", "chlist", b"Y\0" + struct.pack("<iiii", 2, 0, 1, 1) + b"\0")
+    head += attribute("compression", "compression", b"\0") + attribute("dataWindow", "box2i", struct.pack("<4i", *window))
+    head += attribute("displayWindow", "box2i", struct.pack("<4i", *display)) + attribute("lineOrder", "lineOrder", b"\0")
+    head += attribute("pixelAspectRatio", "float", struct.pack("<f", 1)) + attribute("screenWindowCenter", "v2f", bytes(8))
+    head += attribute("screenWindowWidth", "float", struct.pack("<f", 1)) + b"\0"
+    width, height = right - left + 1, bottom - top + 1
+    lines = [struct.pack("<ii", top + y, 4 * width) + struct.pack(f"<{width}f", *(1 + y * width + x for x in range(width))) for y in range(height)]
+    first = len(head) + 8 * height
+    offsets = b"".join(struct.pack("<Q", first + y * len(lines[0])) for y in range(height))
+    (folder / name).write_bytes(head + offsets + b"".join(lines))
+    return folder / name
+
+
+whole = exr("whole.exr", (0, 0, 7, 7), (0, 0, 7, 7))
+check("windows may begin anywhere", exr("moved.exr", (5, -3, 12, 4), (5, -3, 12, 4)), whole, status=0, out="PASS")
+part = exr("part.exr", (0, 0, 3, 3), (0, 0, 7, 7))
+check("the same pixels in another place", exr("shifted.exr", (4, 4, 7, 7), (0, 0, 7, 7)), part, status=1, out="FAIL")
+check("the same pixels in the same place", exr("again.exr", (0, 0, 3, 3), (0, 0, 7, 7)), part, status=0, out="PASS")
+check("a huge display window", exr("huge.exr", (0, 0, 3, 3), (0, 0, 99999, 99999)), part, status=3, err="--limit pixels")
 
 heat, both = folder / "heat.png", folder / "both.png"
 check("pictures are written", *files("moved_object"), "--heat-map", heat, "--side-by-side", both, status=1)

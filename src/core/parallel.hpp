@@ -1,0 +1,45 @@
+#pragma once
+// Work on several threads, or on fewer where the system gives no more.
+#include <algorithm>
+#include <atomic>
+#include <future>
+#include <system_error>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace sr {
+
+/// Calls `work` on up to `count` threads at once, of which the caller's is one, and waits for all of them.
+/// Each call takes its share from a counter that they have in common, so that fewer threads do the same work.
+template<typename Work>
+void on_threads(int count, const Work& work) {
+    std::vector<std::jthread> threads;
+    try {
+        for (int i = 1; i < count; ++i) threads.emplace_back([&work] { work(); });
+    } catch (const std::system_error&) { // a limit on threads or on memory: those that run are enough
+    }
+    work();
+}
+
+/// Calls `work(row)` for each of 0..rows once, on at most `max_threads` cores.
+template<typename Work>
+void for_each_row(int rows, const Work& work, int max_threads = 256) {
+    std::atomic<int> next = 0;
+    const int cores = std::min(max_threads, static_cast<int>(std::thread::hardware_concurrency()));
+    on_threads(std::min(rows, cores), [&] {
+        for (int row = next++; row < rows; row = next++) work(row);
+    });
+}
+
+/// The result of `work`, which runs on a thread of its own, or where it is asked for if no thread starts.
+template<typename Work>
+auto started(Work work) -> std::future<decltype(work())> {
+    try {
+        return std::async(std::launch::async, work);
+    } catch (const std::system_error&) {
+        return std::async(std::launch::deferred, std::move(work));
+    }
+}
+
+} // namespace sr

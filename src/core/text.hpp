@@ -1,0 +1,30 @@
+#pragma once
+// Text from files, made safe to show on a terminal or on a page.
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace sr {
+
+/// The length of the UTF-8 sequence at the front of a text that is not empty, 0 if it is invalid (RFC 3629).
+std::size_t utf8_length(std::string_view text);
+
+/// Whether a terminal or a text layout acts on the code point at the front of `text` (of `length` bytes)
+/// instead of showing it: C0 and C1 controls, DEL, line and paragraph separators, and the marks that change
+/// the direction of text (Unicode Standard Annex 9).
+bool is_control(std::string_view text, std::size_t length);
+
+/// The text on one line that a terminal only shows. Control characters and bytes that are not UTF-8 become
+/// `\n`, `\t`, `\x1b`, `\u202e`.
+std::string shown(std::string_view text);
+
+/// The same, except that line breaks and tabs stay.
+std::string shown_lines(std::string_view text);
+
+/// A JSON text whose strings hold no control character: they become `\u009b`.
+std::string shown_json(std::string_view json);
+
+/// At most the first `size` bytes, cut between characters, and then "…".
+std::string shortened(std::string_view text, std::size_t size);
+
+} // namespace sr
