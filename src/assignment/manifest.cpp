@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 using golden::SuiteReader;
 using nlohmann::json;
 
-std::string text_of(const fs::path& file) {
+std::string text_of_file(const fs::path& file) {
     std::ifstream stream(file, std::ios::binary);
     std::ostringstream text;
     if (stream) text << stream.rdbuf();
@@ -208,7 +208,7 @@ Task read_task(const SuiteReader& entry, const Assignment& assignment) {
     const fs::path file = assignment.folder / "variants" / (task.id + ".glsl");
     if (fs::exists(file)) {
         task.variants_place = file.string();
-        task.variants = variants_of(text_of(file), task.variants_place);
+        task.variants = variants_of(text_of_file(file), task.variants_place);
     }
     for (const Variant& variant : task.variants)
         if (variant.is_mistake && !task.hints.contains(variant.name))
@@ -283,7 +283,7 @@ Assignment load(const fs::path& folder) {
     assignment.summary = root.text("summary", "");
     assignment.scene = root.text("scene", "");
     for (const std::string& name : root.texts("files"))
-        assignment.files[name] = text_of(folder / "shaders" / name);
+        assignment.files[name] = text_of_file(folder / "shaders" / name);
     if (assignment.files.empty())
         root.fail("no \"files\"", "name the GLSL files of shaders/ that students get");
     if (root.has("parameters")) {

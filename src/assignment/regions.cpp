@@ -20,7 +20,7 @@ std::vector<std::string> lines_of(const std::string& text) {
     return lines;
 }
 
-struct Marker {
+struct RegionMarker {
     bool begins = false;
     bool is_solution = false; // of a reference, where a bare "// end" is enough
     std::string name;         // empty only for an end
@@ -28,14 +28,14 @@ struct Marker {
 
 /// "// begin [solution] A3.2 …", "// end [solution]", "// end A3.2 …". Any other comment is none, so that
 /// students may write "// begin with h".
-std::optional<Marker> marker_of(const std::string& line) {
+std::optional<RegionMarker> region_marker(const std::string& line) {
     static const std::regex form(
         R"(^\s*//\s*(begin|end)(\s+solution)?(?:\s+(helpers|[A-Z][0-9]+\.[0-9]+)\b.*)?\s*$)");
     std::smatch found;
     const std::string content = line.substr(0, line.find_last_not_of("\r\n") + 1);
     if (!std::regex_match(content, found, form)) return std::nullopt;
     if (found[1] == "begin" && !found[3].matched) return std::nullopt;
-    return Marker{found[1] == "begin", found[2].matched, found[3]};
+    return RegionMarker{found[1] == "begin", found[2].matched, found[3]};
 }
 
 int number_of(std::size_t index) { return static_cast<int>(index) + 1; }
@@ -44,10 +44,10 @@ int number_of(std::size_t index) { return static_cast<int>(index) + 1; }
 
 std::vector<Region> regions_of(const std::string& text, const std::string& place) {
     std::vector<Region> regions;
-    std::optional<Marker> open;
+    std::optional<RegionMarker> open;
     const std::vector<std::string> lines = lines_of(text);
     for (std::size_t i = 0; i < lines.size(); ++i) {
-        const auto marker = marker_of(lines[i]);
+        const auto marker = region_marker(lines[i]);
         const bool is_bare = marker && !marker->begins && marker->name.empty();
         if (!marker || (is_bare && !(open && open->is_solution))) {
             if (open) regions.back().text += lines[i];

@@ -57,7 +57,7 @@ void make_new(const AssignmentArguments& arguments) {
     const auto assignment = assignment::load(assignment::assignment_named(arguments.name));
     assignment::make_folder(assignment, arguments.folder, arguments.student);
     print_remark("{}: read README.md, edit the .glsl files, then: steradian assignment check {}",
-               arguments.folder, arguments.folder);
+                 arguments.folder, arguments.folder);
 }
 
 /// The whole of a check in this process: each task's result goes to a line of `results` as soon as it is

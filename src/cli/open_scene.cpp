@@ -94,8 +94,8 @@ void remark_on_estimator(const RenderCommand& command, const scene::Stage& stage
     if (command.estimator != render::Estimator::analytic) return;
     for (const scene::Light& light : stage.lights) {
         if (const auto* environment = std::get_if<scene::EnvironmentLight>(&light))
-            print_remark("{}: '{}' surrounds the scene: it is sampled{}", command.scene,
-                       environment->name, environment->map ? "" : ", but for Lambert's surfaces");
+            print_remark("{}: '{}' surrounds the scene: it is sampled{}", command.scene, environment->name,
+                         environment->map ? "" : ", but for Lambert's surfaces");
         const auto* mesh = std::get_if<scene::MeshLight>(&light);
         if (mesh && mesh->triangles.size() > render::most_outlined_triangles)
             print_remark("{}: '{}' has {} emissive triangles, more than {}: it is sampled", command.scene,

@@ -91,10 +91,9 @@ void warn_of_half_overflow(const image::Image& image, const std::string& output)
     const std::size_t count = image::half_overflow_count(image);
     if (count == 0) return;
     const bool is_one = count == 1;
-    print_data(stderr,
-               "{}: {} value{} beyond 65504, the largest of --exr-type half, {} stored as that: "
-               "--exr-type float holds {}\n",
-               output, count, is_one ? "" : "s", is_one ? "is" : "are", is_one ? "it" : "them");
+    print_remark("{}: {} value{} beyond 65504, the largest of --exr-type half, {} stored as that: "
+                 "--exr-type float holds {}",
+                 output, count, is_one ? "" : "s", is_one ? "is" : "are", is_one ? "it" : "them");
 }
 
 } // namespace
