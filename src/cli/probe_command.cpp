@@ -60,7 +60,7 @@ std::string shape_of(const scene::Light& light) {
     return std::visit(Name{}, light);
 }
 
-std::string name_of(const scene::Light& light) {
+std::string light_name(const scene::Light& light) {
     return std::visit([](const auto& l) { return l.name; }, light);
 }
 
@@ -86,7 +86,7 @@ ordered_json as_json(const ProbeCommand& command, const OpenScene& open, const r
     for (std::size_t k = 0; k < terms.lights.size(); ++k) {
         const render::LightTerms& t = terms.lights[k];
         lights.push_back({{"light", k},
-                          {"name", name_of(open.stage.lights[k])},
+                          {"name", light_name(open.stage.lights[k])},
                           {"shape", shape_of(open.stage.lights[k])},
                           {"solid_angle [sr]", t.solid_angle},
                           {"wi", triple(t.wi)},
@@ -126,7 +126,7 @@ std::string fitted(const std::string& name) {
 std::string row_of(int k, const scene::Light& light, const render::LightTerms& t) {
     const std::string extent = t.solid_angle > 0.0f ? fmt::format("{:.4g}", t.solid_angle) : "-";
     return fmt::format("{:>3} {:<18}{:<12}{:>9} {:>7.3f}{:>7.3f}{:>7.3f}{:>8.4f}{:>8.4f}{:>11.4g}{:>10.4g}{}",
-                       k, fitted(name_of(light)), shape_of(light), extent, t.wi.x, t.wi.y, t.wi.z, t.cos_i,
+                       k, fitted(light_name(light)), shape_of(light), extent, t.wi.x, t.wi.y, t.wi.z, t.cos_i,
                        t.V, image::luminance(t.f_r), image::luminance(t.E), cells(t.L_r, 11));
 }
 

@@ -28,7 +28,7 @@ scene::EnvironmentLight uneven(float hottest) {
     return with(texels, 12, 0.7f);
 }
 
-void expect_lawful(const scene::EnvironmentLight& light) {
+void expect_lawful_light(const scene::EnvironmentLight& light) {
     context();
     const View view{light, {0, 0, 0}, glm::normalize(vec3(0.3f, 0.8f, -0.5f)), pi};
     const scene::Scene nothing;
@@ -40,9 +40,9 @@ void expect_lawful(const scene::EnvironmentLight& light) {
 }
 
 const Test sampling("law.emitter.environment.sampling_matches_density", [] {
-    expect_lawful({});
-    expect_lawful(uneven(4.0f));
-    expect_lawful(scene::studio(scene::Camera{}));
+    expect_lawful_light({});
+    expect_lawful_light(uneven(4.0f));
+    expect_lawful_light(scene::studio(scene::Camera{}));
 });
 
 // The shader's radiance and density are those of the Scene's own evaluation.

@@ -41,8 +41,9 @@ const Test furnace("law.glass.reflects_and_lets_through_no_more_than_arrives", [
                 const vec3 T = shadow::straight_transmittance(glass, {}, {0, 0, 1}, wo[i]);
                 EXPECT_LE(albedos[i].x + T.x, 1.002)
                     << "ior " << ior << ", roughness " << roughness << ", cos " << wo[i].z;
-                if (roughness < 0.1f && wo[i].z > 0.2f)
+                if (roughness < 0.1f && wo[i].z > 0.2f) {
                     EXPECT_NEAR(albedos[i].x + T.x, 1.0, 5e-3) << "smooth glass keeps nothing";
+                }
             }
         }
     }

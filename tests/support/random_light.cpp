@@ -10,7 +10,7 @@ constexpr const char* luminaire =
     "IESNA:LM-63-2002\nTILT=NONE\n1 -1 1 5 5 1 2 0 0 0\n1 1 10\n0 30 60 90 180\n"
     "0 90 180 270 360\n9 8 5 1 0\n9 7 6 2 0\n9 8 4 1 0\n9 6 3 1 1\n9 8 5 1 0\n";
 
-json color(Random& random) {
+json light_color(Random& random) {
     return {random.within(0.3, 1.0), random.within(0.3, 1.0), random.within(0.3, 1.0)};
 }
 
@@ -18,7 +18,7 @@ json quantity(double value, const char* unit) { return {{"value", value}, {"unit
 
 void append_punctual(MadeGltf& made, json& node, const char* type, Random& random, const Extremes& extremes) {
     const double distance = extremes.has_extreme_factors ? 1.0 : 2.5;
-    json light{{"type", type}, {"color", color(random)}};
+    json light{{"type", type}, {"color", light_color(random)}};
     light["intensity"] = random.within(4.0, 16.0) * (std::string(type) == "directional" ? 0.3 : 1.0);
     if (std::string(type) != "directional" && random.has_chance(0.4))
         light["range"] = distance * random.within(1.2, 4.0);
@@ -35,7 +35,7 @@ void append_area(MadeGltf& made, json& node, Random& random) {
     json& lights = made.root["extensions"]["EXT_lights_area"]["lights"];
     node["extensions"]["EXT_lights_area"]["light"] = lights.size();
     lights.push_back({{"type", "rect"},
-                      {"color", color(random)},
+                      {"color", light_color(random)},
                       {"intensity", random.within(5.0, 30.0)},
                       {"size", random.within(0.3, 1.2)},
                       {"rect", {{"aspect", random.within(0.5, 2.0)}}}});
@@ -56,7 +56,7 @@ json shape(Emitter emitter, Random& random) {
     const auto unit = static_cast<std::size_t>(random.below(3));
     json stated{{"quantity", quantity(least[unit] * random.within(1.0, 4.0), units[unit])},
                 {"visible", random.has_chance(0.7)}};
-    if (random.has_chance(0.5)) stated["color"] = color(random);
+    if (random.has_chance(0.5)) stated["color"] = light_color(random);
     const auto size = [&] { return random.within(0.3, 1.2); };
     const auto flat = [&] { stated["two_sided"] = random.has_chance(0.3); };
     switch (emitter) {
