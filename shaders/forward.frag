@@ -2,17 +2,16 @@
 // The rendering equation for direct light, at the surface that the pixel sees:
 //
 //   L_o(x, wo) = L_e(x, wo) + Σ_k ∫ f_r L_i V cosθ_i dω
+#include "integrator/bounded.glsl"
 #include "integrator/emitted.glsl"
 #include "integrator/reflected.glsl"
 #include "surface/at_fragment.glsl"
 
 out vec4 film; // L_o [cd/m²] times coverage, and coverage
 
-const float most_radiance = 1e30; // so that the film's sum over frames is a float, whatever a file states
-
 void main() {
     Surface x = surface_at_fragment();
     vec3 wo = direction_to_viewer();
     vec3 L_o = is_unlit ? x.base_color : emitted(x) + reflected(x, wo);
-    film = vec4(min(L_o, vec3(most_radiance)) * x.coverage, x.coverage);
+    film = vec4(bounded(L_o) * x.coverage, x.coverage);
 }

@@ -9,8 +9,9 @@ struct LightSample {
 const float infinitely_far = 1e30;
 const LightSample no_light = LightSample(vec3(0.0, 0.0, 1.0), infinitely_far, vec3(0.0), 0.0);
 
-// Bounds far beyond what exists (the sun's disk has 2e9 cd/m²), which keep products and sums of samples within float range.
-const float most_light = 1e15;      // of one sample [lx]
+// Bounds far beyond what exists (the sun's disk has 2e9 cd/m², which an environment may find by a density of 1e-15), which
+// keep products and sums of samples within float range.
+const float most_light = 1e24;      // of one sample [lx]
 const float largest_density = 1e18; // [1/sr]; its square is a float, too
 
 // Light of radiance L_e from a direction that was chosen with density p. A point without a direction, a distance or a density

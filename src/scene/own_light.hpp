@@ -16,7 +16,8 @@ namespace sr::scene {
 std::optional<float> lit_share(const Scene& scene, std::span<const Light> lights, const Camera& camera,
                                float aspect_ratio);
 
-/// Below this share almost nothing is lit.
-inline constexpr float least_lit_share = 0.15f;
+/// Below this share almost nothing is lit. A file that places lamps may mean a pool of light in the dark;
+/// what only glows, such as headlights and signs, is no lighting.
+inline float min_lit_share(const Scene& scene) { return scene.lights.empty() ? 0.15f : 0.02f; }
 
 } // namespace sr::scene

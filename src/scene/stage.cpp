@@ -56,7 +56,7 @@ Camera chosen_camera(const Scene& scene, const std::string& file, const StageOpt
 bool is_dark(const Stage& stage, const Scene& scene, float aspect_ratio) {
     if (stage.lights.empty()) return true;
     const auto share = lit_share(scene, stage.lights, stage.camera, aspect_ratio);
-    return share && *share < least_lit_share;
+    return share && *share < min_lit_share(scene);
 }
 
 /// Whether a surface is there that takes light to be seen.

@@ -19,7 +19,7 @@ void main() {"""
 # least: a missing term where the golden has a channel of it, a light that is off where it was the only one or has a layer.
 MISTAKES = {
     "pi_missing": ("brdf/lambert.glsl", {"return albedo / pi;": "return albedo;"}, 18, "pi_missing", 5),
-    "cosine_missing": ("integrator/reflected.glsl", {"* V * cos_i;": "* V;"}, 17, "cosine_missing", 3),
+    "cosine_missing": ("integrator/reflected.glsl", {"light.distance, k, ray) * cos_i;": "light.distance, k, ray);"}, 17, "cosine_missing", 3),
     "srgb_twice": ("forward.frag", {"void main() {": SRGB, "emitted(x) + reflected(x, wo);": "srgb(emitted(x) + reflected(x, wo));"},
                    18, "srgb_applied", 5),
     # The zoo's other booths are walled off from its last light.

@@ -53,16 +53,17 @@ const Test bent("unit.gltf.skin.a_bar_bends_at_its_joint", [] {
     made.root["nodes"][1]["translation"] = {10, 0, 0}; // and the whole skeleton moves
     const scene::Scene scene = load(made).scene;
     const scene::Mesh& mesh = scene.meshes.at(0);
-    expect_near(mesh.positions.at(0), vec3(10, 0, 0));
-    expect_near(mesh.positions.at(2), vec3(10, 1, 0)); // on the axis: both joints leave it there
-    expect_near(mesh.positions.at(4), vec3(10, 1, 1));
-    expect_near(mesh.positions.at(5), vec3(11, 1, 1));
+    const vec3 origin(scene.origin); // the file's world is told from the scene's origin
+    expect_near(origin + mesh.positions.at(0), vec3(10, 0, 0));
+    expect_near(origin + mesh.positions.at(2), vec3(10, 1, 0)); // on the axis: both joints leave it there
+    expect_near(origin + mesh.positions.at(4), vec3(10, 1, 1));
+    expect_near(origin + mesh.positions.at(5), vec3(11, 1, 1));
     expect_near(mesh.normals.at(0), vec3(0, 0, 1));
     expect_near(mesh.normals.at(4), vec3(0, -1, 0));
     expect_near(mesh.normals.at(2), vec3(0, -s, s)); // half and half
     const scene::Bounds bounds = scene::bounds_of(scene);
-    expect_near(bounds.min, vec3(10, 0, 0));
-    expect_near(bounds.max, vec3(11, 1, 1));
+    expect_near(origin + bounds.min, vec3(10, 0, 0));
+    expect_near(origin + bounds.max, vec3(11, 1, 1));
 });
 
 // A joint that is stretched along z turns normals the other way than it would turn directions.

@@ -25,6 +25,13 @@ inline gltf::Loaded load(const MadeGltf& made, const gltf::LoadOptions& options 
 /// Its first mesh.
 inline scene::Mesh mesh_of(const MadeGltf& made) { return load(made).scene.meshes.at(0); }
 
+/// Its first instance in the file's world: the scene's coordinates begin at scene.origin.
+inline mat4 world_from_object(const scene::Scene& scene) {
+    mat4 world = scene.instances.at(0).world_from_object;
+    world[3] += vec4(vec3(scene.origin), 0.0f);
+    return world;
+}
+
 /// Its first light, which is of that kind.
 template<typename T>
 T light_of(const MadeGltf& made) {
