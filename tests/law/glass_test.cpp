@@ -140,7 +140,8 @@ vec4 seen_through(const scene::Material& material, float tilt = 0.0f, bool has_p
     glow.is_unlit = true;
     if (has_plane) add_quad(scene, {0, -3, 0}, {4.0f, 0, 0}, {0, 0, -4.0f}, glow);
     add_quad(scene, {0, 0, 0}, vec3(std::cos(tilt), std::sin(tilt), 0.0f), {0, 0, -1.0f}, material);
-    const auto texel = picture(scene, {}, camera_from_above(0.2f), 8).at(3, 3);
+    const image::Image image = picture(scene, {}, camera_from_above(0.2f), 8);
+    const auto texel = image.at(3, 3);
     return {texel[0], texel[1], texel[2], texel[3]};
 }
 
