@@ -1,4 +1,5 @@
-// The report of which backends work here. It has an executable of its own, since it opens and closes every one.
+// The report of which backends work here. It has an executable of its own, since it opens and closes every
+// one.
 #include "gl/context.hpp"
 #include "support/address.hpp"
 
