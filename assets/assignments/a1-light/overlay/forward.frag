@@ -1,5 +1,6 @@
 #version 410 core
 // Not the equation, but your functions made visible: a globe of (θ, φ), the spectrum, and your lamp's colour.
+#include "assignment/not_implemented.glsl"
 #include "directions.glsl"
 #include "spectrum.glsl"
 #include "surface/at_fragment.glsl"
@@ -26,4 +27,5 @@ void main() {
     bool is_globe = x.position.z > -1.1;
     float along = dot(x.position.xy, vec2(-sqrt(0.5), sqrt(0.5)));
     film = vec4(is_globe ? globe(x.n) : strip(vec2(along / 2.8 + 0.5, x.position.z + 1.45)), 1.0);
+    if (not_implemented_calls > 0) film = not_implemented(); // magenta, where a function is still to be written
 }
