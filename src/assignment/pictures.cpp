@@ -124,6 +124,13 @@ const image::Image& Pictures::reference(const Check& check) {
     return references_.emplace(&check, rendered(check, {})).first->second;
 }
 
+const image::Image& Pictures::mistaken(const Task& task, const Check& check, const Variant& variant) {
+    const auto found = mistakes_.find({&check, &variant});
+    if (found != mistakes_.end()) return found->second;
+    image::Image picture = rendered(check, {{task.id, {task.variants_place, variant.line, variant.text}}});
+    return mistakes_.emplace(std::pair{&check, &variant}, std::move(picture)).first->second;
+}
+
 Finding Pictures::check(const Check& check, const Codes& codes) {
     Finding finding;
     finding.reference = reference(check);
@@ -145,10 +152,9 @@ Finding Pictures::check(const Check& check, const Codes& codes) {
 std::optional<Named> Pictures::diagnosed(const Task& task, const Check& check, const Finding& finding) {
     for (const Variant& variant : task.variants) {
         if (!variant.is_mistake) continue;
-        const image::Image mistaken =
-            rendered(check, {{task.id, {task.variants_place, variant.line, variant.text}}});
-        if (compared(*finding.picture, mistaken, check).passed
-            && !compared(mistaken, *finding.reference, check).passed)
+        const image::Image& picture = mistaken(task, check, variant);
+        if (compared(*finding.picture, picture, check).passed
+            && !compared(picture, *finding.reference, check).passed)
             return Named{variant.name, task.hints.at(variant.name)};
     }
     const golden::Comparison comparison = compared(*finding.picture, *finding.reference, check);

@@ -32,11 +32,13 @@ private:
     };
     const Shown& shown(const Check& check);
     const image::Image& reference(const Check& check);
+    const image::Image& mistaken(const Task& task, const Check& check, const Variant& variant);
 
     const Assignment& assignment_;
     const Parameters& parameters_;
     std::map<std::string, Shown> shown_;
     std::map<const Check*, image::Image> references_;
+    std::map<std::pair<const Check*, const Variant*>, image::Image> mistakes_;
 };
 
 } // namespace sr::assignment

@@ -53,20 +53,23 @@ double excess(Relation relation, const Compared& c, std::size_t row, int count) 
     return worst;
 }
 
-/// Whether two lists of values are the same to within the check's nearness.
-bool agree(const std::vector<glm::dvec4>& a, const std::vector<glm::dvec4>& b, const Compared& compared,
-           const Nearness& nearness, int count) {
-    const double floor = nearness.absolute * largest(b, count);
-    for (std::size_t r = 0; r < a.size(); ++r)
+/// How far values are from those of a mistake, in units of the check's nearness. Infinite where they are not
+/// the mistake's.
+double distance(const std::vector<glm::dvec4>& got, const std::vector<glm::dvec4>& mistaken,
+                const Compared& compared, const Nearness& nearness, int count) {
+    const double floor = nearness.absolute * largest(mistaken, count) + std::numeric_limits<double>::min();
+    double furthest = 0.0;
+    for (std::size_t r = 0; r < got.size(); ++r)
         for (int i = 0; i < count; ++i) {
-            const double x = a[r][i], y = b[r][i];
+            const double x = got[r][i], y = mistaken[r][i];
             if (x == y || (std::isnan(x) && std::isnan(y))) continue;
+            if (!std::isfinite(x) || !std::isfinite(y)) return infinity;
+            const double near = nearness.relative * std::abs(y) + floor;
             // What rounding does to the reference it may do to a mistake as well.
-            const double allowed =
-                std::max(nearness.relative * std::abs(y) + floor, compared.tolerance[r][i]);
-            if (!(std::abs(x - y) <= allowed)) return false;
+            if (!(std::abs(x - y) <= std::max(near, compared.tolerance[r][i]))) return infinity;
+            furthest = std::max(furthest, std::abs(x - y) / near);
         }
-    return true;
+    return furthest;
 }
 
 std::optional<Named> plain_relation(const Compared& compared, int count) {
@@ -174,13 +177,22 @@ std::optional<Named> diagnosed(const Assignment& assignment, const Parameters& p
     for (const Variant& variant : task.variants)
         if (variant.is_mistake) mistakes.push_back(&variant);
     std::ranges::stable_partition(mistakes, [&](const Variant* v) { return v->name == first; });
+    // Where the mistakes' values are small beside the right ones, several are within the tolerance: the
+    // nearest one is named.
+    const Variant* nearest = nullptr;
+    double least = infinity;
     for (const Variant* mistake : mistakes) {
         const auto path = shader_path(assignment, parameters,
                                       {{task.id, {task.variants_place, mistake->line, mistake->text}}});
         const Values values = evaluate(path, assignment, {check.value, check.type}, inputs);
-        if (agree(compared.got.means, values.means, compared, check.nearness, count))
-            return Named{mistake->name, task.hints.at(mistake->name)};
+        const double d = distance(compared.got.means, values.means, compared, check.nearness, count);
+        if (d < least) {
+            least = d;
+            nearest = mistake;
+        }
+        if (d == 0.0) break;
     }
+    if (nearest) return Named{nearest->name, task.hints.at(nearest->name)};
     return check.relation == Relation::reference || check.relation == Relation::equals
                ? plain_relation(compared, count)
                : std::nullopt;
