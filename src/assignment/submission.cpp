@@ -63,6 +63,11 @@ void add_regions(Submission& submission, const Assignment& assignment, const std
     }
 }
 
+/// Whether students write in this file; the others are given.
+bool is_written(const Assignment& assignment, const std::string& file) {
+    return !regions_of(assignment.files.at(file), assignment.place_of(file)).empty();
+}
+
 fs::path program_folder() {
     std::error_code ignored;
     return fs::read_symlink("/proc/self/exe", ignored).parent_path();
@@ -82,7 +87,7 @@ Submission read_submission(const Assignment& assignment, const fs::path& folder)
     Submission submission;
     for (const auto& [name, reference] : assignment.files) {
         const fs::path file = folder / name;
-        if (regions_of(reference, assignment.place_of(name)).empty()) continue; // given, not the student's
+        if (!is_written(assignment, name)) continue;
         try {
             add_regions(submission, assignment, name, read_text(file), file.string());
         } catch (const Error& error) {
@@ -91,6 +96,14 @@ Submission read_submission(const Assignment& assignment, const fs::path& folder)
         }
     }
     return submission;
+}
+
+std::vector<fs::path> files_of(const fs::path& folder) {
+    const Assignment assignment = load(assignment_named(label_of(folder).assignment));
+    std::vector<fs::path> files;
+    for (const auto& [name, reference] : assignment.files)
+        if (is_written(assignment, name)) files.push_back(folder / name);
+    return files;
 }
 
 std::string student_version(const Assignment& assignment, const std::string& file) {
@@ -125,7 +138,7 @@ std::string student_version(const Assignment& assignment, const std::string& fil
 Submission empty_submission(const Assignment& assignment) {
     Submission submission;
     for (const auto& [name, text] : assignment.files)
-        if (!regions_of(text, assignment.place_of(name)).empty())
+        if (is_written(assignment, name))
             add_regions(submission, assignment, name, student_version(assignment, name), name);
     return submission;
 }

@@ -27,6 +27,9 @@ struct Submission {
 /// Reads the student's *.glsl files. Whatever is wrong with them becomes a fault of the tasks concerned.
 Submission read_submission(const Assignment& assignment, const std::filesystem::path& folder);
 
+/// The files of a submission that its student writes. @throws Error
+std::vector<std::filesystem::path> files_of(const std::filesystem::path& folder);
+
 /// The student's version of one of the reference's files: signatures with bodies that are still to be
 /// written.
 /// @throws Error for a region that has no function of its task
