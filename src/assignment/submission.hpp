@@ -15,8 +15,8 @@ struct FolderLabel {
     std::string student;
 };
 
-/// @throws Error if the folder is none that `assignment new` made
-FolderLabel label_of(const std::filesystem::path& folder);
+/// Of a folder or an archive. @throws Error if it is none that `assignment new` or `pack` made
+FolderLabel label_of(const std::filesystem::path& submission);
 
 /// A student's code by task, and what is wrong with files that cannot be read as regions.
 struct Submission {
@@ -24,11 +24,17 @@ struct Submission {
     std::map<std::string, std::string> faults; // by task: one line
 };
 
-/// Reads the student's *.glsl files. Whatever is wrong with them becomes a fault of the tasks concerned.
-Submission read_submission(const Assignment& assignment, const std::filesystem::path& folder);
+/// Reads the student's *.glsl files from a folder or an archive. Whatever is wrong with them becomes a fault
+/// of the tasks concerned.
+Submission read_submission(const Assignment& assignment, const std::filesystem::path& from);
 
-/// The files of a submission that its student writes. @throws Error
-std::vector<std::filesystem::path> files_of(const std::filesystem::path& folder);
+/// A folder's label and the files that its student writes; an archive itself. @throws Error
+std::vector<std::filesystem::path> files_of(const std::filesystem::path& submission);
+
+/// Writes these files of a folder, and the text `result` as result.json unless it is empty, to a zip file.
+/// What the student's own check found is no proof: `check` never reads it. @throws Error
+void pack(const std::filesystem::path& folder, const std::string& result,
+          const std::filesystem::path& archive);
 
 /// The student's version of one of the reference's files: signatures with bodies that are still to be
 /// written.

@@ -12,6 +12,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cctype>
 #include <fmt/format.h>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -30,6 +31,7 @@ struct AssignmentArguments {
     std::string student;
     std::string results; // of a child: where its tasks' results go, one line each
     std::vector<std::string> tasks;
+    std::string output;       // of `pack`; empty: named by assignment and student
     std::string report;       // HTML; empty: none
     double time_limit = 20.0; // [s] of one task
     bool json = false;
@@ -117,6 +119,26 @@ ExitStatus check_and_watch(const AssignmentArguments& arguments) {
     return done;
 }
 
+/// "a3-brdf-12345.zip"; what no file name should have becomes "_".
+std::string archive_name(const assignment::FolderLabel& label) {
+    std::string name = label.assignment + (label.student.empty() ? "" : "-" + label.student);
+    for (char& c : name)
+        if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-' && c != '.' && c != '_') c = '_';
+    return name + ".zip";
+}
+
+void pack(const AssignmentArguments& arguments) {
+    const assignment::FolderLabel label = assignment::label_of(arguments.folder);
+    const std::string archive = arguments.output.empty() ? archive_name(label) : arguments.output;
+    const auto result = assignment::checked(arguments.folder, options_of(arguments));
+    assignment::pack(arguments.folder, result->dump(2, ' ', false, replace) + "\n", archive);
+    for (const ordered_json& task : (*result)["tasks"])
+        print_data("{} {:g}/{:g} {}\n", task["id"].get<std::string>(), task["points"].get<double>(),
+                   task["of"].get<double>(), task["status"].get<std::string>());
+    print_data("{}: {:g} of {:g} points\n", archive, (*result)["points"].get<double>(),
+               (*result)["of"].get<double>());
+}
+
 ExitStatus prove(const AssignmentArguments& arguments) {
     const auto assignment = assignment::load(assignment::assignment_named(arguments.name));
     const auto context = gl::open_context({gl::Backend::automatic, true});
@@ -148,7 +170,8 @@ void add_name(CLI::App& command, AssignmentArguments& arguments) {
 
 void add_check(CLI::App& app, const std::shared_ptr<AssignmentArguments>& arguments) {
     CLI::App* command = app.add_subcommand("check", "check a student's folder: marks, what is wrong, hints");
-    command->add_option("DIR", arguments->folder, "a folder that `new` made")->required();
+    command->add_option("DIR", arguments->folder, "a folder that `new` made, or a file that `pack` made")
+        ->required();
     command->add_option("--time-limit", arguments->time_limit, "of one task [s]")
         ->check(CLI::Range(0.1, 3600.0))
         ->capture_default_str();
@@ -176,6 +199,11 @@ void add_assignment_command(CLI::App& app) {
                        "the student's id, which chooses the numbers that are theirs");
     making->callback([arguments] { make_new(*arguments); });
     add_check(*command, arguments);
+    CLI::App* packing = command->add_subcommand("pack", "make the file to hand in, and say what it is worth");
+    packing->add_option("DIR", arguments->folder, "a folder that `new` made")->required();
+    packing->add_option("-o,--output", arguments->output,
+                        "a .zip file (default: ASSIGNMENT-STUDENT.zip here)");
+    packing->callback([arguments] { pack(*arguments); });
     CLI::App* building =
         command->add_subcommand("build", "for teachers: cut the student's version, without an id");
     add_name(*building, *arguments);
@@ -195,7 +223,7 @@ void add_assignment_command(CLI::App& app) {
     });
     command->footer(
         "Examples:\n  steradian assignment list\n  steradian assignment new a3 my-a3 --student 12345\n"
-        "  steradian assignment check my-a3");
+        "  steradian assignment check my-a3 --watch\n  steradian assignment pack my-a3");
 }
 
 } // namespace sr::cli
