@@ -113,7 +113,7 @@ ordered_json marked_by_children(const Assignment& assignment, const fs::path& su
 
 std::optional<ordered_json> checked(const fs::path& submission, const CheckOptions& options) {
     const FolderLabel label = label_of(submission);
-    const Assignment assignment = load(assignment_named(label.assignment));
+    const Assignment assignment = load(assignment_of(label));
     const ordered_json tasks = marked_by_children(assignment, submission, options);
     if (tasks.size() < assignment.tasks.size()) return std::nullopt;
     return summed(assignment, label.student, tasks);
@@ -122,7 +122,7 @@ std::optional<ordered_json> checked(const fs::path& submission, const CheckOptio
 void mark_tasks(const fs::path& submission, const std::vector<std::string>& tasks, const fs::path& results,
                 bool keeps_pictures) {
     const FolderLabel label = label_of(submission);
-    const Assignment assignment = load(assignment_named(label.assignment));
+    const Assignment assignment = load(assignment_of(label));
     const Submission handed_in = read_submission(assignment, submission);
     const auto context = gl::open_context({gl::Backend::automatic, false});
     Marker marker(assignment, label.student, keeps_pictures);

@@ -157,7 +157,9 @@ ordered_json Marker::mark(const Task& task, const Submission& submission) {
 }
 
 ordered_json ended_early(const Task& task, const std::string& why) {
-    return broken(task, {{"", 0, 0, why, {}, "Look for a loop that does not end."}});
+    ordered_json result = broken(task, {{"", 0, 0, why, {}, "Look for a loop that does not end."}});
+    result["ended_early"] = true;
+    return result;
 }
 
 ordered_json summed(const Assignment& assignment, const std::string& student, const ordered_json& tasks) {

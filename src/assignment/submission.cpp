@@ -89,7 +89,7 @@ Submission read_submission(const Assignment& assignment, const fs::path& from) {
 
 std::vector<fs::path> files_of(const fs::path& submission) {
     if (!fs::is_directory(submission)) return {submission};
-    const Assignment assignment = load(assignment_named(label_of(submission).assignment));
+    const Assignment assignment = load(assignment_of(label_of(submission)));
     std::vector<fs::path> files{submission / "assignment.json"};
     for (const auto& [name, reference] : assignment.files)
         if (is_written(assignment, name)) files.push_back(submission / name);
@@ -164,6 +164,11 @@ void make_folder(const Assignment& assignment, const fs::path& folder, const std
     for (const char* part : {"figures", "scenes", "overlay"})
         if (const fs::path from = assignment.folder / part; fs::is_directory(from))
             fs::copy(from, folder / part, fs::copy_options::recursive);
+    if (parameters.empty() || !fs::is_directory(folder / "scenes")) return;
+    for (const auto& entry : fs::recursive_directory_iterator(folder / "scenes"))
+        if (entry.path().extension() == ".gltf")
+            write_text(entry.path(),
+                       substituted_json(read_text(entry.path()), parameters, entry.path().string()));
 }
 
 fs::path assignments_folder() {
@@ -177,8 +182,9 @@ fs::path assignments_folder() {
                 "install them, or name their folder in $STERADIAN_ASSIGNMENTS");
 }
 
-fs::path assignment_named(const std::string& name) {
-    if (fs::exists(fs::path(name) / "assignment.json")) return name;
+namespace {
+
+fs::path known_assignment(const std::string& name) {
     std::vector<std::string> known;
     for (const auto& entry : fs::directory_iterator(assignments_folder())) {
         const std::string id = entry.path().filename().string();
@@ -188,6 +194,15 @@ fs::path assignment_named(const std::string& name) {
     }
     std::ranges::sort(known);
     throw Error(fmt::format("no assignment '{}'", name), fmt::format("there are {}", fmt::join(known, ", ")));
+}
+
+} // namespace
+
+fs::path assignment_of(const FolderLabel& label) { return known_assignment(label.assignment); }
+
+fs::path assignment_named(const std::string& name) {
+    if (fs::exists(fs::path(name) / "assignment.json")) return name;
+    return known_assignment(name);
 }
 
 } // namespace sr::assignment

@@ -54,6 +54,11 @@ void make_folder(const Assignment& assignment, const std::filesystem::path& fold
 /// @throws Error naming the places, if none is a folder
 std::filesystem::path assignments_folder();
 
+/// The assignment of a label, which stands in the folder of assignments: a student's file names no other
+/// place.
+/// @throws Error
+std::filesystem::path assignment_of(const FolderLabel& label);
+
 /// The assignment of this name, or the one whose name begins with it and "-": "a3" is "a3-brdf". @throws
 /// Error
 std::filesystem::path assignment_named(const std::string& name);

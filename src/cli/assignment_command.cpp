@@ -4,6 +4,7 @@
 #include "assignment/self_test.hpp"
 #include "cli/commands.hpp"
 #include "cli/interruption.hpp"
+#include "cli/version.hpp"
 #include "core/error.hpp"
 #include "core/output.hpp"
 #include "gl/context.hpp"
@@ -38,12 +39,6 @@ struct AssignmentArguments {
     bool watch = false;
     bool pictures = false;
 };
-
-fs::path running_program() {
-    std::error_code failure;
-    const fs::path program = fs::read_symlink("/proc/self/exe", failure);
-    return failure ? fs::path("steradian") : program; // else as it is found in PATH
-}
 
 void list_assignments() {
     std::vector<fs::path> folders;

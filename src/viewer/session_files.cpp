@@ -149,7 +149,7 @@ void Session::save_scene(const std::string& file) {
 /// A saved scene or shader shows at once.
 void Session::watch_files() {
     if (!show_) return;
-    if (shader_watch_.has_changed()) reload_shaders();
+    if (shader_watch_.has_changed()) marks_ ? marks_->begin() : reload_shaders();
     if (!loading_ && scene_watch_.has_changed()) reload();
 }
 
