@@ -143,7 +143,7 @@ void Marks::draw(float scale) const {
         points += task.points;
         if (!task.is_extra) of += task.of;
     }
-    ImGui::PushTextWrapPos(420.0f * scale);
+    ImGui::PushTextWrapPos(520.0f * scale);
     ImGui::TextUnformatted(
         fmt::format("{:g} of {:g} points{}", points, of, is_checking() ? ", checking ..." : "").c_str());
     for (const TaskMark& task : tasks_) draw_task(task);

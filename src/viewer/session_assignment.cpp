@@ -37,7 +37,7 @@ void Session::draw_marks() {
     if (!marks_) return;
     ImGui::SetNextWindowPos({window_size().x - 10.0f, 10.0f}, ImGuiCond_FirstUseEver, {1.0f, 0.0f});
     ImGui::SetNextWindowSizeConstraints({300.0f * ui_.scale(), 0.0f},
-                                        {460.0f * ui_.scale(), 0.85f * window_size().y});
+                                        {560.0f * ui_.scale(), 0.85f * window_size().y});
     if (ImGui::Begin("Assignment", nullptr, ui_.panel_flags())) {
         const auto choice = [&](const char* label, Comparison comparison) {
             if (ImGui::RadioButton(label, look_.comparison == comparison)) look_.comparison = comparison;
