@@ -93,8 +93,14 @@ std::vector<Problem> problems_of(const gl::ShaderError& error, const std::string
     std::vector<Problem> theirs, others;
     std::istringstream log(error.log());
     for (std::string line; std::getline(log, line);)
-        if (auto problem = problem_in(line, codes))
-            (problem->source.empty() ? others : theirs).push_back(std::move(*problem));
+        if (auto problem = problem_in(line, codes)) {
+            std::vector<Problem>& known = problem->source.empty() ? others : theirs;
+            const auto is_same_line = [&](const Problem& p) {
+                return p.place == problem->place && p.line == problem->line;
+            };
+            // The first complaint about a line is the cause of the others.
+            if (std::ranges::none_of(known, is_same_line)) known.push_back(std::move(*problem));
+        }
     if (theirs.size() > most_problems) theirs.resize(most_problems);
     if (!theirs.empty()) return theirs;
     const LoneBracket lone = lone_bracket(code.text);

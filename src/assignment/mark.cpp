@@ -3,6 +3,7 @@
 #include "assignment/compile_problem.hpp"
 #include "assignment/sampling_check.hpp"
 #include "assignment/value_check.hpp"
+#include "golden/report_pixels.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -35,6 +36,14 @@ ordered_json broken(const Task& task, const std::vector<Problem>& problems) {
                                       {"source", p.source},
                                       {"hint", p.hint}});
     return result;
+}
+
+/// Yours and the reference's, as reports carry them.
+ordered_json packed(const Finding& finding) {
+    ordered_json yours = golden::packed_pixels(*finding.picture),
+                 reference = golden::packed_pixels(*finding.reference);
+    if (reference == yours) reference = "equal";
+    return {{"yours", std::move(yours)}, {"reference", std::move(reference)}};
 }
 
 /// A text filled with blanks to a width in code points.
@@ -106,6 +115,7 @@ ordered_json Marker::marked_check(const Task& task, const Check& check, const Co
                         {"hint", finding.passed ? "" : hint_for(task, check, finding)}};
     if (finding.diagnosis)
         result["diagnosis"] = {{"name", finding.diagnosis->name}, {"text", finding.diagnosis->text}};
+    if (keeps_pictures_ && finding.picture && finding.reference) result["pictures"] = packed(finding);
     return result;
 }
 
@@ -147,7 +157,9 @@ ordered_json Marker::mark(const Task& task, const Submission& submission) {
 }
 
 ordered_json ended_early(const Task& task, const std::string& why) {
-    return broken(task, {{"", 0, 0, why, {}, "Look for a loop that does not end."}});
+    ordered_json result = broken(task, {{"", 0, 0, why, {}, "Look for a loop that does not end."}});
+    result["ended_early"] = true;
+    return result;
 }
 
 ordered_json summed(const Assignment& assignment, const std::string& student, const ordered_json& tasks) {
@@ -161,6 +173,12 @@ ordered_json summed(const Assignment& assignment, const std::string& student, co
             {"of", of},
             {"percent", of > 0.0 ? 100.0 * points / of : 0.0},
             {"tasks", tasks}};
+}
+
+ordered_json without_pictures(ordered_json result) {
+    for (ordered_json& task : result["tasks"])
+        for (ordered_json& check : task["checks"]) check.erase("pictures");
+    return result;
 }
 
 std::string table_of(const ordered_json& result) {

@@ -10,9 +10,11 @@ namespace sr::assignment {
 
 class Marker {
 public:
-    /// Needs a current context for as long as it lives.
-    Marker(const Assignment& assignment, const std::string& student)
+    /// Needs a current context for as long as it lives. `keeps_pictures`: image checks have "pictures", which
+    /// reports show.
+    Marker(const Assignment& assignment, const std::string& student, bool keeps_pictures = false)
         : assignment_(assignment),
+          keeps_pictures_(keeps_pictures),
           parameters_(parameters_of(assignment, student)),
           pictures_(assignment_, parameters_) {}
 
@@ -26,6 +28,7 @@ private:
     Finding found(const Task& task, const Check& check, const Codes& codes);
 
     const Assignment& assignment_;
+    bool keeps_pictures_;
     Parameters parameters_;
     Pictures pictures_;
     std::string last_mistake_; // of the task that is being marked
@@ -35,6 +38,9 @@ private:
 /// "tasks"}.
 nlohmann::ordered_json summed(const Assignment& assignment, const std::string& student,
                               const nlohmann::ordered_json& tasks);
+
+/// The same without pictures, as assets/assignment_result.schema.json has it.
+nlohmann::ordered_json without_pictures(nlohmann::ordered_json result);
 
 /// The result of a task whose check did not come to its end.
 nlohmann::ordered_json ended_early(const Task& task, const std::string& why);

@@ -1,5 +1,7 @@
 #include "assignment/sampling_check.hpp"
 
+#include "core/chi_squared.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -26,27 +28,6 @@ std::size_t cell_of(glm::dvec3 w) {
     const double turn = std::atan2(w.y, w.x) / (2.0 * glm::pi<double>()) + 0.5;
     return static_cast<std::size_t>(ring * sectors
                                     + std::clamp(static_cast<int>(turn * sectors), 0, sectors - 1));
-}
-
-/// Pearson's statistic over cells that expect 10 or more, the others together, in its standard deviations
-/// above its mean.
-double deviations(const std::vector<double>& expected, const std::vector<double>& counts) {
-    double statistic = 0.0, few = 0.0, few_counted = 0.0;
-    int cells = -1;
-    const auto add = [&](double e, double n) {
-        statistic += (n - e) * (n - e) / e;
-        ++cells;
-    };
-    for (std::size_t i = 0; i < expected.size(); ++i) {
-        if (expected[i] >= 10.0) {
-            add(expected[i], counts[i]);
-        } else {
-            few += expected[i];
-            few_counted += counts[i];
-        }
-    }
-    if (few >= 10.0 || few_counted > 40.0) add(std::max(few, 1.0), few_counted);
-    return cells > 0 ? (statistic - cells) / std::sqrt(2.0 * cells) : 1e9;
 }
 
 /// How many directions of a row fall into each cell.
@@ -105,7 +86,7 @@ Finding check_samples(const Assignment& assignment, const Parameters& parameters
             integral += share;
         }
         finding.is_implemented = finding.is_implemented && row.is_implemented;
-        const double statistic = row.is_unit ? deviations(expected, row.counts) : 1e9;
+        const double statistic = row.is_unit ? chi_squared_excess(expected, row.counts).value_or(1e9) : 1e9;
         if (!(statistic <= worst)) {
             worst = statistic;
             finding.at = described(draws, r * draws.group, "u");

@@ -1,7 +1,9 @@
 #include "assignment/submission.hpp"
 
+#include "assignment/archive.hpp"
 #include "assignment/stub.hpp"
 #include "core/error.hpp"
+#include "core/file.hpp"
 #include "golden/suite_reader.hpp"
 #include "image/whole_file.hpp"
 
@@ -16,21 +18,6 @@ namespace sr::assignment {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::uintmax_t most_bytes = 1 << 20; // of a student's file
-
-std::string read_text(const fs::path& file) {
-    std::error_code failure;
-    if (!fs::is_regular_file(fs::symlink_status(file, failure)))
-        throw Error({file.string()}, "no file", "put it back: `steradian assignment new` makes it");
-    if (fs::file_size(file, failure) > most_bytes)
-        throw Error({file.string()}, "larger than 1 MiB", "hand in the shaders alone");
-    std::ifstream stream(file, std::ios::binary);
-    std::ostringstream text;
-    if (stream) text << stream.rdbuf();
-    if (!stream) throw Error({file.string()}, "cannot be read", "check its permissions");
-    return text.str();
-}
 
 void write_text(const fs::path& file, const std::string& text) {
     fs::create_directories(file.parent_path());
@@ -63,6 +50,11 @@ void add_regions(Submission& submission, const Assignment& assignment, const std
     }
 }
 
+/// Whether students write in this file; the others are given.
+bool is_written(const Assignment& assignment, const std::string& file) {
+    return !regions_of(assignment.files.at(file), assignment.place_of(file)).empty();
+}
+
 fs::path program_folder() {
     std::error_code ignored;
     return fs::read_symlink("/proc/self/exe", ignored).parent_path();
@@ -70,27 +62,49 @@ fs::path program_folder() {
 
 } // namespace
 
-FolderLabel label_of(const fs::path& folder) {
-    const golden::JsonText text(folder / "assignment.json");
+FolderLabel label_of(const fs::path& submission) {
+    const SubmittedFiles files(submission);
+    const std::string name = "assignment.json";
+    const golden::JsonText text(files.place(name), files.text(name));
     const golden::SuiteReader root(text, golden::SuiteReader::Pointer(""));
     if (!root.has("assignment"))
         root.fail("no student's folder", "make one with `steradian assignment new NAME DIR`");
     return {root.required_text("assignment"), root.text("student", "")};
 }
 
-Submission read_submission(const Assignment& assignment, const fs::path& folder) {
+Submission read_submission(const Assignment& assignment, const fs::path& from) {
+    const SubmittedFiles files(from);
     Submission submission;
     for (const auto& [name, reference] : assignment.files) {
-        const fs::path file = folder / name;
-        if (regions_of(reference, assignment.place_of(name)).empty()) continue; // given, not the student's
+        if (!is_written(assignment, name)) continue; // given
         try {
-            add_regions(submission, assignment, name, read_text(file), file.string());
+            add_regions(submission, assignment, name, files.text(name), files.place(name).string());
         } catch (const Error& error) {
             for (const Task& task : assignment.tasks)
                 if (task.file == name) submission.faults[task.id] = error.what();
         }
     }
     return submission;
+}
+
+std::vector<fs::path> files_of(const fs::path& submission) {
+    if (!fs::is_directory(submission)) return {submission};
+    const Assignment assignment = load(assignment_of(label_of(submission)));
+    std::vector<fs::path> files{submission / "assignment.json"};
+    for (const auto& [name, reference] : assignment.files)
+        if (is_written(assignment, name)) files.push_back(submission / name);
+    return files;
+}
+
+void pack(const fs::path& submission, const std::string& result, const fs::path& archive) {
+    const SubmittedFiles files(submission);
+    std::vector<PackedFile> packed;
+    for (const fs::path& file : files_of(submission)) {
+        const std::string name = file.filename().string();
+        packed.push_back({name, files.text(name)});
+    }
+    if (!result.empty()) packed.push_back({"result.json", result});
+    write_archive(archive, packed);
 }
 
 std::string student_version(const Assignment& assignment, const std::string& file) {
@@ -125,7 +139,7 @@ std::string student_version(const Assignment& assignment, const std::string& fil
 Submission empty_submission(const Assignment& assignment) {
     Submission submission;
     for (const auto& [name, text] : assignment.files)
-        if (!regions_of(text, assignment.place_of(name)).empty())
+        if (is_written(assignment, name))
             add_regions(submission, assignment, name, student_version(assignment, name), name);
     return submission;
 }
@@ -150,6 +164,11 @@ void make_folder(const Assignment& assignment, const fs::path& folder, const std
     for (const char* part : {"figures", "scenes", "overlay"})
         if (const fs::path from = assignment.folder / part; fs::is_directory(from))
             fs::copy(from, folder / part, fs::copy_options::recursive);
+    if (parameters.empty() || !fs::is_directory(folder / "scenes")) return;
+    for (const auto& entry : fs::recursive_directory_iterator(folder / "scenes"))
+        if (entry.path().extension() == ".gltf")
+            write_text(entry.path(),
+                       substituted_json(read_text(entry.path()), parameters, entry.path().string()));
 }
 
 fs::path assignments_folder() {
@@ -164,8 +183,9 @@ fs::path assignments_folder() {
                 "install them, or name their folder in $STERADIAN_ASSIGNMENTS");
 }
 
-fs::path assignment_named(const std::string& name) {
-    if (fs::exists(fs::path(name) / "assignment.json")) return name;
+namespace {
+
+fs::path known_assignment(const std::string& name) {
     std::vector<std::string> known;
     for (const auto& entry : fs::directory_iterator(assignments_folder())) {
         const std::string id = entry.path().filename().string();
@@ -175,6 +195,15 @@ fs::path assignment_named(const std::string& name) {
     }
     std::ranges::sort(known);
     throw Error(fmt::format("no assignment '{}'", name), fmt::format("there are {}", fmt::join(known, ", ")));
+}
+
+} // namespace
+
+fs::path assignment_of(const FolderLabel& label) { return known_assignment(label.assignment); }
+
+fs::path assignment_named(const std::string& name) {
+    if (fs::exists(fs::path(name) / "assignment.json")) return name;
+    return known_assignment(name);
 }
 
 } // namespace sr::assignment

@@ -15,8 +15,8 @@ struct FolderLabel {
     std::string student;
 };
 
-/// @throws Error if the folder is none that `assignment new` made
-FolderLabel label_of(const std::filesystem::path& folder);
+/// Of a folder or an archive. @throws Error if it is none that `assignment new` or `pack` made
+FolderLabel label_of(const std::filesystem::path& submission);
 
 /// A student's code by task, and what is wrong with files that cannot be read as regions.
 struct Submission {
@@ -24,8 +24,17 @@ struct Submission {
     std::map<std::string, std::string> faults; // by task: one line
 };
 
-/// Reads the student's *.glsl files. Whatever is wrong with them becomes a fault of the tasks concerned.
-Submission read_submission(const Assignment& assignment, const std::filesystem::path& folder);
+/// Reads the student's *.glsl files from a folder or an archive. Whatever is wrong with them becomes a fault
+/// of the tasks concerned.
+Submission read_submission(const Assignment& assignment, const std::filesystem::path& from);
+
+/// A folder's label and the files that its student writes; an archive itself. @throws Error
+std::vector<std::filesystem::path> files_of(const std::filesystem::path& submission);
+
+/// Writes these files of a folder, and the text `result` as result.json unless it is empty, to a zip file.
+/// What the student's own check found is no proof: `check` never reads it. @throws Error
+void pack(const std::filesystem::path& folder, const std::string& result,
+          const std::filesystem::path& archive);
 
 /// The student's version of one of the reference's files: signatures with bodies that are still to be
 /// written.
@@ -44,6 +53,11 @@ void make_folder(const Assignment& assignment, const std::filesystem::path& fold
 /// ../share/steradian/assignments from there (where they are installed).
 /// @throws Error naming the places, if none is a folder
 std::filesystem::path assignments_folder();
+
+/// The assignment of a label, which stands in the folder of assignments: a student's file names no other
+/// place.
+/// @throws Error
+std::filesystem::path assignment_of(const FolderLabel& label);
 
 /// The assignment of this name, or the one whose name begins with it and "-": "a3" is "a3-brdf". @throws
 /// Error

@@ -1,5 +1,7 @@
 #include "brdf/laws.hpp"
 
+#include "core/chi_squared.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -84,26 +86,6 @@ std::size_t cell_of(vec3 w) {
     return static_cast<std::size_t>(ring * sectors + std::min(static_cast<int>(turn * sectors), sectors - 1));
 }
 
-/// Pearson's statistic over cells that expect 10 samples or more, in its standard deviations above its mean.
-double chi_squared_excess(const std::vector<double>& expected, const std::vector<double>& counts) {
-    double statistic = 0.0, rest_expected = 0.0, rest = 0.0;
-    int cells = -1;
-    const auto add = [&](double e, double n) {
-        statistic += (n - e) * (n - e) / e;
-        ++cells;
-    };
-    for (std::size_t i = 0; i < expected.size(); ++i) {
-        if (expected[i] >= 10.0) {
-            add(expected[i], counts[i]);
-        } else {
-            rest_expected += expected[i];
-            rest += counts[i];
-        }
-    }
-    if (rest_expected >= 10.0 || rest > 40.0) add(std::max(rest_expected, 1.0), rest);
-    return cells > 0 ? (statistic - cells) / std::sqrt(2.0 * cells) : 0.0;
-}
-
 /// Points of the unit square: one at random in each cell of a grid, or all at random.
 std::vector<vec2> random_points(bool is_stratified) {
     std::mt19937 random(2);
@@ -137,7 +119,8 @@ void check_sampling(Trial& trial, Law& normalisation, Law& sampling) {
         const double is_below = drawn(trial, wo, true)[below];
         keep_worst(normalisation, std::abs((above + is_below) / count - 1.0), text_of(wo));
         expected[below] = is_below;
-        keep_worst(sampling, chi_squared_excess(expected, drawn(trial, wo, false)), text_of(wo));
+        keep_worst(sampling, chi_squared_excess(expected, drawn(trial, wo, false)).value_or(0.0),
+                   text_of(wo));
     }
 }
 

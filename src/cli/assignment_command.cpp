@@ -1,24 +1,24 @@
+#include "assignment/check.hpp"
 #include "assignment/mark.hpp"
+#include "assignment/report.hpp"
 #include "assignment/self_test.hpp"
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
+#include "cli/interruption.hpp"
+#include "cli/version.hpp"
 #include "core/error.hpp"
 #include "core/output.hpp"
 #include "gl/context.hpp"
 #include "golden/bytes_of_file.hpp"
-#include "golden/child.hpp"
-#include "image/file.hpp"
+#include "viewer/watch.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <chrono>
+#include <cctype>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
-#include <fstream>
-#include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <unistd.h>
+#include <thread>
 
 namespace sr::cli {
 namespace {
@@ -33,15 +33,13 @@ struct AssignmentArguments {
     std::string student;
     std::string results; // of a child: where its tasks' results go, one line each
     std::vector<std::string> tasks;
+    std::string output;       // of `pack`; empty: named by assignment and student
+    std::string report;       // HTML; empty: none
     double time_limit = 20.0; // [s] of one task
     bool json = false;
+    bool watch = false;
+    bool pictures = false;
 };
-
-fs::path running_program() {
-    std::error_code failure;
-    const fs::path program = fs::read_symlink("/proc/self/exe", failure);
-    return failure ? fs::path("steradian") : program; // else as it is found in PATH
-}
 
 void list_assignments() {
     std::vector<fs::path> folders;
@@ -61,107 +59,80 @@ void make_new(const AssignmentArguments& arguments) {
                  arguments.folder, arguments.folder);
 }
 
-/// The whole of a check in this process: each task's result goes to a line of `results` as soon as it is
-/// there.
-void mark_here(const AssignmentArguments& arguments) {
-    const assignment::FolderLabel label = assignment::label_of(arguments.folder);
-    const auto assignment = assignment::load(assignment::assignment_named(label.assignment));
-    const auto submission = assignment::read_submission(assignment, arguments.folder);
-    const auto context = gl::open_context({gl::Backend::automatic, false});
-    assignment::Marker marker(assignment, label.student);
-    std::ofstream results(arguments.results, std::ios::app);
-    for (const std::string& task : arguments.tasks)
-        results << marker.mark(assignment.task(task), submission).dump(-1, ' ', false, replace) << std::endl;
+assignment::CheckOptions options_of(const AssignmentArguments& arguments) {
+    assignment::CheckOptions options;
+    options.program = running_program();
+    options.time_limit = arguments.time_limit;
+    options.keeps_pictures = !arguments.report.empty();
+    return options;
 }
 
-/// Says so once a file has not grown for as long as a task may take.
-class Standstill {
-public:
-    Standstill(fs::path file, double limit) : file_(std::move(file)), limit_(limit) {}
-
-    bool operator()() {
-        std::error_code failure;
-        const std::uintmax_t size = fs::file_size(file_, failure);
-        const auto now = std::chrono::steady_clock::now();
-        if (!failure && size != size_) {
-            size_ = size;
-            since_ = now;
-        }
-        return std::chrono::duration<double>(now - since_).count() > limit_;
-    }
-
-private:
-    fs::path file_;
-    double limit_;
-    std::uintmax_t size_ = 0;
-    std::chrono::steady_clock::time_point since_ = std::chrono::steady_clock::now();
-};
-
-/// A folder for the results of children, which goes with it.
-struct ResultsFolder {
-    fs::path path = fs::temp_directory_path() / fmt::format("steradian-check-{}", getpid());
-
-    ResultsFolder() { fs::create_directories(path); }
-    ~ResultsFolder() {
-        std::error_code ignored;
-        fs::remove_all(path, ignored);
-    }
-    ResultsFolder(const ResultsFolder&) = delete;
-    ResultsFolder& operator=(const ResultsFolder&) = delete;
-};
-
-ordered_json results_in(const fs::path& file) {
-    ordered_json tasks = ordered_json::array();
-    std::ifstream stream(file);
-    for (std::string line; std::getline(stream, line);)
-        if (auto task = ordered_json::parse(line, nullptr, false); !task.is_discarded())
-            tasks.push_back(std::move(task));
-    return tasks;
-}
-
-/// Marks in child processes: a shader that hangs or kills the driver costs its own task.
-ordered_json marked_by_children(const AssignmentArguments& arguments,
-                                const assignment::Assignment& assignment) {
-    const ResultsFolder scratch;
-    ordered_json tasks = ordered_json::array();
-    while (tasks.size() < assignment.tasks.size()) {
-        const fs::path results = scratch.path / fmt::format("{}.jsonl", tasks.size()),
-                       log = scratch.path / "log";
-        std::vector<std::string> words{running_program().string(), "assignment", "mark",
-                                       fs::absolute(arguments.folder).string(), results.string()};
-        for (std::size_t i = tasks.size(); i < assignment.tasks.size(); ++i)
-            words.push_back(assignment.tasks[i].id);
-        const auto end = golden::run_child(
-            {words, fs::current_path(), log, 3600.0, Standstill(results, arguments.time_limit)});
-        for (ordered_json& task : results_in(results)) tasks.push_back(std::move(task));
-        if (end.is_success()) break;
-        if (end.way == golden::ChildEnd::Way::exited) {
-            std::ifstream stream(log);
-            std::string line;
-            std::getline(stream, line);
-            throw Error(line, "see the assignment's own files");
-        }
-        if (tasks.size() == assignment.tasks.size()) break;
-        const std::string why =
-            end.way == golden::ChildEnd::Way::stopped
-                ? fmt::format("its checks took longer than {:g} s and were ended", arguments.time_limit)
-                : "its checks " + end.text();
-        tasks.push_back(assignment::ended_early(assignment.tasks[tasks.size()], why));
-    }
-    return tasks;
-}
-
-ExitStatus check(const AssignmentArguments& arguments) {
-    const assignment::FolderLabel label = assignment::label_of(arguments.folder);
-    const auto assignment = assignment::load(assignment::assignment_named(label.assignment));
-    const ordered_json result =
-        assignment::summed(assignment, label.student, marked_by_children(arguments, assignment));
-    print_data("{}",
-               arguments.json ? result.dump(2, ' ', false, replace) + "\n" : assignment::table_of(result));
-    const bool is_whole = std::ranges::all_of(result["tasks"], [](const ordered_json& task) {
+/// Prints a result and writes the report. Whether every task that is not extra has all its points.
+bool show(const ordered_json& result, const AssignmentArguments& arguments) {
+    const ordered_json bare = assignment::without_pictures(result);
+    print_data("{}", arguments.json ? bare.dump(arguments.watch ? -1 : 2, ' ', false, replace) + "\n"
+                                    : assignment::table_of(bare));
+    flush_output();
+    if (!arguments.report.empty()) golden::write_text(arguments.report, assignment::report_html(result));
+    return std::ranges::all_of(result["tasks"], [](const ordered_json& task) {
         return task["extra"].get<bool>() || task["status"] == "passed";
     });
-    return is_whole ? done : failed_check;
+}
+
+ExitStatus check_once(const AssignmentArguments& arguments) {
+    const Interruption interruption;
+    assignment::CheckOptions options = options_of(arguments);
+    options.is_stopped = [&] { return interruption.has_come(); };
+    const auto result = assignment::checked(arguments.folder, options);
+    if (!result) return interrupted;
+    return show(*result, arguments) ? done : failed_check;
+}
+
+/// Checks again whenever the student saves, until Ctrl-C. A save while a check runs begins it anew.
+ExitStatus check_and_watch(const AssignmentArguments& arguments) {
+    const Interruption interruption;
+    viewer::Watch saves;
+    saves.set(assignment::files_of(arguments.folder));
+    assignment::CheckOptions options = options_of(arguments);
+    bool is_outdated = false;
+    options.is_stopped = [&] {
+        is_outdated = is_outdated || saves.has_changed();
+        return is_outdated || interruption.has_come();
+    };
+    options.on_task = [](const ordered_json& task) {
+        print_remark("  {} {:g}/{:g} {}", task["id"].get<std::string>(), task["points"].get<double>(),
+                     task["of"].get<double>(), task["status"].get<std::string>());
+    };
+    while (!interruption.has_come()) {
+        is_outdated = false;
+        print_remark("checking {}", arguments.folder);
+        if (const auto result = assignment::checked(arguments.folder, options)) {
+            show(*result, arguments);
+            print_remark("saving a file checks again; Ctrl-C ends");
+        }
+        while (!options.is_stopped()) std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    }
+    return done;
+}
+
+/// "a3-brdf-12345.zip"; what no file name should have becomes "_".
+std::string archive_name(const assignment::FolderLabel& label) {
+    std::string name = label.assignment + (label.student.empty() ? "" : "-" + label.student);
+    for (char& c : name)
+        if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-' && c != '.' && c != '_') c = '_';
+    return name + ".zip";
+}
+
+void pack(const AssignmentArguments& arguments) {
+    const assignment::FolderLabel label = assignment::label_of(arguments.folder);
+    const std::string archive = arguments.output.empty() ? archive_name(label) : arguments.output;
+    const auto result = assignment::checked(arguments.folder, options_of(arguments));
+    assignment::pack(arguments.folder, result->dump(2, ' ', false, replace) + "\n", archive);
+    for (const ordered_json& task : (*result)["tasks"])
+        print_data("{} {:g}/{:g} {}\n", task["id"].get<std::string>(), task["points"].get<double>(),
+                   task["of"].get<double>(), task["status"].get<std::string>());
+    print_data("{}: {:g} of {:g} points\n", archive, (*result)["points"].get<double>(),
+               (*result)["of"].get<double>());
 }
 
 ExitStatus prove(const AssignmentArguments& arguments) {
@@ -195,15 +166,20 @@ void add_name(CLI::App& command, AssignmentArguments& arguments) {
 
 void add_check(CLI::App& app, const std::shared_ptr<AssignmentArguments>& arguments) {
     CLI::App* command = app.add_subcommand("check", "check a student's folder: marks, what is wrong, hints");
-    command->add_option("DIR", arguments->folder, "a folder that `new` made")->required();
+    command->add_option("DIR", arguments->folder, "a folder that `new` made, or a file that `pack` made")
+        ->required();
     command->add_option("--time-limit", arguments->time_limit, "of one task [s]")
         ->check(refusal_of_number)
         ->check(CLI::Range(0.1, 3600.0))
         ->capture_default_str();
     command->add_flag("--json", arguments->json,
                       "print JSON (its schema is assets/assignment_result.schema.json)");
+    command->add_option("--report", arguments->report, "write an HTML page with pictures to this file");
+    command->add_flag("--watch", arguments->watch,
+                      "check again whenever a file is saved, until Ctrl-C; JSON is one line a check");
     command->footer("Exit status 0 only if every task that is not extra has all its points.");
-    command->callback([arguments] { end_with(check(*arguments)); });
+    command->callback(
+        [arguments] { end_with(arguments->watch ? check_and_watch(*arguments) : check_once(*arguments)); });
 }
 
 } // namespace
@@ -220,6 +196,11 @@ void add_assignment_command(CLI::App& app) {
                        "the student's id, which chooses the numbers that are theirs");
     making->callback([arguments] { make_new(*arguments); });
     add_check(*command, arguments);
+    CLI::App* packing = command->add_subcommand("pack", "make the file to hand in, and say what it is worth");
+    packing->add_option("DIR", arguments->folder, "a folder that `new` made")->required();
+    packing->add_option("-o,--output", arguments->output,
+                        "a .zip file (default: ASSIGNMENT-STUDENT.zip here)");
+    packing->callback([arguments] { pack(*arguments); });
     CLI::App* building =
         command->add_subcommand("build", "for teachers: cut the student's version, without an id");
     add_name(*building, *arguments);
@@ -233,10 +214,13 @@ void add_assignment_command(CLI::App& app) {
     marking->add_option("DIR", arguments->folder)->required();
     marking->add_option("RESULTS", arguments->results)->required();
     marking->add_option("TASKS", arguments->tasks)->required();
-    marking->callback([arguments] { mark_here(*arguments); });
+    marking->add_flag("--pictures", arguments->pictures);
+    marking->callback([arguments] {
+        assignment::mark_tasks(arguments->folder, arguments->tasks, arguments->results, arguments->pictures);
+    });
     command->footer(
         "Examples:\n  steradian assignment list\n  steradian assignment new a3 my-a3 --student 12345\n"
-        "  steradian assignment check my-a3");
+        "  steradian assignment check my-a3 --watch\n  steradian assignment pack my-a3");
 }
 
 } // namespace sr::cli

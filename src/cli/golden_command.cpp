@@ -1,5 +1,6 @@
 #include "cli/commands.hpp"
 #include "cli/interruption.hpp"
+#include "cli/version.hpp"
 #include "core/error.hpp"
 #include "core/output.hpp"
 #include "core/text.hpp"
@@ -52,18 +53,11 @@ void write_report(const golden::RunResult& result, const golden::Suite& suite, c
     golden::write_text(golden::report_file(output), golden::report_html(result, suite, output));
 }
 
-/// The running program, for the children.
-fs::path this_program() {
-    std::error_code failure;
-    const fs::path program = fs::read_symlink("/proc/self/exe", failure);
-    return failure ? fs::path("steradian") : program; // else as it is found in PATH
-}
-
 ExitStatus run_suite(GoldenArguments& arguments) {
     const golden::Suite suite = golden::load_suite(arguments.suite);
     const Interruption interruption;
     golden::RunOptions& options = arguments.run;
-    options.program = this_program();
+    options.program = running_program();
     options.output = arguments.output;
     options.on_result = print_line;
     options.is_interrupted = [&] { return interruption.has_come(); };

@@ -9,4 +9,10 @@ std::string name_and_version() {
     return "Steradian " STERADIAN_VERSION + (commit.empty() ? "" : " (commit " + commit + ")");
 }
 
+std::filesystem::path running_program() {
+    std::error_code failure;
+    const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", failure);
+    return failure ? "steradian" : program;
+}
+
 } // namespace sr::cli

@@ -1,5 +1,6 @@
 #pragma once
-// The program's name, version and commit.
+// The program's name, version and commit, and its file.
+#include <filesystem>
 #include <string>
 
 namespace sr::cli {
@@ -7,5 +8,8 @@ namespace sr::cli {
 /// Returns "Steradian 0.1.0 (commit 0123456789ab)", or without the commit where the build was not of a git
 /// checkout.
 std::string name_and_version();
+
+/// The running program, for child processes; "steradian" where the system does not tell.
+std::filesystem::path running_program();
 
 } // namespace sr::cli

@@ -1,6 +1,10 @@
+#include "assignment/evaluation.hpp"
+#include "assignment/submission.hpp"
 #include "cli/commands.hpp"
 #include "cli/interruption.hpp"
 #include "cli/render_options.hpp"
+#include "cli/version.hpp"
+#include "core/error.hpp"
 #include "core/output.hpp"
 #include "gl/lost_display.hpp"
 #include "viewer/session.hpp"
@@ -20,6 +24,7 @@ using nlohmann::ordered_json;
 
 struct ViewCommand {
     RenderCommand rendering;
+    std::string submission; // a student's folder
     bool plays = false;
     bool is_fullscreen = false;
     bool has_inertia = false;
@@ -61,6 +66,25 @@ viewer::Options viewer_options(const ViewCommand& command) {
     return options;
 }
 
+/// The scene, the shaders and the reference of a student's folder. @throws Error
+void take_assignment(viewer::Options& options, const std::string& submission) {
+    const assignment::FolderLabel label = assignment::label_of(submission);
+    const auto assignment = assignment::load(assignment::assignment_of(label));
+    const std::filesystem::path folder = submission;
+    if (options.scene.empty()) {
+        if (assignment.scene.empty())
+            throw Error({submission}, "its assignment has no scene", "name one before --assignment");
+        options.scene = (folder / assignment.scene).string();
+    }
+    options.submission = submission;
+    options.program = running_program();
+    options.shaders.push_back(submission);
+    if (std::filesystem::is_directory(folder / "overlay"))
+        options.shaders.push_back((folder / "overlay").string());
+    options.reference_path =
+        assignment::shader_path(assignment, assignment::parameters_of(assignment, label.student), {});
+}
+
 ordered_json summary(const viewer::Statistics& statistics) {
     ordered_json start;
     for (const auto& [part, seconds] : statistics.start) start[part] = seconds;
@@ -91,7 +115,9 @@ void converge_by_default(StopRule& stop) {
 void view(const ViewCommand& command) {
     const auto preloading = image::preload();
     const Interruption interruption;
-    viewer::Session session(viewer_options(command));
+    viewer::Options options = viewer_options(command);
+    if (!command.submission.empty()) take_assignment(options, command.submission);
+    viewer::Session session(std::move(options));
     gl::when_display_is_lost([] {
         write_remark("window: its display is gone: start again on one that can be reached");
         std::_Exit(worlds_fault);
@@ -117,6 +143,10 @@ void add_view_command(CLI::App& app) {
     command->get_option("--at")->description("open the animation at this time (default: the rest pose)");
     command->get_option("--animation")
         ->description("which one to play: by name or index, or all at once (default: the first)");
+    command->get_option("SCENE")->required(false);
+    command->add_option(
+        "--assignment", options->submission,
+        "a student's folder: its scene by its shaders, its marks, and the reference beside them");
     command->add_flag("--play", options->plays, "play the animation, from --at or its beginning on");
     command->add_flag("--inertia", options->has_inertia,
                       "a view that is let go in motion goes on for a moment");
@@ -131,8 +161,12 @@ void add_view_command(CLI::App& app) {
         "  steradian view scene.glb --shaders my_shaders      (saved changes show at once)\n"
         "  steradian view dancer.glb --animation Walk --play\n"
         "  steradian view scene.glb --camera 1 --exposure 9 --tone-curve agx --samples 1024\n"
+        "  steradian view --assignment my-a3                  (live, with marks; B compares with the "
+        "reference)\n"
         "  steradian view scene.glb --error 0.1%              (until it is that near to converged)");
     command->callback([options, command] {
+        if (options->rendering.scene.empty() && options->submission.empty())
+            throw CLI::ValidationError("SCENE", "name a scene, or a student's folder with --assignment");
         if (command->count("--samples") == 0) converge_by_default(options->rendering.stop);
         view(*options);
     });

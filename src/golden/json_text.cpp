@@ -84,7 +84,10 @@ std::string reason(const json::parse_error& error) {
 
 } // namespace
 
-JsonText::JsonText(const std::filesystem::path& file) : file_(file.string()), text_(bytes_of_file(file)) {
+JsonText::JsonText(const std::filesystem::path& file) : JsonText(file, bytes_of_file(file)) {}
+
+JsonText::JsonText(const std::filesystem::path& file, std::string text)
+    : file_(file.string()), text_(std::move(text)) {
     const JsonExtent extent = json_extent(text_);
     check_limit(Limit::json_values, extent.values, file_);
     if (extent.depth > deepest)

@@ -14,6 +14,9 @@ public:
     /// is nested deeper than 64 levels.
     explicit JsonText(const std::filesystem::path& file);
 
+    /// A text that stands for the file. @throws Error likewise
+    JsonText(const std::filesystem::path& file, std::string text);
+
     const nlohmann::json& root() const { return root_; }
 
     /// Where the value at a JSON pointer begins ("/tests/3/name").

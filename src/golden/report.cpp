@@ -3,7 +3,6 @@
 #include "golden/escape.hpp"
 #include "golden/report_page.hpp"
 #include "golden/report_pixels.hpp"
-#include "golden/sha256.hpp"
 #include "image/file.hpp"
 
 #include <algorithm>
@@ -91,11 +90,6 @@ ordered_json page_data(const RunResult& result, const Suite& suite, const fs::pa
             {"tests", std::move(tests)}};
 }
 
-std::string csp_hash(std::string_view text) {
-    const Digest digest = sha256({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
-    return "'sha256-" + base64({reinterpret_cast<const char*>(digest.data()), digest.size()}) + "'";
-}
-
 /// What is seen where the script may not run.
 std::string plain_table(const RunResult& result) {
     std::string rows;
@@ -108,27 +102,12 @@ std::string plain_table(const RunResult& result) {
 } // namespace
 
 std::string report_html(const RunResult& result, const Suite& suite, const fs::path& output) {
-    const ReportPage page = report_page();
     std::string title =
         fmt::format("{}: {} of {} passed", result.suite, result.count(Outcome::passed), result.tests.size());
     if (const int n = result.passed_by_alternates()) title += fmt::format(" ({} as an alternate)", n);
-    std::string data =
+    const std::string data =
         page_data(result, suite, output).dump(-1, ' ', false, ordered_json::error_handler_t::replace);
-    std::string html = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n";
-    html += fmt::format(
-        "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; "
-        "style-src {}; script-src {}; base-uri 'none'; form-action 'none'\">\n",
-        csp_hash(page.style), csp_hash(page.script));
-    html += "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<link rel=\"icon\" "
-            "href=\"data:,\">\n";
-    html += fmt::format("<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n", escaped_markup(title),
-                        page.style);
-    html += fmt::format("<main id=\"page\">\n<h1>{}</h1>\n{}</main>\n", escaped_markup(title),
-                        plain_table(result));
-    html += fmt::format(
-        "<script type=\"application/json\" id=\"data\">{}</script>\n<script>{}</script>\n</body>\n</html>\n",
-        escaped_script_json(data), page.script);
-    return html;
+    return offline_page(title, plain_table(result), data, suite_page());
 }
 
 } // namespace sr::golden

@@ -1,5 +1,6 @@
 #pragma once
 // What the viewer is asked for.
+#include "glsl/root.hpp"
 #include "image/display.hpp"
 #include "render/renderer.hpp"
 #include "render/stop_rule.hpp"
@@ -26,7 +27,12 @@ struct Options {
     render::RenderOptions rendering;
     render::StopRule stop;            // what the standing picture converges to
     std::vector<std::string> shaders; // folders, looked into before the built-in shaders
-    std::optional<float> ev100;       // absent: automatic
+    // Of an assignment, whose marks are shown.
+    std::string submission;                 // a student's folder; empty: none
+    std::filesystem::path program;          // steradian, which checks it
+    std::vector<glsl::Root> reference_path; // the reference's shaders
+    bool shows_reference = false;           // instead of what `shaders` make
+    std::optional<float> ev100;             // absent: automatic
     image::ToneCurve tone_curve = image::ToneCurve::neutral;
     int width = 0; // of the window [pixels]; 0: as it was last, or 1280 × 720
     int height = 0;

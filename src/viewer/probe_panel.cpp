@@ -4,6 +4,7 @@
 #include "viewer/palette.hpp"
 
 #include <algorithm>
+#include <array>
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -27,6 +28,17 @@ void line(ImDrawList& list, const Projection& projection, vec3 from, vec3 to, Im
 
 void label(ImDrawList& list, const Projection& projection, vec3 point, const char* words) {
     if (const auto at = projection(point)) list.AddText({at->x + 4.0f, at->y - 6.0f}, palette::white, words);
+}
+
+/// A light's terms, in the order of the table's columns after the first.
+std::array<std::string, 7> cells_of(const render::LightTerms& t) {
+    return {t.solid_angle > 0.0f ? fmt::format("{:.4g}", t.solid_angle) : "-",
+            fmt::format("{:.3f} {:.3f} {:.3f}", t.wi.x, t.wi.y, t.wi.z),
+            fmt::format("{:.4f}", t.cos_i),
+            fmt::format("{:.4f}", t.V),
+            fmt::format("{:.4g}", image::luminance(t.f_r)),
+            fmt::format("{:.4g}", image::luminance(t.E)),
+            three(t.L_r)};
 }
 
 void header_cells(const scene::Scene& scene) {
@@ -76,6 +88,11 @@ void ProbePanel::draw(const scene::Stage& stage, const Lighting& lighting,
         vec3 sum = terms.L_e;
         for (const render::LightTerms& light : terms.lights) sum += light.L_r;
         put(fmt::format("L_e {}   sum {}   L_o {}", three(terms.L_e), three(sum), three(terms.L_o)));
+        if (answer->reference)
+            ImGui::TextDisabled("%s",
+                                fmt::format("The lower numbers are the reference's: L_e {}   L_o {}",
+                                            three(answer->reference->L_e), three(answer->reference->L_o))
+                                    .c_str());
         if (answer->lobe) lobe_.draw(*answer->lobe, hovered_, scale);
     }
     ImGui::End();
@@ -99,13 +116,15 @@ void ProbePanel::draw_row(int k, const scene::Stage& stage, const Lighting& ligh
         && lamp != lamps.end())
         selected = index;
     if (ImGui::IsItemHovered()) hovered_ = k;
-    for (const std::string& cell :
-         {t.solid_angle > 0.0f ? fmt::format("{:.4g}", t.solid_angle) : "-",
-          fmt::format("{:.3f} {:.3f} {:.3f}", t.wi.x, t.wi.y, t.wi.z), fmt::format("{:.4f}", t.cos_i),
-          fmt::format("{:.4f}", t.V), fmt::format("{:.4g}", image::luminance(t.f_r)),
-          fmt::format("{:.4g}", image::luminance(t.E)), three(t.L_r)}) {
+    const auto cells = cells_of(t);
+    const bool has_reference =
+        answer->reference && answer->reference->lights.size() == answer->terms.lights.size();
+    const auto theirs =
+        has_reference ? cells_of(answer->reference->lights[static_cast<std::size_t>(k)]) : cells;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
         ImGui::TableNextColumn();
-        put(cell);
+        put(cells[i]);
+        if (has_reference) ImGui::TextDisabled("%s", theirs[i].c_str());
     }
 }
 

@@ -10,7 +10,8 @@ namespace sr::viewer {
 /// What a pixel answered.
 struct Answer {
     render::PixelTerms terms;
-    std::optional<Lobe> lobe; // absent where nothing reflects
+    std::optional<render::PixelTerms> reference; // of an assignment, at the same pixel
+    std::optional<Lobe> lobe;                    // absent where nothing reflects
     int column = 0;
     int row = 0;
     int height = 0; // of the picture

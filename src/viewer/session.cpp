@@ -46,6 +46,11 @@ Session::Session(Options options)
     statistics_.renderer = window_.info().renderer;
     look_.curve = options_.tone_curve;
     glfwGetFramebufferSize(window_.handle(), &width_, &height_);
+    if (!options_.submission.empty()) {
+        marks_ = std::make_unique<Marks>(options_.submission, options_.program);
+        marks_->begin();
+        options_.shows_reference = true;
+    }
     open(options_.scene);
 }
 
@@ -66,6 +71,7 @@ void Session::run(const std::function<bool()>& is_interrupted) {
         wait();
         take_loaded();
         take_flip();
+        take_marks();
         watch_files();
         std::vector<Event> events = input_.take();
         if (input_.take_damage() || !events.empty()) frames_to_draw_ = frames_after_event;
@@ -84,7 +90,8 @@ void Session::run(const std::function<bool()>& is_interrupted) {
 /// Whether a frame is to be drawn.
 bool Session::is_busy() const {
     return frames_to_draw_ > 0 || hand_.is_flying() || hand_.is_gliding() || playback_.is_playing
-           || (show_ && !show_->picture().is_done());
+           || (show_ && !show_->picture().is_done())
+           || (shows_reference_beside() && !(show_->reference() && show_->reference()->is_done()));
 }
 
 /// Sleeps while there is nothing to do: no processor and no GPU is used.
@@ -92,7 +99,8 @@ void Session::wait() {
     if (is_busy())
         glfwPollEvents();
     else
-        glfwWaitEventsTimeout(loading_ || flipping_ ? 0.01 : poll_interval);
+        glfwWaitEventsTimeout(loading_ || flipping_ || (marks_ && marks_->is_checking()) ? 0.01
+                                                                                         : poll_interval);
 }
 
 void Session::take_loaded() {
@@ -165,7 +173,7 @@ void Session::advance() {
         width_ = width;
         height_ = height;
         if (eye_) eye_->set_aspect_ratio(static_cast<float>(width) / static_cast<float>(height));
-        if (show_) show_->picture().resize(width, height);
+        if (show_) show_->resize(width, height);
     }
     if (!show_) return;
     fly(seconds);
@@ -182,6 +190,7 @@ void Session::advance() {
     last_cpu_ = Statistics::cpu();
     const bool was_done = picture.is_done();
     picture.advance();
+    advance_reference();
     if (picture.is_done() && !was_done && options_.is_verbose)
         print_remark("converged: {}, --camera '{}'{}", progress_of(picture), eye_->argument(),
                      moment_argument());
@@ -242,6 +251,7 @@ void Session::draw_panels() {
     lights_.draw_marks(show_->lighting(), projection(), ui_.scale());
     draw_animation();
     draw_grip();
+    draw_marks();
     const Picture& picture = show_->picture();
     status_line({progress_of(picture), under_pointer(), message_});
     ImGui::SetNextWindowPos({10.0f, 10.0f}, ImGuiCond_FirstUseEver);

@@ -8,6 +8,7 @@
 #include "viewer/handles.hpp"
 #include "viewer/input.hpp"
 #include "viewer/lights_panel.hpp"
+#include "viewer/marks.hpp"
 #include "viewer/playback.hpp"
 #include "viewer/probe_panel.hpp"
 #include "viewer/screen.hpp"
@@ -119,6 +120,12 @@ private:
     void next_comparison();
     FilmSum other_film() const;
 
+    // session_assignment.cpp: a student's folder
+    void take_marks();
+    bool shows_reference_beside() const;
+    void advance_reference();
+    void draw_marks();
+
     // session_files.cpp: what is read and written
     void open(const std::string& file);
     void take_dropped(const std::vector<std::string>& files);
@@ -153,6 +160,7 @@ private:
     bool keeps_edits_ = false; // of lights, when the file that is being read is there
     ProbePanel probe_;
     std::optional<vec2> question_; // the place in the window that is to be asked
+    std::unique_ptr<Marks> marks_; // of a student's folder; null: none
     std::optional<Reference> reference_;
     std::optional<Reference> flip_;
     std::optional<std::future<FlipMap>> flipping_;

@@ -22,12 +22,18 @@ void Session::answer_question() {
     options.knows_error = false;
     const int column = std::clamp(static_cast<int>(place.x * static_cast<float>(width_)), 0, width_ - 1);
     const int row = std::clamp(static_cast<int>(place.y * static_cast<float>(height_)), 0, height_ - 1);
-    auto terms = render::probe(show_->gpu(), eye_->camera(), options, column, row, [this] {
+    const auto goes_on = [this] {
         glfwPollEvents();
         return !input_.wants_to_stop();
-    });
+    };
+    auto terms = render::probe(show_->gpu(), eye_->camera(), options, column, row, goes_on);
     if (!terms) return say("the question was taken back");
-    probe_.answer = Answer{*std::move(terms), {}, column, row, height_, options.samples};
+    probe_.answer = Answer{*std::move(terms), {}, {}, column, row, height_, options.samples};
+    if (marks_ && !options_.shows_reference) {
+        render::RenderOptions theirs = options;
+        theirs.shader_path = options_.reference_path;
+        probe_.answer->reference = render::probe(show_->gpu(), eye_->camera(), theirs, column, row, goes_on);
+    }
     probe_.answer->lobe = lobe_of(probe_.answer->terms, options, column, row);
     say(fmt::format("pixel {},{} answers", column, row));
     frames_to_draw_ = 3;
@@ -107,8 +113,9 @@ void Session::load_reference(const std::string& file) {
 }
 
 void Session::next_comparison() {
-    if (!reference_) return keep_picture();
-    look_.comparison = static_cast<Comparison>((static_cast<int>(look_.comparison) + 1) % 4);
+    if (!reference_ && !marks_) return keep_picture();
+    const int count = reference_ ? 4 : 3; // there is no FLIP map against a picture that still gathers samples
+    look_.comparison = static_cast<Comparison>((static_cast<int>(look_.comparison) + 1) % count);
     if (look_.comparison == Comparison::flip) begin_flip();
     constexpr std::array names{"this picture alone", "wipe", "difference", "FLIP map"};
     say(names[static_cast<std::size_t>(look_.comparison)]);
@@ -141,7 +148,9 @@ void Session::take_flip() {
 
 FilmSum Session::other_film() const {
     if (look_.comparison == Comparison::flip) return flip_ ? flip_->sum() : FilmSum{};
-    return reference_ ? reference_->sum() : FilmSum{};
+    if (reference_) return reference_->sum();
+    const Picture* theirs = shows_reference_beside() ? show_->reference() : nullptr;
+    return theirs && theirs->sample_count() > 0 ? theirs->shown() : FilmSum{};
 }
 
 } // namespace sr::viewer

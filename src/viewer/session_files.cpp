@@ -6,6 +6,7 @@
 #include "viewer/saved_gltf.hpp"
 #include "viewer/screenshot.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
 
@@ -149,7 +150,7 @@ void Session::save_scene(const std::string& file) {
 /// A saved scene or shader shows at once.
 void Session::watch_files() {
     if (!show_) return;
-    if (shader_watch_.has_changed()) reload_shaders();
+    if (shader_watch_.has_changed()) marks_ ? marks_->begin() : reload_shaders();
     if (!loading_ && scene_watch_.has_changed()) reload();
 }
 
@@ -172,6 +173,7 @@ void Session::reload_shaders() {
 void Session::fail(const std::string& title, const std::string& text) {
     error_title_ = title;
     error_text_ = text;
+    frames_to_draw_ = std::max(frames_to_draw_, 3); // a panel learns its size by being drawn
     if (options_.is_verbose) write_remark(text);
 }
 

@@ -100,7 +100,7 @@ void Session::fly(double seconds) {
 }
 
 void Session::move_camera() {
-    show_->picture().move(eye_->camera());
+    show_->move(eye_->camera());
     measured_samples_ = 0;
 }
 

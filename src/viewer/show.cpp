@@ -38,10 +38,32 @@ void Show::make_picture(const Options& options, const scene::Camera& camera, int
     compile_seconds_ = seconds_since(begin);
 }
 
+void Show::resize(int width, int height) {
+    picture_->resize(width, height);
+    if (reference_) reference_->resize(width, height);
+}
+
+void Show::move(const scene::Camera& camera) {
+    picture_->move(camera);
+    if (reference_) reference_->move(camera);
+}
+
+void Show::advance_reference(const Options& options, const scene::Camera& camera, int width, int height) {
+    if (!reference_ || reference_estimator_ != options.rendering.estimator) {
+        Options theirs = options;
+        theirs.shows_reference = true;
+        reference_ =
+            std::make_unique<Picture>(gpu_, camera, render_options(theirs, width, height), options.stop);
+        reference_estimator_ = options.rendering.estimator;
+    }
+    reference_->advance();
+}
+
 void Show::set_visibility(Options& options, render::Visibility visibility, const scene::Camera& camera,
                           int width, int height) {
     const render::Visibility before = options.visibility;
     options.visibility = visibility;
+    reference_.reset();
     try {
         gpu_ = uploaded(scene_, options, upload_seconds_);
         make_picture(options, camera, width, height);
@@ -57,6 +79,7 @@ void Show::relight(bool casters_change) {
     lighting_.apply(scene_);
     gpu_.relight(scene_.stage.scene, scene_.stage.lights, scene_.base.meshes, casters_change);
     picture_->relit();
+    if (reference_) reference_->relit();
 }
 
 void Show::pose(const gltf::Moment& moment) {
@@ -73,6 +96,7 @@ void Show::pose(const gltf::Moment& moment) {
     const bool deforms = scene_.contents.skins > 0 || scene_.contents.morph_targets > 0;
     gpu_.relight(scene_.stage.scene, scene_.stage.lights, deforms ? 0 : scene_.base.meshes, true);
     picture_->relit();
+    if (reference_) reference_->relit();
     if (failure) std::rethrow_exception(failure);
 }
 
@@ -88,6 +112,10 @@ render::RenderOptions render_options(const Options& options, int width, int heig
     rendering.height = height;
     rendering.samples = options.stop.samples;
     rendering.knows_error = options.stop.asks_for_error();
+    if (options.shows_reference) {
+        rendering.shader_path = options.reference_path;
+        return rendering;
+    }
     rendering.shader_path.clear();
     for (const std::string& folder : options.shaders)
         rendering.shader_path.push_back(glsl::Root::folder(folder));

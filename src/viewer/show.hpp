@@ -20,6 +20,16 @@ public:
     Picture& picture() { return *picture_; }
     const Picture& picture() const { return *picture_; }
 
+    /// These are for both pictures, this one and the reference's.
+    void resize(int width, int height);
+    void move(const scene::Camera& camera);
+
+    /// Adds samples to the picture by Options::reference_path, which the first call makes. @throws Error,
+    /// ShaderError
+    void advance_reference(const Options& options, const scene::Camera& camera, int width, int height);
+    /// Null before that.
+    const Picture* reference() const { return reference_.get(); }
+
     /// The picture anew, with the shaders as they are on disk now; where they do not compile the old one
     /// stays.
     /// @throws Error, ShaderError
@@ -50,6 +60,8 @@ private:
     render::GpuScene gpu_;
     Lighting lighting_;
     std::unique_ptr<Picture> picture_;
+    std::unique_ptr<Picture> reference_;
+    render::Estimator reference_estimator_ = render::Estimator::sampled;
 };
 
 /// What the standing picture is rendered with, in a window of this size. @throws Error if a folder is none

@@ -1,5 +1,5 @@
-# cmake -DROOT=report -DOUT=report_page.cpp -P embed.cmake: the report's style and scripts as a C++ file that
-# defines sr::golden::report_page().
+# cmake -DROOT=report -DFUNCTION=sr::golden::report_base -DHEADER=golden/report_page.hpp -DOUT=report_base.cpp -P embed.cmake: the style and the
+# scripts of a folder as a C++ file that defines the function, which returns a sr::golden::ReportPage.
 function(raw_string file out)
   file(READ "${file}" text)
   string(FIND "${text}" ")__page__\"" end_mark)
@@ -9,24 +9,24 @@ function(raw_string file out)
   set(${out} "R\"__page__(${text})__page__\"" PARENT_SCOPE)
 endfunction()
 
-raw_string("${ROOT}/page.css" style)
-file(GLOB scripts "${ROOT}/*.js")
-list(SORT scripts)
+set(style "std::string()")
 set(script "std::string()")
-foreach(file IN LISTS scripts)
+file(GLOB files "${ROOT}/*.css" "${ROOT}/*.js")
+list(SORT files)
+foreach(file IN LISTS files)
   raw_string("${file}" text)
-  string(APPEND script "\n            + ${text}")
+  if(file MATCHES "css$")
+    string(APPEND style "\n            + ${text}")
+  else()
+    string(APPEND script "\n            + ${text}")
+  endif()
 endforeach()
 
 file(WRITE "${OUT}" "// Made by src/golden/report/embed.cmake.
-#include \"golden/report_page.hpp\"
+#include \"${HEADER}\"
 
-namespace sr::golden {
-
-ReportPage report_page() {
+sr::golden::ReportPage ${FUNCTION}() {
     return {${style},
             ${script}};
 }
-
-} // namespace sr::golden
 ")

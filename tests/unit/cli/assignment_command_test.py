@@ -4,11 +4,16 @@
 usage: assignment_command_test.py STERADIAN ASSIGNMENTS_FOLDER TEST_NAME     (a method of Student below)
 """
 import json
+import os
 import re
+import shutil
+import signal
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
+import zipfile
 from pathlib import Path
 
 STERADIAN, ASSIGNMENTS = sys.argv[1], Path(sys.argv[2])
@@ -123,6 +128,116 @@ class Student(unittest.TestCase):
             run = self.run_steradian(*words, status=3)
             self.assertEqual(run.stdout, "")
             self.assertEqual(len(run.stderr.splitlines()), 1, run.stderr)
+
+    def test_a_report_stands_alone(self):
+        self.write_solution()
+        self.edit("phong.glsl", "// begin solution A3.1", "// </script><b>&")
+        page = Path(self.scratch.name, "report.html")
+        result = self.checked(1, "--report", str(page))
+        self.assertNotIn("pictures", json.dumps(result))
+        html = page.read_text()
+        self.assertEqual(html.count("</script>"), 2)
+        for outside in ("http:", "https:", 'src="', "<b>"):
+            self.assertNotIn(outside, html)
+
+    def test_watching_checks_again_on_save(self):
+        log = Path(self.scratch.name, "log")
+        with log.open("w") as stream:
+            watch = subprocess.Popen([STERADIAN, "assignment", "check", str(self.folder), "--watch", "--json"], stdout=stream,
+                                     stderr=subprocess.DEVNULL)
+        self.addCleanup(watch.kill)
+        self.wait_for(lambda: log.read_text().count("\n") == 1)
+        self.write_solution()
+        self.wait_for(lambda: log.read_text().count("\n") >= 2 and self.last_percent(log) == 100)
+        watch.send_signal(signal.SIGINT)
+        self.assertEqual(watch.wait(10), 0)
+
+    def last_percent(self, log: Path) -> float:
+        return json.loads(log.read_text().splitlines()[-1])["percent"]
+
+    def wait_for(self, condition):
+        end = time.monotonic() + 60
+        while not condition():
+            self.assertLess(time.monotonic(), end, "it does not happen")
+            time.sleep(0.05)
+
+    def packed(self) -> Path:
+        archive = Path(self.scratch.name, "mine.zip")
+        run = self.run_steradian("pack", str(self.folder), "-o", str(archive), status=0)
+        self.assertIn("of 17 points", run.stdout)
+        return archive
+
+    def test_a_packed_folder_is_worth_what_the_folder_is(self):
+        self.write_solution()
+        archive = self.packed()
+        with zipfile.ZipFile(archive) as packed:
+            self.assertEqual(set(packed.namelist()), {"assignment.json", "phong.glsl", "microfacets.glsl", "result.json"})
+            self.assertEqual(json.loads(packed.read("result.json"))["points"], 17)
+        again = archive.read_bytes()
+        self.assertEqual(self.packed().read_bytes(), again)
+        self.folder = archive
+        self.assertEqual(self.checked(0)["percent"], 100)
+        with zipfile.ZipFile(archive, "w") as packed:  # as a file manager packs the folder
+            for file in ("phong.glsl", "microfacets.glsl"):
+                packed.writestr("my-a3/" + file, reference(file))
+            packed.writestr("my-a3/assignment.json", json.dumps({"assignment": "a3-brdf", "student": "7"}))
+        self.assertEqual(self.checked(0)["percent"], 100)
+
+    def test_archives_do_no_harm(self):
+        self.folder = Path(self.scratch.name, "bad.zip")
+        label = json.dumps({"assignment": "a3-brdf", "student": "7"})
+        with zipfile.ZipFile(self.folder, "w", zipfile.ZIP_DEFLATED) as packed:
+            packed.writestr("assignment.json", label)
+            packed.writestr("../escaped.glsl", "x")
+            packed.writestr("phong.glsl", bytes(1 << 25))
+            packed.writestr("microfacets.glsl", reference("microfacets.glsl"))
+        result = self.checked(1)
+        self.assertIn("larger than 1 MiB", result["A3.1"]["problems"][0]["text"])
+        self.assertEqual(result["A3.2"]["status"], "passed")
+        self.assertFalse(Path(self.scratch.name).parent.joinpath("escaped.glsl").exists())
+        whole = self.folder.read_bytes()
+        for bytes_of_archive in (b"PK no archive", whole[:200], b""):
+            self.folder.write_bytes(bytes_of_archive)
+            run = self.run_steradian("check", str(self.folder), status=3)
+            self.assertEqual(len(run.stderr.splitlines()), 1, run.stderr)
+
+    def test_a_label_names_no_other_place(self):
+        shutil.copytree(ASSIGNMENTS / "a3-brdf", Path(self.scratch.name, "a3-brdf"))
+        for name in (str(Path(self.scratch.name, "a3-brdf")), "../a3-brdf", "."):
+            (self.folder / "assignment.json").write_text(json.dumps({"assignment": name, "student": "7"}))
+            run = self.run_steradian("check", str(self.folder), status=3)
+            self.assertIn("no assignment", run.stderr)
+
+    def test_the_id_changes_checks_handout_and_scene(self):
+        """Another student's numbers are wrong in one's own folder."""
+        own = Path(self.scratch.name, "assignments", "b1-wall")
+        (own / "shaders").mkdir(parents=True)
+        (own / "variants").mkdir()
+        (own / "scenes").mkdir()
+        (own / "assignment.json").write_text(json.dumps({
+            "title": "t", "summary": "s", "files": ["wall.glsl"],
+            "parameters": {"rho": {"from": 0.1, "to": 0.9, "decimals": 3, "unit": "1", "about": "albedo"}},
+            "tasks": [{"id": "B1.1", "title": "f_r", "functions": ["f_wall"], "hints": {}, "checks": [
+                {"name": "values", "points": 1, "unit": "1/sr", "value": "f_wall(x)", "inputs": [{"x": {"from": 0, "to": 1}}]}]}]}))
+        (own / "shaders" / "wall.glsl").write_text(
+            '#include "parameters.glsl"\n#include "assignment/not_implemented.glsl"\n// begin solution B1.1\n// f_r\n'
+            "float f_wall(float x) {\n    return rho * x / 3.14159265;\n}\n// end\n")
+        (own / "README.md").write_text("Your wall has ρ = {{rho}}.\n")
+        (own / "scenes" / "wall.gltf").write_text('{"asset": {"version": "2.0"}, "extras": {"rho": "{{rho}}"}}')
+        environment = dict(os.environ, STERADIAN_ASSIGNMENTS=str(own.parent))
+        seen = {}
+        for student in ("ann", "bob", "ann"):
+            folder = Path(self.scratch.name, f"{student}-{len(seen)}")
+            subprocess.run([STERADIAN, "assignment", "new", "b1", folder, "--student", student], env=environment, check=True)
+            rho = json.loads((folder / "scenes" / "wall.gltf").read_text())["extras"]["rho"]
+            self.assertIn(f"ρ = {rho}.", (folder / "README.md").read_text())
+            self.assertEqual(seen.setdefault(student, rho), rho)
+            for number, status in ((rho, 0), (rho + 0.01, 1)):
+                text = (own / "shaders" / "wall.glsl").read_text().replace("rho * x", f"{number} * x")
+                (folder / "wall.glsl").write_text(text)
+                check = subprocess.run([STERADIAN, "assignment", "check", folder], env=environment, capture_output=True, text=True)
+                self.assertEqual(check.returncode, status, check.stdout + check.stderr)
+        self.assertNotEqual(seen["ann"], seen["bob"])
 
 
 if __name__ == "__main__":

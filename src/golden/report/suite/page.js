@@ -174,33 +174,10 @@ function step_test(by) {
   choose(index);
 }
 
-function viewer_key(event) {
-  const viewer = page.viewer;
-  const step = event.shiftKey ? 10 : 1;
-  const actions = {
-    "+": () => viewer.step_zoom(1),
-    "=": () => viewer.step_zoom(1),
-    "-": () => viewer.step_zoom(-1),
-    0: () => viewer.fit(),
-    "[": () => viewer.expose(viewer.stops - 1),
-    "]": () => viewer.expose(viewer.stops + 1),
-    " ": () => viewer.blink_once(),
-    ArrowLeft: () => viewer.step_cursor(-step, 0),
-    ArrowRight: () => viewer.step_cursor(step, 0),
-    ArrowUp: () => viewer.step_cursor(0, -step),
-    ArrowDown: () => viewer.step_cursor(0, step),
-  };
-  const mode = modes.find((m) => m.key === event.key);
-  return mode ? () => viewer.choose(mode) : actions[event.key];
-}
-
 function on_key(event) {
-  if (event.ctrlKey || event.altKey || event.metaKey) return;
-  const is_slider = event.target instanceof HTMLInputElement && event.key.startsWith("Arrow");
-  const is_button = event.target instanceof HTMLButtonElement && event.key === " ";
-  if (is_slider || is_button) return;
+  if (!is_for_page(event)) return;
   const page_actions = { j: () => step_test(1), k: () => step_test(-1), f: toggle_failures };
-  const action = page_actions[event.key] || (page.viewer && viewer_key(event));
+  const action = page_actions[event.key] || (page.viewer && viewer_key(page.viewer, event));
   if (!action) return;
   event.preventDefault();
   action();
@@ -211,11 +188,7 @@ function start() {
   main.replaceChildren(header(), element("div", { classes: "columns" }, page.list, page.article));
   fill_list();
   document.addEventListener("keydown", on_key);
-  // A button that the mouse pressed lets go of the keyboard, so that space is the page's again.
-  document.addEventListener("click", (event) => {
-    const button = event.target.closest("button");
-    if (button && event.detail > 0) button.blur();
-  });
+  free_keyboard_after_clicks();
   window.addEventListener("resize", () => page.viewer && page.viewer.draw());
   const wanted = decodeURIComponent(location.hash.slice(1));
   choose(Math.max(0, data.tests.findIndex((test) => test.name === wanted)));

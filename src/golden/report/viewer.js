@@ -1,4 +1,4 @@
-// The pictures of one test: modes, zoom, exposure, the values under the cursor.
+// Two pictures: modes, zoom, exposure, the values under the cursor.
 
 /** An element with properties, classes and children; texts are always text, never markup. */
 function element(tag, properties, ...children) {
@@ -20,10 +20,14 @@ const modes = [
   { key: "6", name: "flicker", panes: ["flicker"] },
 ];
 
-/** Shows `images` {test, golden, is_display_referred}; golden may be absent. */
+/**
+ * Shows `images` {test, golden, is_display_referred}; golden may be absent. `names` are what people read for "test" and
+ * "golden".
+ */
 class Viewer {
-  constructor(images) {
+  constructor(images, names) {
     this.images = images;
+    this.names = names || {};
     this.base = images.is_display_referred ? 1 : automatic_exposure(images.golden || images.test);
     this.stops = 0;
     this.gain = images.golden ? automatic_gain(images.test, images.golden) : 1;
@@ -38,6 +42,10 @@ class Viewer {
     this.show_readout();
   }
 
+  name(what) {
+    return this.names[what] || what;
+  }
+
   /** The modes that there is something to show in. */
   modes() {
     return this.images.golden ? modes : [modes[1]];
@@ -45,7 +53,7 @@ class Viewer {
 
   bar() {
     this.mode_buttons = this.modes().map((mode) =>
-      element("button", { type: "button", textContent: `${mode.key} ${mode.name}`, onclick: () => this.choose(mode) })
+      element("button", { type: "button", textContent: `${mode.key} ${this.name(mode.name)}`, onclick: () => this.choose(mode) })
     );
     this.zoom_label = element("output", {});
     this.stops_label = element("output", {});
@@ -134,7 +142,7 @@ class Viewer {
   pane(what) {
     const frame = element("div", { classes: "frame" });
     const stage = element("div", { classes: "stage" }, frame);
-    let caption = what;
+    let caption = this.name(what);
     if (what === "swipe") caption = this.fill_swipe(frame);
     else if (what === "flicker") caption = this.fill_flicker(frame);
     else frame.append(this.canvas(what));
@@ -161,17 +169,17 @@ class Viewer {
     place();
     frame.classList.add("swipe");
     frame.append(this.canvas("golden"), above, handle);
-    return "left test | right golden: drag";
+    return `left ${this.name("test")} | right ${this.name("golden")}: drag`;
   }
 
   fill_flicker(frame) {
     const above = this.canvas("test");
     above.classList.add("above");
     frame.append(this.canvas("golden"), above);
-    const caption = element("span", { textContent: "test" });
+    const caption = element("span", { textContent: this.name("test") });
     this.blink = () => {
       above.hidden = !above.hidden;
-      caption.textContent = above.hidden ? "golden" : "test";
+      caption.textContent = this.name(above.hidden ? "golden" : "test");
     };
     const still = window.matchMedia("(prefers-reduced-motion: reduce)").matches;
     if (!still) this.flicker = setInterval(this.blink, 500);
@@ -230,12 +238,13 @@ class Viewer {
     const row = (name, numbers, text) =>
       element("tr", {}, element("th", { textContent: name }), ...numbers.map((v) => element("td", { textContent: text(v) })));
     const linear = (v) => (Number.isFinite(v) ? Number(v.toPrecision(4)).toString() : String(v));
-    const rows = [row("test", values(test), linear)];
+    const [ours, theirs] = [this.name("test"), this.name("golden")];
+    const rows = [row(ours, values(test), linear)];
     if (golden) {
       const [t, g] = [values(test), values(golden)];
-      rows.push(row("golden", g, linear));
-      rows.push(row("test − golden", t.map((v, c) => v - g[c]), linear));
-      rows.push(row("test / golden", t.map((v, c) => v / g[c]), linear));
+      rows.push(row(theirs, g, linear));
+      rows.push(row(`${ours} − ${theirs}`, t.map((v, c) => v - g[c]), linear));
+      rows.push(row(`${ours} / ${theirs}`, t.map((v, c) => v / g[c]), linear));
     }
     const head = element("tr", {}, ...[`(${x}, ${y})`, "R", "G", "B"].map((text) => element("th", { textContent: text })));
     this.readout.replaceChildren(element("table", {}, head, ...rows));
@@ -244,4 +253,40 @@ class Viewer {
   end() {
     clearInterval(this.flicker);
   }
+}
+
+/** What a key does in a viewer; undefined: nothing. */
+function viewer_key(viewer, event) {
+  const step = event.shiftKey ? 10 : 1;
+  const actions = {
+    "+": () => viewer.step_zoom(1),
+    "=": () => viewer.step_zoom(1),
+    "-": () => viewer.step_zoom(-1),
+    0: () => viewer.fit(),
+    "[": () => viewer.expose(viewer.stops - 1),
+    "]": () => viewer.expose(viewer.stops + 1),
+    " ": () => viewer.blink_once(),
+    ArrowLeft: () => viewer.step_cursor(-step, 0),
+    ArrowRight: () => viewer.step_cursor(step, 0),
+    ArrowUp: () => viewer.step_cursor(0, -step),
+    ArrowDown: () => viewer.step_cursor(0, step),
+  };
+  const mode = modes.find((m) => m.key === event.key);
+  return mode ? () => viewer.choose(mode) : actions[event.key];
+}
+
+/** Whether a key is neither the browser's nor that of the button or slider which has the focus. */
+function is_for_page(event) {
+  if (event.ctrlKey || event.altKey || event.metaKey) return false;
+  const is_slider = event.target instanceof HTMLInputElement && event.key.startsWith("Arrow");
+  const is_button = event.target instanceof HTMLButtonElement && event.key === " ";
+  return !is_slider && !is_button;
+}
+
+/** A button that the mouse pressed lets go of the keyboard, so that space is the page's again. */
+function free_keyboard_after_clicks() {
+  document.addEventListener("click", (event) => {
+    const button = event.target.closest("button");
+    if (button && event.detail > 0) button.blur();
+  });
 }

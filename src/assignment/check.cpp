@@ -1,0 +1,136 @@
+#include "assignment/check.hpp"
+
+#include "assignment/mark.hpp"
+#include "core/error.hpp"
+#include "gl/context.hpp"
+#include "golden/child.hpp"
+
+#include <chrono>
+#include <fmt/format.h>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <unistd.h>
+
+namespace sr::assignment {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+/// A folder for the results of children, which goes with it.
+struct ResultsFolder {
+    fs::path path;
+
+    ResultsFolder() {
+        std::string name = (fs::temp_directory_path() / "steradian-check-XXXXXX").string();
+        if (!mkdtemp(name.data()))
+            throw Error({name}, "cannot be made", "name a folder that can be written in $TMPDIR");
+        path = name;
+    }
+    ~ResultsFolder() {
+        std::error_code ignored;
+        fs::remove_all(path, ignored);
+    }
+    ResultsFolder(const ResultsFolder&) = delete;
+    ResultsFolder& operator=(const ResultsFolder&) = delete;
+};
+
+/// The results that a child has written so far.
+class Results {
+public:
+    Results(fs::path file, const CheckOptions& options, ordered_json& tasks)
+        : file_(std::move(file)), options_(options), tasks_(tasks) {}
+
+    /// Takes what is new. Whether nothing new has come for longer than a task may take.
+    bool is_standing_still() {
+        const std::size_t before = tasks_.size();
+        take();
+        const auto now = std::chrono::steady_clock::now();
+        if (tasks_.size() > before) since_ = now;
+        return std::chrono::duration<double>(now - since_).count() > options_.time_limit;
+    }
+
+    void take() {
+        std::ifstream stream(file_, std::ios::binary);
+        stream.seekg(static_cast<std::streamoff>(taken_));
+        for (std::string line;
+             std::getline(stream, line) && !stream.eof();) { // a last line may be half there
+            taken_ += line.size() + 1;
+            auto task = ordered_json::parse(line, nullptr, false);
+            if (task.is_discarded()) continue;
+            if (options_.on_task) options_.on_task(task);
+            tasks_.push_back(std::move(task));
+        }
+    }
+
+private:
+    fs::path file_;
+    const CheckOptions& options_;
+    ordered_json& tasks_;
+    std::size_t taken_ = 0;
+    std::chrono::steady_clock::time_point since_ = std::chrono::steady_clock::now();
+};
+
+std::string first_line(const fs::path& file) {
+    std::ifstream stream(file);
+    std::string line;
+    std::getline(stream, line);
+    return line;
+}
+
+/// All tasks, or fewer if the check was stopped.
+ordered_json marked_by_children(const Assignment& assignment, const fs::path& submission,
+                                const CheckOptions& options) {
+    const ResultsFolder scratch;
+    const auto is_stopped = [&] { return options.is_stopped && options.is_stopped(); };
+    ordered_json tasks = ordered_json::array();
+    while (tasks.size() < assignment.tasks.size() && !is_stopped()) {
+        const fs::path results = scratch.path / fmt::format("{}.jsonl", tasks.size()),
+                       log = scratch.path / "log";
+        std::vector<std::string> words{options.program.string(), "assignment", "mark",
+                                       fs::absolute(submission).string(), results.string()};
+        for (std::size_t i = tasks.size(); i < assignment.tasks.size(); ++i)
+            words.push_back(assignment.tasks[i].id);
+        if (options.keeps_pictures) words.emplace_back("--pictures");
+        Results found(results, options, tasks);
+        const auto end = golden::run_child({words, fs::current_path(), log, 3600.0,
+                                            [&] { return is_stopped() || found.is_standing_still(); }});
+        found.take();
+        if (tasks.size() == assignment.tasks.size() || is_stopped()) break;
+        if (end.way == golden::ChildEnd::Way::exited || end.way == golden::ChildEnd::Way::not_started)
+            throw Error(first_line(log), "see the assignment's own files");
+        const std::string why =
+            end.way == golden::ChildEnd::Way::stopped
+                ? fmt::format("its checks took longer than {:g} s and were ended", options.time_limit)
+                : "its checks " + end.text();
+        tasks.push_back(ended_early(assignment.tasks[tasks.size()], why));
+        if (options.on_task) options.on_task(tasks.back());
+    }
+    return tasks;
+}
+
+} // namespace
+
+std::optional<ordered_json> checked(const fs::path& submission, const CheckOptions& options) {
+    const FolderLabel label = label_of(submission);
+    const Assignment assignment = load(assignment_of(label));
+    const ordered_json tasks = marked_by_children(assignment, submission, options);
+    if (tasks.size() < assignment.tasks.size()) return std::nullopt;
+    return summed(assignment, label.student, tasks);
+}
+
+void mark_tasks(const fs::path& submission, const std::vector<std::string>& tasks, const fs::path& results,
+                bool keeps_pictures) {
+    const FolderLabel label = label_of(submission);
+    const Assignment assignment = load(assignment_of(label));
+    const Submission handed_in = read_submission(assignment, submission);
+    const auto context = gl::open_context({gl::Backend::automatic, false});
+    Marker marker(assignment, label.student, keeps_pictures);
+    std::ofstream stream(results, std::ios::app);
+    for (const std::string& task : tasks)
+        stream << marker.mark(assignment.task(task), handed_in)
+                      .dump(-1, ' ', false, ordered_json::error_handler_t::replace)
+               << std::endl;
+}
+
+} // namespace sr::assignment
