@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 #include <variant>
 
@@ -140,6 +141,11 @@ std::vector<std::string> aov_names() {
     std::vector<std::string> names;
     for (const Aov aov : all_aovs) names.emplace_back(name_of(aov));
     return names;
+}
+
+std::string aov_help() {
+    return fmt::format("further channels of .exr files, separated by commas; src/cli/README.md describes them: {}",
+                       fmt::join(aov_names(), ", "));
 }
 
 std::optional<std::vector<Aov>> parsed_aovs(const std::string& text) {

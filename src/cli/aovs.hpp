@@ -11,6 +11,7 @@ enum class Aov { depth, normal, albedo, visibility, cosine, irradiance, object, 
 
 const char* name_of(Aov aov);
 std::vector<std::string> aov_names(); // all of them
+std::string aov_help();               // what --aov says of itself
 
 /// "depth,normal"; absent if one is unknown or named twice.
 std::optional<std::vector<Aov>> parsed_aovs(const std::string& text);

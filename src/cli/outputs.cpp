@@ -2,6 +2,7 @@
 
 #include "core/output.hpp"
 #include "image/half.hpp"
+#include "render/provenance.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,10 +10,6 @@
 #include <fmt/format.h>
 
 namespace sr::cli {
-
-const char* name_of(render::Estimator estimator) {
-    return estimator == render::Estimator::analytic ? "analytic" : "sampled";
-}
 
 SampleCounts counted(const std::vector<int>& samples) {
     SampleCounts counts;
@@ -31,30 +28,27 @@ std::string unit_of(const RenderCommand& command, scene::UnitSystem units) {
 
 void describe(Picture& picture, const RenderCommand& command, const scene::Stage& stage,
               const gl::ContextInfo& gl) {
-    std::vector<image::Attribute> attributes{
-        {"steradian:version", STERADIAN_VERSION},
-        {"steradian:unit", unit_of(command, stage.scene.units)},
-        {"steradian:estimator", name_of(command.estimator)},
-        {"steradian:visibility", std::string(render::name_of(command.visibility))},
-        {"steradian:samples", std::to_string(picture.samples.most)},
-        {"steradian:stopped_by", name_of(picture.stop.by)},
-        {"steradian:seed", std::to_string(command.seed)},
-        {"steradian:camera", stage.camera.name},
-        {"steradian:GL_RENDERER", gl.renderer},
-        {"steradian:GL_VERSION", gl.version}};
+    std::vector<image::Attribute> attributes =
+        render::attributes_of({.unit = unit_of(command, stage.scene.units),
+                               .camera = stage.camera.name,
+                               .estimator = command.estimator,
+                               .analytic_points = command.analytic_points,
+                               .visibility = command.visibility,
+                               .samples = picture.samples.most,
+                               .seed = command.seed,
+                               .error = picture.stop.error,
+                               .seconds = command.at},
+                              gl);
     const auto add = [&](const char* name, std::string value) {
         attributes.push_back({name, std::move(value)});
     };
+    add("steradian:stopped_by", name_of(picture.stop.by));
     if (command.denoises) add("steradian:denoised", "visibility");
     if (command.view) add("steradian:view", command.view->name);
-    if (command.at) add("steradian:time", fmt::format("{:.9g} s", *command.at));
-    if (command.estimator == render::Estimator::analytic)
-        add("steradian:analytic_points", std::to_string(command.analytic_points));
     if (picture.samples.least < picture.samples.most) {
         add("steradian:samples_mean", fmt::format("{:.1f}", picture.samples.mean));
         add("steradian:samples_min", std::to_string(picture.samples.least));
     }
-    if (picture.stop.error) add("steradian:error", fmt::format("{:.4g}", *picture.stop.error));
     if (command.stop.error) add("steradian:error_target", fmt::format("{:.4g}", *command.stop.error));
     if (picture.stop.by == StoppedBy::interruption) add("steradian:interrupted", "yes");
     std::ranges::move(name_tables(command.aovs, stage.scene), std::back_inserter(attributes));

@@ -6,8 +6,6 @@
 
 namespace sr::cli {
 
-const char* name_of(render::Estimator estimator);
-
 /// The samples of a picture's pixels.
 struct SampleCounts {
     double mean = 0.0;

@@ -8,6 +8,7 @@
 #include "cli/summary.hpp"
 #include "core/error.hpp"
 #include "core/output.hpp"
+#include "render/provenance.hpp"
 #include "render/renderer.hpp"
 
 #include <CLI/CLI.hpp>
@@ -30,7 +31,7 @@ ordered_json summary(const RenderCommand& command, const scene::Stage& stage, co
             {"outputs", command.outputs},
             {"width", size.width},
             {"height", size.height},
-            {"estimator", name_of(command.estimator)},
+            {"estimator", render::name_of(command.estimator)},
             {"seed", command.seed},
             {"unit", unit_of(command, stage.scene.units)},
             {"camera", stage.camera.name},

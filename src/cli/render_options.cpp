@@ -169,10 +169,7 @@ void declare_output(CLI::App& command, RenderCommand& o) {
             "lights: .exr files get a layer for each light and one for emission, whose sum is the picture")
         ->check(CLI::IsMember({"lights"}))
         ->type_name("lights");
-    parsed(command, "--aov",
-           "further channels of .exr files, named in src/cli/README.md: depth, normal, albedo, visibility, "
-           "irradiance, "
-           "object, material, samples, error; separated by commas",
+    parsed(command, "--aov", aov_help().c_str(),
            "NAME,NAME...", parsed_aovs, [&o](std::vector<Aov> aovs) { o.aovs = std::move(aovs); });
     parsed(
         command, "--view", view_help().c_str(), "NAME",

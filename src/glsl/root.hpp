@@ -33,7 +33,6 @@ public:
     std::string place_of(std::string_view name) const;
 
     const std::string& label() const { return label_; }
-    bool is_on_disk() const { return std::holds_alternative<std::filesystem::path>(place_); }
 
 private:
     Root(std::string label, std::variant<std::filesystem::path, Files> place);

@@ -28,8 +28,6 @@ public:
     /// @return for each instance whether it is visible
     std::vector<bool> pose(const std::vector<PlacedNode>& placed, scene::Scene& scene) const;
 
-    std::size_t skin_count() const { return skins_.size(); }
-
 private:
     /// A primitive as a mesh at rest, and what moves it, if anything can.
     struct Part {

@@ -39,10 +39,6 @@ public:
     void relight(const scene::Scene& scene, std::span<const scene::Light> lights, std::size_t first_mesh,
                  bool casters_change);
 
-    /// The same scene at another moment: everything is uploaded anew but the images and textures, which must
-    /// be the same. Renderers of this scene must restart().
-    void update(const scene::Scene& scene, std::span<const scene::Light> lights);
-
     int light_count() const { return light_count_; }
     /// Which of the lights are seen behind everything.
     const std::vector<int>& visible_environments() const { return visible_environments_; }
@@ -67,6 +63,7 @@ public:
     void draw_triangle(const Draw& draw, int triangle) const;
 
 private:
+    void update(const scene::Scene& scene, std::span<const scene::Light> lights); // all but the textures
     void upload_textures(const scene::Scene& scene);
     void upload_objects(const scene::Scene& scene);
     void upload_materials(const scene::Scene& scene);

@@ -122,12 +122,6 @@ void Renderer::look_from(const scene::Camera& camera) {
     clear();
 }
 
-void Renderer::restart(const scene::Camera& camera) {
-    ask_for_shadows();
-    use_lights(0, scene_.light_count());
-    look_from(camera);
-}
-
 void Renderer::add_sample() {
     const Window part = window();
     require(!part.is_empty(), "a pixel works");

@@ -79,9 +79,6 @@ public:
     int width() const { return options_.width; }
     int height() const { return options_.height; }
 
-    /// Starts over from here, with all lights: the scene was updated.
-    void restart(const scene::Camera& camera);
-
     /// Starts over with an empty film, in which every pixel will rest when it did: after as many samples as
     /// before, the film has the very same ones.
     void repeat();

@@ -4,6 +4,7 @@
 #include "core/error.hpp"
 #include "image/luminance.hpp"
 #include "render/lobe.hpp"
+#include "render/provenance.hpp"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -94,7 +95,7 @@ void Session::keep_picture() {
     if (picture.sample_count() == 0) return;
     reference_.emplace(
         fmt::format("{} samples, {}, {}", picture.sample_count(),
-                    options_.rendering.estimator == render::Estimator::analytic ? "analytic" : "sampled",
+                    render::name_of(options_.rendering.estimator),
                     eye_->argument()),
         picture.film());
     if (look_.comparison == Comparison::none) look_.comparison = Comparison::wipe;

@@ -3,6 +3,7 @@
 
 #include "core/error.hpp"
 #include "core/output.hpp"
+#include "render/provenance.hpp"
 #include "viewer/saved_gltf.hpp"
 #include "viewer/screenshot.hpp"
 
@@ -75,15 +76,18 @@ void Session::write_exr() {
     const Picture& picture = show_->picture();
     image::Image film = picture.film();
     film.channel_names = {"R", "G", "B", "A"};
-    film.attributes = {
-        {"steradian:version", STERADIAN_VERSION},
-        {"steradian:unit", std::string(scene::radiance_unit(show_->scene().stage.scene.units))},
-        {"steradian:samples", std::to_string(picture.sample_count())},
-        {"steradian:camera", eye_->argument()},
-        {"steradian:GL_RENDERER", window_.info().renderer},
-        {"steradian:GL_VERSION", window_.info().version}};
-    if (playback_.seconds)
-        film.attributes.emplace_back("steradian:time", fmt::format("{:.9g} s", *playback_.seconds));
+    const render::RenderOptions& rendering = options_.rendering;
+    film.attributes = render::attributes_of(
+        {.unit = std::string(scene::radiance_unit(show_->scene().stage.scene.units)),
+         .camera = eye_->argument(),
+         .estimator = rendering.estimator,
+         .analytic_points = rendering.analytic_points,
+         .visibility = options_.visibility,
+         .samples = picture.sample_count(),
+         .seed = rendering.seed,
+         .error = picture.error(),
+         .seconds = playback_.seconds},
+        window_.info());
     try {
         image::write(film, name, image::SampleType::floating);
         say("wrote " + name);

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """The house's own rules, checked by reading the sources. Each rule also shows that it fails on a tree that breaks it.
 
-usage: house.py RULE SOURCE_FOLDER      (RULE: floors, terms, includes, sizes, readmes)
+usage: house.py RULE SOURCE_FOLDER      (RULE: floors, terms, includes, sizes, readmes, paths)
 """
 import re
 import sys
@@ -148,6 +148,19 @@ def readmes(root: Path) -> list[str]:
     return broken
 
 
+def paths(root: Path) -> list[str]:
+    """A file or folder of ours that a README or CONTRIBUTING.md names from the root on is there."""
+    named = re.compile(r"`((?:assets|examples|shaders|src|tests|tools)/[A-Za-z0-9_./-]+)`")
+    broken = []
+    for file in sorted(root.rglob("*.md")):
+        if {"build", ".venv", "out", "node_modules"} & set(file.relative_to(root).parts) or file.name == "CHANGELOG.md":
+            continue
+        for path in named.findall(file.read_text()):
+            if not re.search(r"NAME|aN-", path) and not (root / path).exists():
+                broken.append(f"{file.relative_to(root)}: {path}: there is no such file")
+    return broken
+
+
 # For each rule, files of a tree that breaks it in as many places as the number says.
 BAD_TREES = {
     floors: (3, {"src/core/CMakeLists.txt": "sr_library(core SOURCES a.cpp)",
@@ -165,6 +178,7 @@ BAD_TREES = {
                    "tests/a.cpp": '#include "core/b.hpp"\n#include "support/a.hpp"\nbool a = std::ranges::none_of(b, std::nullopt);\n',
                    "tools/a.cpp": "std::chrono::seconds a;\n"}),
     readmes: (1, {"src/core/a.cpp": "", "src/gl/a.cpp": "", "src/README.md": "gl/ is named"}),
+    paths: (2, {"CONTRIBUTING.md": "`src/core/a.cpp` `src/core/b.cpp` `src/NAME.cpp`", "src/README.md": "`src/` `tests/law/`", "src/core/a.cpp": ""}),
 }
 
 

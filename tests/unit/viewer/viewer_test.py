@@ -33,6 +33,12 @@ def same(a: Path, b: Path, factor: float = 1.0) -> bool:
     return max(map(float, re.search(r"Stats Max: +(\S+) (\S+) (\S+)", result.stdout).groups())) < 1e-5
 
 
+def provenance(picture: Path) -> set[str]:
+    """The attributes that say how a picture was made, without those of how `render` was stopped."""
+    listed = subprocess.run(["oiiotool", "--info", "-v", picture], capture_output=True, text=True, check=True).stdout
+    return {name for name in re.findall(r"steradian:(\w+)", listed) if not re.match("stopped_by|error_target|samples_", name)}
+
+
 def rendered(scene: Path, camera: str, *arguments) -> Path:
     file = SCRATCH / "rendered.exr"
     result = steradian("render", scene, "--camera", camera, "--size", SIZE, "--samples", SAMPLES, "-o", file, *arguments)
@@ -216,6 +222,7 @@ def converging_by_error(display: Display):
     assert summary["samples_min"] < summary["samples"], f"no pixel rests: choose another error, {result.stdout}"
     assert f"done, {summary['samples']} samples, error" in viewer.title(), (viewer.title(), summary)
     assert same(exr, file), "not the picture that render makes"
+    assert provenance(exr) == provenance(file) >= {"estimator", "visibility", "seed", "error"}, provenance(exr)
     shown = SCRATCH / "error.ppm"
     subprocess.run(["oiiotool", png, "--ch", "R,G,B", "-d", "uint8", *UPRIGHT, "-o", shown], check=True)
     pixels, screen = shown.read_bytes()[-3 * size[0] * size[1]:], viewer.display.pixels()
