@@ -2,6 +2,7 @@
 #include "assignment/mark.hpp"
 #include "assignment/report.hpp"
 #include "assignment/self_test.hpp"
+#include "cli/arguments.hpp"
 #include "cli/commands.hpp"
 #include "cli/interruption.hpp"
 #include "cli/version.hpp"
@@ -180,6 +181,7 @@ void add_check(CLI::App& app, const std::shared_ptr<AssignmentArguments>& argume
     command->add_option("DIR", arguments->folder, "a folder that `new` made, or a file that `pack` made")
         ->required();
     command->add_option("--time-limit", arguments->time_limit, "of one task [s]")
+        ->check(refusal_of_number)
         ->check(CLI::Range(0.1, 3600.0))
         ->capture_default_str();
     command->add_flag("--json", arguments->json,
