@@ -18,6 +18,7 @@
 #include <fmt/format.h>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <thread>
 
 namespace sr::cli {
@@ -123,11 +124,22 @@ std::string archive_name(const assignment::FolderLabel& label) {
     return name + ".zip";
 }
 
+/// What the student's own check finds; absent, with a remark, where it cannot run.
+std::optional<ordered_json> own_result(const AssignmentArguments& arguments) {
+    try {
+        return assignment::checked(arguments.folder, options_of(arguments));
+    } catch (const Error& error) {
+        print_remark("packed without a check: {}", error.what());
+        return std::nullopt;
+    }
+}
+
 void pack(const AssignmentArguments& arguments) {
     const assignment::FolderLabel label = assignment::label_of(arguments.folder);
     const std::string archive = arguments.output.empty() ? archive_name(label) : arguments.output;
-    const auto result = assignment::checked(arguments.folder, options_of(arguments));
-    assignment::pack(arguments.folder, result->dump(2, ' ', false, replace) + "\n", archive);
+    const auto result = own_result(arguments);
+    assignment::pack(arguments.folder, result ? result->dump(2, ' ', false, replace) + "\n" : "", archive);
+    if (!result) return print_data("{}\n", archive);
     for (const ordered_json& task : (*result)["tasks"])
         print_data("{} {:g}/{:g} {}\n", task["id"].get<std::string>(), task["points"].get<double>(),
                    task["of"].get<double>(), task["status"].get<std::string>());

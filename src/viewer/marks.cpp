@@ -87,7 +87,6 @@ void Marks::begin() {
     has_ended_ = false;
     assignment::CheckOptions options;
     options.program = program_;
-    options.time_limit = 5.0;
     options.is_stopped = [run = run_] { return run->is_stopped.load(); };
     options.on_task = [run = run_](const ordered_json& task) {
         const std::lock_guard lock(run->mutex);
@@ -137,13 +136,13 @@ std::string Marks::endless() const {
     return found == tasks_.end() ? std::string() : found->id;
 }
 
-void Marks::draw(float scale) const {
+void Marks::draw() const {
     double points = 0.0, of = 0.0;
     for (const TaskMark& task : tasks_) {
         points += task.points;
         if (!task.is_extra) of += task.of;
     }
-    ImGui::PushTextWrapPos(520.0f * scale);
+    ImGui::PushTextWrapPos();
     ImGui::TextUnformatted(
         fmt::format("{:g} of {:g} points{}", points, of, is_checking() ? ", checking ..." : "").c_str());
     for (const TaskMark& task : tasks_) draw_task(task);

@@ -47,7 +47,7 @@ public:
     /// Why nothing could be checked; empty: it could.
     const std::string& failure() const { return failure_; }
 
-    void draw(float scale) const;
+    void draw() const;
 
 private:
     /// What a check writes and the window reads.

@@ -1,6 +1,7 @@
 // A student's folder in the window: its marks, its errors, and the reference's picture beside theirs.
 #include "viewer/session.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -35,9 +36,10 @@ void Session::advance_reference() {
 
 void Session::draw_marks() {
     if (!marks_) return;
-    ImGui::SetNextWindowPos({window_size().x - 10.0f, 10.0f}, ImGuiCond_FirstUseEver, {1.0f, 0.0f});
-    ImGui::SetNextWindowSizeConstraints({300.0f * ui_.scale(), 0.0f},
-                                        {560.0f * ui_.scale(), 0.85f * window_size().y});
+    const float width = std::min(540.0f * ui_.scale(), 0.6f * window_size().x);
+    const float below_errors = 6.0f * ImGui::GetFontSize(); // so that an error of few lines hides no mark
+    ImGui::SetNextWindowPos({window_size().x - width - 10.0f, below_errors}, ImGuiCond_FirstUseEver);
+    ImGui::SetNextWindowSizeConstraints({width, 0.0f}, {width, 0.8f * window_size().y});
     if (ImGui::Begin("Assignment", nullptr, ui_.panel_flags())) {
         const auto choice = [&](const char* label, Comparison comparison) {
             if (ImGui::RadioButton(label, look_.comparison == comparison)) look_.comparison = comparison;
@@ -53,7 +55,7 @@ void Session::draw_marks() {
         }
         if (options_.shows_reference)
             ImGui::TextDisabled("The picture is the reference's until yours is checked.");
-        marks_->draw(ui_.scale());
+        marks_->draw();
     }
     ImGui::End();
 }
