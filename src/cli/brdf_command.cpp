@@ -43,6 +43,7 @@ void choose(BrdfCommand& command) {
     if (command.name == "gltf") command.name = "metallic_roughness";
     if (ends_in(".glsl") || ends_in(".frag")) {
         specimen.user = brdf::read_user_shader(command.name);
+        specimen.trial = std::make_shared<gl::TrialCompiler>(command.backend);
     } else if (ends_in(".binary")) {
         specimen.material.model = Model::merl;
         specimen.material.measured = 0;

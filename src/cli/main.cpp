@@ -88,6 +88,7 @@ void declare_commands(CLI::App& app) {
     add_export_command(app);
     add_brdf_command(app);
     add_assignment_command(app);
+    add_trial_command(app);
 }
 
 /// Runs the command that the words name. @return the exit status

@@ -30,6 +30,12 @@ std::optional<Backend> backend_named(std::string_view name) {
     return std::nullopt;
 }
 
+const char* name_of(Backend backend) {
+    for (const Entry& entry : entries)
+        if (entry.backend == backend) return entry.name;
+    return "auto";
+}
+
 std::unique_ptr<Context> open_context(const ContextOptions& options) {
     std::string failures;
     for (const Entry& entry : entries) {

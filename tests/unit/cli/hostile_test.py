@@ -143,6 +143,63 @@ class Hostile(cli_test.CommandLine):
         self.assertEqual(result.returncode, 3, result.stderr)
         self.assertIn("f_r.glsl: this is not a regular file", result.stderr)
 
+    def overlay(self, text, name="brdf/f_r.glsl", folder="overlay"):
+        file = self.folder / folder / name
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_bytes(text if isinstance(text, bytes) else text.encode())
+        return file
+
+    def rendered_with(self, folder="overlay", *arguments):
+        return run("render", self.write(scene()), "-o", self.folder / "a.exr", "--size", "8x8", "--samples", "1",
+                   "--shaders", self.folder / folder, *arguments)
+
+    def test_shaders_that_kill_the_compiler_are_one_line(self):
+        good = "vec3 f_r(Surface x, vec3 wi, vec3 wo) { return vec3(0.1); }\n"
+        bombs = {"crashes": "float d(float x) { return x" + "-x" * 100000 + "; }\n",
+                 "takes more than 2 GiB of memory": "#define A0 1.0\n" + "".join(f"#define A{i + 1} (A{i}+A{i})\n" for i in range(40))
+                                                    + "float bomb() { return A40; }\n"}
+        for words, bomb in bombs.items():
+            file = self.overlay(good + bomb)
+            self.assert_refused(self.rendered_with(), f"{file}: ", words)
+        file.write_text(good + "float q() { return nothere; }\n")  # a mistake keeps its place
+        self.assert_refused(self.rendered_with(), f"{file}:2:", "nothere")
+        file.write_text(good)
+        self.assertEqual(self.rendered_with().returncode, 0)
+
+    def test_a_shader_of_brdf_that_kills_the_compiler_is_one_line(self):
+        file = self.overlay("vec3 f_r(Surface x, vec3 wi, vec3 wo) { return vec3(0.1" + "-0.1*x.alpha" * 50000 + "); }\n")
+        self.assert_refused(run("brdf", file), f"{file}: ", "the driver's compiler")
+
+    def test_errors_of_odd_overlays_name_their_place(self):
+        for text, place in ((b"float a;\n#line 7 7\nfloat q() { return nothere; }\n", ":2: #line"), (b"float a;\r\n\0float b;\n", ":2: a NUL byte"),
+                            (b"float a;\r#if 0\rfloat b;\n", ":2: this #if never ends"), (b"float a;\rgarbage garbage\n", ":2:")):
+            file = self.overlay(text)
+            self.assert_refused(self.rendered_with(), f"{file}{place}")
+
+    def test_an_overlay_that_replaces_nothing_is_named(self):
+        self.overlay("", "brdf/fr.glsl", "misspelt")
+        self.overlay("", "f_r.glsl", "flat")
+        (self.folder / "empty").mkdir()
+        for folder, words in (("misspelt", "rename brdf/fr.glsl if brdf/f_r.glsl is meant"), ("flat", "rename f_r.glsl if brdf/f_r.glsl is meant"),
+                              ("empty", "the folder holds no files")):
+            result = self.rendered_with(folder)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            self.assertEqual(len(result.stderr.strip().splitlines()), 1, result.stderr)
+            self.assertIn(words, result.stderr)
+        (self.folder / "a.exr").unlink()
+        self.linked("nowhere", self.overlay("", folder="dangling"))
+        self.assert_refused(self.rendered_with("dangling"), "brdf/f_r.glsl: no such file")
+
+    def test_a_term_needs_no_includes_for_its_signature(self):
+        terms = {"brdf/f_r.glsl": "vec3 f_r(Surface x, vec3 wi, vec3 wo) { return vec3(0.1); }\n",
+                 "integrator/emitted.glsl": "vec3 emitted(Surface x) { return vec3(0.0); }\n",
+                 "visibility/visibility.glsl": "vec3 visibility(Surface x, vec3 wi, float distance, int light, int ray) { return vec3(1.0); }\n"}
+        for name, text in terms.items():
+            self.overlay(text, name, name.split("/")[0])
+            for view in ([], ["--view", "irradiance"]):
+                result = self.rendered_with(name.split("/")[0], *view)
+                self.assertEqual((result.returncode, result.stderr), (0, ""), name)
+
     def linked(self, target, name):
         link = self.folder / name
         link.unlink(missing_ok=True)
