@@ -1,6 +1,7 @@
 #include "cli/commands.hpp"
 #include "cli/version.hpp"
 #include "core/error.hpp"
+#include "core/library_output.hpp"
 #include "core/limits.hpp"
 #include "core/output.hpp"
 
@@ -120,6 +121,7 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
     using namespace sr::cli;
     sr::occupy_standard_streams();
+    sr::silence_libraries();
     std::signal(SIGPIPE,
                 SIG_IGN); // a reader that leaves is an error of write(), and no reason to lose a picture
     std::set_terminate(end_by_exception);

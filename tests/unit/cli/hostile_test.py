@@ -200,6 +200,59 @@ class Hostile(cli_test.CommandLine):
                 result = self.rendered_with(name.split("/")[0], *view)
                 self.assertEqual((result.returncode, result.stderr), (0, ""), name)
 
+    def test_outputs_are_checked_before_rendering(self):
+        gltf, there = self.write(scene()), self.folder / "there"
+        there.mkdir()
+        (there / "folder.png").mkdir()
+        os.mkfifo(there / "fifo.png")
+        self.linked("loop.png", "there/loop.png")
+        for name, words in (("none/x.exr", "there is no folder"), ("folder.png", "this is a folder"), ("fifo.png", "not a regular file"),
+                            ("a.tiff", "unknown image format"), ("loop.png", "circle"), ("x" * 300 + ".png", "too long")):
+            begin = time.monotonic()
+            result = run("render", gltf, "-o", there / "a.exr", "-o", there / name, "--samples", "1000000")
+            self.assert_refused(result, words)
+            self.assertLess(time.monotonic() - begin, 20, name)
+            self.assertEqual(sorted(p.name for p in there.iterdir()), ["fifo.png", "folder.png", "loop.png"])
+            if name != "a.tiff":
+                self.assert_refused(run("brdf", "lambert", "-o", there / name), words)
+        good = self.folder / "good.hdr"
+        self.assertEqual(run("render", gltf, "-o", good, "--size", "8x8", "--samples", "1").returncode, 0)
+        self.assert_refused(run("compare", good, good, "--heat-map", self.folder / "none/x.png"), "there is no folder")
+
+    def test_modes_and_links_of_outputs_stay(self):
+        gltf, target, link = self.write(scene()), self.folder / "target.hdr", self.folder / "link.hdr"
+        render = ["render", gltf, "--size", "8x8", "--samples", "1", "-o"]
+        target.write_text("before")
+        for mode in (0o600, 0o640, 0o444):
+            target.chmod(mode)
+            result = run(*render, target)
+            if result.returncode:  # only root may write what is read-only
+                self.assertEqual(mode, 0o444)
+                self.assert_refused(result, "target.hdr: the file cannot be replaced")
+            self.assertEqual(target.stat().st_mode & 0o777, mode)
+        target.chmod(0o644)
+        for before in ("target.hdr", "new.hdr"):  # the second leads nowhere yet
+            self.linked(before, link.name)
+            self.assertEqual(run(*render, link).returncode, 0)
+            self.assertEqual(os.readlink(link), before)
+            self.assertTrue((self.folder / before).read_bytes().startswith(b"#?"))
+
+    def test_libraries_print_no_line_of_their_own(self):
+        good = png(4, 4)
+        half = zlib.compress(bytes(20))
+        ihdr = good[:33]
+        pictures = {"crc.png": good[:45] + b"zzzz" + good[49:], "short.png": good[:50], "rows.png":
+                    ihdr + struct.pack(">I", len(half)) + b"IDAT" + half + struct.pack(">I", zlib.crc32(b"IDAT" + half)) + good[-12:],
+                    "bad.jpg": b"\xff\xd8\xff\xe0\0\x10JFIF\0\1\1\0\0\1\0\1\0\0\xff\xda" + b"z" * 40}
+        self.write(good, "good.PNG")
+        for name, data in pictures.items():
+            file = self.write(data, name).rename(self.folder / name.upper())
+            result = run("compare", file, self.folder / "good.PNG")
+            self.assert_refused(result, file.name)
+        gltf = self.write(scene(images=[{"uri": "ROWS.PNG"}], textures=[{"source": 0}],
+                                materials=[{"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}}]))
+        self.assertEqual(run("info", gltf).stderr, "")  # a warning on stdout
+
     def linked(self, target, name):
         link = self.folder / name
         link.unlink(missing_ok=True)
@@ -236,6 +289,43 @@ class Hostile(cli_test.CommandLine):
         self.assert_small("info", self.write(json.dumps(scene(extras=["@"])).replace('"@"', ",".join(["[]"] * 5000000)), "values.gltf"))
         picture = self.write(png(16384, 16384), "picture.PNG")
         self.assert_small("compare", picture, picture)
+
+    def test_what_is_unpacked_counts(self):
+        corners = 3 << 18
+        shared = scene(buffers=[{"byteLength": 36, "uri": data_uri(TRIANGLE)}, {"byteLength": corners, "uri": data_uri(bytes([0, 1, 2]) * (corners // 3))}])
+        shared["bufferViews"].append({"buffer": 1, "byteLength": corners})
+        shared["accessors"].append({"bufferView": 1, "componentType": 5121, "count": corners, "type": "SCALAR"})
+        primitive = {"attributes": {"POSITION": 0}, "indices": 1, "material": 0}
+        shared["meshes"] = [{"primitives": [{**primitive, "targets": [{"POSITION": 0}] * 500}]}]  # of three vertices, for 786432 corners
+        self.assert_small("info", self.write(shared, "targets.gltf"), "--limit", "values=20000000")
+        shared["meshes"] = [{"primitives": [primitive] * 1000}]
+        self.assert_small("info", self.write(shared, "corners.gltf"), "--limit", "vertices=1000000")
+        blocks = 1 << 14  # of 256 elements, all 0: 16 bytes each
+        packed = b"\xa0" + bytes(16 * blocks + 32)
+        view = {"buffer": 0, "byteLength": 1024 * blocks, "byteStride": 4, "extensions": {"EXT_meshopt_compression": {
+            "buffer": 0, "byteLength": len(packed), "byteStride": 4, "count": 256 * blocks, "mode": "ATTRIBUTES"}}}
+        meshopt = scene(buffers=[{"byteLength": len(packed), "uri": data_uri(packed)}], bufferViews=[view] * 1000,
+                        extensionsUsed=["KHR_lights_punctual", "EXT_meshopt_compression"], extensionsRequired=["EXT_meshopt_compression"])
+        file = self.write(meshopt, "meshopt.gltf")
+        if "is not supported" in run("info", file).stderr:
+            self.skipTest("built without meshoptimizer")
+        self.assert_small("info", file, "--limit", "values=40000000")
+
+    def test_a_large_scene_is_within_the_limits(self):
+        side, copies = 142, 100  # 40,328 triangles a mesh, four million in all
+        grid = b"".join(struct.pack("<3f", x / side, y / side, 0) for y in range(side + 1) for x in range(side + 1))
+        quads = [y * (side + 1) + x for y in range(side) for x in range(side)]
+        indices = b"".join(struct.pack("<6I", q, q + 1, q + side + 2, q, q + side + 2, q + side + 1) for q in quads)
+        file = scene(buffers=[{"byteLength": len(grid), "uri": data_uri(grid)}, {"byteLength": len(indices), "uri": data_uri(indices)}])
+        file["bufferViews"] = [{"buffer": 0, "byteLength": len(grid)}, {"buffer": 1, "byteLength": len(indices)}]
+        file["accessors"] = [{"bufferView": 0, "componentType": 5126, "count": (side + 1) ** 2, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 0]},
+                             {"bufferView": 1, "componentType": 5125, "count": 6 * side * side, "type": "SCALAR"}]
+        file["meshes"][0]["primitives"][0]["indices"] = 1
+        file["nodes"] += [{"mesh": 0, "translation": [i, 0, 0]} for i in range(1, copies)]
+        file["scenes"][0]["nodes"] = list(range(len(file["nodes"])))
+        result = run("info", self.write(file))
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        self.assertIn(f"{2 * side * side * copies}", result.stdout.replace(",", ""))
 
     def test_limits_are_settable(self):
         gltf = self.write(scene())
