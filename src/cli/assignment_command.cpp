@@ -2,6 +2,7 @@
 #include "assignment/self_test.hpp"
 #include "cli/commands.hpp"
 #include "core/error.hpp"
+#include "core/memory_watch.hpp"
 #include "core/output.hpp"
 #include "gl/context.hpp"
 #include "golden/bytes_of_file.hpp"
@@ -67,6 +68,7 @@ void mark_here(const AssignmentArguments& arguments) {
     const auto assignment = assignment::load(assignment::assignment_named(label.assignment));
     const auto submission = assignment::read_submission(assignment, arguments.folder);
     const auto context = gl::open_context({gl::Backend::automatic, false});
+    const MemoryWatch watch(std::uint64_t{4} << 30); // a student's code may ask for any amount
     assignment::Marker marker(assignment, label.student);
     std::ofstream results(arguments.results, std::ios::app);
     for (const std::string& task : arguments.tasks)
@@ -134,6 +136,8 @@ ordered_json marked_by_children(const AssignmentArguments& arguments,
             {words, fs::current_path(), log, 3600.0, Standstill(results, arguments.time_limit)});
         for (ordered_json& task : results_in(results)) tasks.push_back(std::move(task));
         if (end.is_success()) break;
+        if (end.way == golden::ChildEnd::Way::not_started)
+            throw Error("the process that checks " + end.text(), "raise the system's limits on processes");
         if (end.way == golden::ChildEnd::Way::exited) {
             std::ifstream stream(log);
             std::string line;

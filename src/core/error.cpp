@@ -22,7 +22,8 @@ Error::Error(std::string_view what, std::string_view what_to_do)
 
 void require(bool claim, const char* what, std::source_location here) {
     if (claim) return;
-    print_remark("{}:{}: {}: this is a bug in Steradian, please report it", here.file_name(), here.line(), what);
+    print_remark("{}:{}: {}: this is a bug in Steradian, please report it", here.file_name(), here.line(),
+                 what);
     std::abort();
 }
 

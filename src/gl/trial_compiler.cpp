@@ -26,7 +26,8 @@ struct Pipe {
 
     Pipe() {
         if (pipe2(ends.data(), O_CLOEXEC) != 0)
-            throw Error(fmt::format("no pipe can be opened ({})", std::strerror(errno)), "close other programs");
+            throw Error(fmt::format("no pipe can be opened ({})", std::strerror(errno)),
+                        "close other programs");
     }
     ~Pipe() {
         for (const int end : ends)
@@ -84,7 +85,8 @@ private:
 };
 
 void TrialCompiler::Process::start(Backend backend) {
-    std::array<std::string, 4> words{"steradian", "compile-trial", "--backend", std::string(name_of(backend))};
+    std::array<std::string, 4> words{"steradian", "compile-trial", "--backend",
+                                     std::string(name_of(backend))};
     std::vector<char*> arguments;
     for (std::string& word : words) arguments.push_back(word.data());
     arguments.push_back(nullptr);
@@ -127,7 +129,8 @@ void TrialCompiler::try_out(const glsl::Source& vertex, const glsl::Source& frag
     process_.reset();
     const std::string others =
         theirs.size() == 1 ? "" : fmt::format(" and {} more that are not built in", theirs.size() - 1);
-    throw Error({theirs.front()}, fmt::format("with this file{} the driver's compiler {}", others, end_of(status)),
+    throw Error({theirs.front()},
+                fmt::format("with this file{} the driver's compiler {}", others, end_of(status)),
                 "shorten its expressions, macros, arrays and loops");
 }
 

@@ -11,7 +11,7 @@ namespace sr::gl {
 class TrialCompiler {
 public:
     /// What the driver may take for one program.
-    static constexpr int most_seconds = 30;      // of CPU time
+    static constexpr int most_seconds = 30; // of CPU time
     static constexpr int most_wall_seconds = 120;
     static constexpr int most_gigabytes = 2;
 

@@ -59,7 +59,8 @@ void fill_blocks(GLuint program, std::vector<Buffer>& zeros) {
         glGetActiveUniformBlockiv(program, block, GL_UNIFORM_BLOCK_DATA_SIZE, &size);
         zeros.emplace_back("zeros");
         glBindBuffer(GL_UNIFORM_BUFFER, zeros.back().id());
-        glBufferData(GL_UNIFORM_BUFFER, size, std::vector<char>(static_cast<std::size_t>(size)).data(), GL_STATIC_DRAW);
+        glBufferData(GL_UNIFORM_BUFFER, size, std::vector<char>(static_cast<std::size_t>(size)).data(),
+                     GL_STATIC_DRAW);
         glBindBufferBase(GL_UNIFORM_BUFFER, block, zeros.back().id());
         glUniformBlockBinding(program, block, block);
     }

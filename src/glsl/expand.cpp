@@ -73,7 +73,9 @@ std::optional<std::string_view> directive_text(std::string_view code) {
 /// The directive's name: `if`, `line`, …; empty if the line is no directive.
 std::string_view directive_name(std::string_view code) {
     const std::string_view text = directive_text(code).value_or("");
-    const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; };
+    const auto is_letter = [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+    };
     return text.substr(0, static_cast<std::size_t>(std::ranges::find_if_not(text, is_letter) - text.begin()));
 }
 
@@ -122,7 +124,7 @@ private:
     Source source_;
     std::set<std::string, std::less<>> seen_;
     std::vector<Location> conditions_; // the #if, #ifdef and #ifndef that are open
-    std::vector<std::string> open_; // the chain of includes from the entry to here
+    std::vector<std::string> open_;    // the chain of includes from the entry to here
 };
 
 Expansion::Found Expansion::find(std::string_view name, const Location& includer) const {
@@ -205,7 +207,8 @@ void Expansion::check_directive(std::string_view code, const Location& here) {
     const std::string_view name = directive_name(code);
     if (name == "version") check_version(here);
     if (name == "line")
-        throw Error(here, "#line would give errors another place", "remove it: the place is known without it");
+        throw Error(here, "#line would give errors another place",
+                    "remove it: the place is known without it");
     if (name == "if" || name == "ifdef" || name == "ifndef") conditions_.push_back(here);
     if (name == "endif") {
         const bool is_open = !conditions_.empty() && conditions_.back().file == here.file;

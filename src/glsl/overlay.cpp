@@ -38,7 +38,8 @@ std::vector<std::string> names_in(const fs::path& folder) {
     constexpr std::size_t most = 1000, longest = 200;
     std::vector<std::string> names;
     std::error_code failure;
-    fs::recursive_directory_iterator entry(folder, fs::directory_options::skip_permission_denied, failure), end;
+    fs::recursive_directory_iterator entry(folder, fs::directory_options::skip_permission_denied, failure),
+        end;
     for (; !failure && entry != end && names.size() < most; entry.increment(failure)) {
         std::error_code ignored;
         if (entry->is_directory(ignored)) continue;
@@ -54,12 +55,14 @@ std::optional<std::string> remark_on_overlay(const fs::path& folder, const Root&
     const std::vector<std::string> known = ours.names();
     std::error_code ignored;
     for (const std::string& name : known)
-        if (fs::symlink_status(folder / name, ignored).type() != fs::file_type::not_found) return std::nullopt;
+        if (fs::symlink_status(folder / name, ignored).type() != fs::file_type::not_found)
+            return std::nullopt;
     const std::vector<std::string> names = names_in(folder);
     if (names.empty())
-        return fmt::format("{}: the folder holds no files, so no shader is replaced: a file brdf/f_r.glsl in it "
-                           "would replace the BRDF",
-                           folder.string());
+        return fmt::format(
+            "{}: the folder holds no files, so no shader is replaced: a file brdf/f_r.glsl in it "
+            "would replace the BRDF",
+            folder.string());
     std::size_t least = std::string::npos;
     const std::string *nearest = nullptr, *meant = nullptr;
     for (const std::string& name : names)

@@ -47,8 +47,7 @@ private:
         std::vector<glm::dmat4> node_from_instance;
     };
 
-    std::vector<Part> parts_of(int mesh, MaterialTable& materials, scene::Scene& scene,
-                               Warnings& warnings);
+    std::vector<Part> parts_of(int mesh, MaterialTable& materials, scene::Scene& scene, Warnings& warnings);
     void add(std::size_t placed, const PlacedNode& node, Part& part, scene::Scene& scene, Warnings& warnings);
     /// @throws Error if this is more than a file may draw
     void count(const Drawn& drawn, const PlacedNode& node, const scene::Mesh& mesh);

@@ -64,8 +64,7 @@ std::optional<struct stat> status_of(const fs::path& target, const fs::path& nam
         fail(name, errno);
     }
     if (S_ISDIR(status.st_mode)) fail(name, EISDIR);
-    if (!S_ISREG(status.st_mode))
-        throw Error({name.string()}, "this is not a regular file", "name a file");
+    if (!S_ISREG(status.st_mode)) throw Error({name.string()}, "this is not a regular file", "name a file");
     if (access(target.c_str(), W_OK) != 0)
         throw Error({name.string()}, fmt::format("the file cannot be replaced ({})", std::strerror(errno)),
                     "change its permissions, or name another file");

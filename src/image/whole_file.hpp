@@ -37,8 +37,8 @@ private:
 /// One file as WholeFiles writes it. @throws Error
 void write_whole(const std::filesystem::path& file, std::span<const std::uint8_t> bytes);
 
-/// @throws Error if it can be seen already that `file` cannot be written: a missing folder, a folder or a device
-/// in its place, no permission. Nothing is written.
+/// @throws Error if it can be seen already that `file` cannot be written: a missing folder, a folder or a
+/// device in its place, no permission. Nothing is written.
 void require_writable(const std::filesystem::path& file);
 
 } // namespace sr::image

@@ -90,7 +90,8 @@ const gl::Program& ShaderLibrary::mesh_program(const std::string& fragment, cons
 const gl::Program& ShaderLibrary::fullscreen_program(const std::string& fragment) {
     if (const auto found = fullscreen_programs_.find(fragment); found != fullscreen_programs_.end())
         return found->second;
-    return fullscreen_programs_.emplace(fragment, compiled("fullscreen.vert", fragment, shader_path_)).first->second;
+    return fullscreen_programs_.emplace(fragment, compiled("fullscreen.vert", fragment, shader_path_))
+        .first->second;
 }
 
 } // namespace sr::render

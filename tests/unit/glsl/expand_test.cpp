@@ -115,7 +115,8 @@ const Test version_place("unit.glsl.expand.version_place", [] {
 
 const Test places("unit.glsl.expand.refuses_what_moves_places", [] {
     const auto refused = [](const char* text, std::string_view begin) {
-        const std::string said = failure({{"main.frag", "#include \"a.glsl\"\nfloat z;\n"}, {"a.glsl", text}});
+        const std::string said =
+            failure({{"main.frag", "#include \"a.glsl\"\nfloat z;\n"}, {"a.glsl", text}});
         EXPECT_TRUE(said.starts_with(begin)) << text << ": " << said;
     };
     refused("float a;\n#line 7\n", "mem/a.glsl:2: #line");
@@ -127,7 +128,8 @@ const Test places("unit.glsl.expand.refuses_what_moves_places", [] {
     refused("#if 1\nfloat a;\n", "mem/a.glsl:1: this #if never ends");
     refused("float a;\n#endif\n", "mem/a.glsl:2: #endif without #if");
     refused("#define A \\", "mem/a.glsl:1: the last line ends in \\");
-    EXPECT_EQ(failure({{"main.frag", "// #line 7\n#define line 1\n#ifdef A\n#if 1\n#endif\n#endif\n"}}), "no error");
+    EXPECT_EQ(failure({{"main.frag", "// #line 7\n#define line 1\n#ifdef A\n#if 1\n#endif\n#endif\n"}}),
+              "no error");
     const std::string nul = failure({{"main.frag", std::string("float a;\nflo\0at b;\n", 18)}});
     EXPECT_TRUE(nul.starts_with("mem/main.frag:2: a NUL byte")) << nul;
 });
