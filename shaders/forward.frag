@@ -2,6 +2,7 @@
 // The rendering equation for direct light, at the surface that the pixel sees:
 //
 //   L_o(x, wo) = L_e(x, wo) + Σ_k ∫ f_r L_i V cosθ_i dω
+#include "surface/surface.glsl"
 #include "integrator/bounded.glsl"
 #include "integrator/emitted.glsl"
 #include "integrator/reflected.glsl"

@@ -4,6 +4,7 @@
 //   L_o(x, wo) = L_e(x, wo) + Σ_k ∫ f_r L_i V cosθ_i dω + T(wo) L_o(x', wo)
 //
 // x' is the surface behind, which stands in the frame already: blending multiplies it by `through` and adds `film`.
+#include "surface/surface.glsl"
 #include "integrator/bounded.glsl"
 #include "integrator/emitted.glsl"
 #include "integrator/reflected.glsl"

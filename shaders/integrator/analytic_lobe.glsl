@@ -6,6 +6,7 @@
 // of it, exact with outline and horizon (light/visible_outline.glsl). The points lie evenly in p. For Lambert's lobe r
 // is constant and the result exact; elsewhere it converges with the points. Without points: Heitz et al. 2016. The
 // ratio: Heitz, Hill & McGuire 2018. Points where p is: Peters 2021, who draws them; these are a fixed fan.
+#include "surface/surface.glsl"
 #include "brdf/lobes.glsl"
 #include "brdf/warp.glsl"
 #include "integrator/cosine.glsl"

@@ -3,6 +3,7 @@
 //   L_r(x, wo) = ρ Σ_k L_k(m) V(x, y_k),    m = 2 (n·wo) n - wo
 //
 // exact for every emitter of some extent. Points, spots and parallel light have none: no direction meets them, and they are not seen.
+#include "surface/surface.glsl"
 #include "integrator/cosine.glsl"
 #include "integrator/rays.glsl"
 #include "integrator/shadowed.glsl"

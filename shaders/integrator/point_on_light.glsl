@@ -1,5 +1,6 @@
 // One point on a light and its V, for those who ask what arrives and not what is reflected. Under --visibility map
 // the renderer puts map_point_on_light.glsl in the place of this file.
+#include "surface/surface.glsl"
 #include "integrator/random_point.glsl"
 #include "integrator/rays.glsl"
 #include "light/sample_light.glsl"

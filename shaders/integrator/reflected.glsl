@@ -5,6 +5,7 @@
 // Each integral by two points a frame, one where the light is and one where the BRDF has its peak, weighed by the
 // power heuristic (Veach & Guibas 1995, section 5.2, β = 2); emitters without extent are known exactly and take one.
 // Frames add up to the integral. This is the only loop over lights and the only cosine.
+#include "surface/surface.glsl"
 #include "brdf/f_r.glsl"
 #include "brdf/sample_f_r.glsl"
 #include "integrator/cosine.glsl"

@@ -1,4 +1,5 @@
 // One light by samples, where the analytic estimator has no outline to go by; as reflected.glsl has it.
+#include "surface/surface.glsl"
 #include "brdf/f_r.glsl"
 #include "brdf/sample_f_r.glsl"
 #include "integrator/cosine.glsl"

@@ -8,6 +8,7 @@
 // on surfaces whose horizon cuts the emitter, V of its middle: whatever V' is, as long as w_i and U are independent of
 // it the mean over frames is exactly ∫ f_r L_e V cosθ dω. Where V is 1 this is U, where V is 0 it is 0; only penumbrae
 // see the points.
+#include "surface/surface.glsl"
 #include "brdf/f_r.glsl"
 #include "integrator/cosine.glsl"
 #include "light/map_sample.glsl"

@@ -1,4 +1,5 @@
 // The density of what sample_f_r draws, also for BRDFs without a peak, which the renderer does not draw from.
+#include "surface/surface.glsl"
 #include "brdf/model.glsl"
 #include "brdf/sample_f_r.glsl"
 

@@ -1,5 +1,6 @@
 #version 410 core
 // What the surface itself sends out: L_e [cd/m²].
+#include "surface/surface.glsl"
 #include "integrator/emitted.glsl"
 #include "surface/at_fragment.glsl"
 

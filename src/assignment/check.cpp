@@ -2,6 +2,7 @@
 
 #include "assignment/mark.hpp"
 #include "core/error.hpp"
+#include "core/memory_watch.hpp"
 #include "gl/context.hpp"
 #include "golden/child.hpp"
 
@@ -125,6 +126,7 @@ void mark_tasks(const fs::path& submission, const std::vector<std::string>& task
     const Assignment assignment = load(assignment_of(label));
     const Submission handed_in = read_submission(assignment, submission);
     const auto context = gl::open_context({gl::Backend::automatic, false});
+    const MemoryWatch watch(std::uint64_t{4} << 30); // a student's code may ask for any amount
     Marker marker(assignment, label.student, keeps_pictures);
     std::ofstream stream(results, std::ios::app);
     for (const std::string& task : tasks)

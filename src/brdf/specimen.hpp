@@ -1,9 +1,11 @@
 #pragma once
 // A BRDF to be looked at by itself: one of ours with parameters, or a file of the user's own.
+#include "gl/trial_compiler.hpp"
 #include "glsl/root.hpp"
 #include "render/features.hpp"
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,6 +28,7 @@ struct Specimen {
     std::vector<scene::MeasuredBrdf> measured; // what material.measured counts in
     bool has_energy_compensation = false;
     std::optional<UserShader> user;
+    std::shared_ptr<gl::TrialCompiler> trial; // of the user's shader; null: it is compiled at once
 
     /// Whether f_r is a delta, which has no values to look at.
     bool is_delta() const { return !user && material.model == scene::Model::mirror; }

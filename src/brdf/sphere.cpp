@@ -53,6 +53,7 @@ image::Image lit_sphere(const Specimen& specimen, int size, int samples) {
     options.samples = samples;
     options.background = vec3(2.0f);
     options.shader_path = overlay_path(specimen);
+    options.trial = specimen.trial;
     render::Renderer renderer(gpu_scene, camera, options);
     for (int i = 0; i < samples; ++i) renderer.add_sample();
     return renderer.film();

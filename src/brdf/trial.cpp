@@ -73,7 +73,7 @@ void Trial::change(const scene::Material& material) {
 
 std::vector<vec4> Trial::asked(std::unique_ptr<render::GlslTable>& table, const char* shader,
                                std::span<const Row> rows) {
-    if (!table) table = std::make_unique<render::GlslTable>(path_, shader);
+    if (!table) table = std::make_unique<render::GlslTable>(path_, shader, specimen_.trial.get());
     const auto parameters = parameters_of(specimen_);
     const gl::Program& program = table->program();
     glProgramUniform4fv(program.id(), program.uniform("parameters"), static_cast<GLsizei>(parameters.size()),

@@ -1,5 +1,8 @@
 #include "cli/arguments.hpp"
 
+#include "core/output.hpp"
+#include "glsl/overlay.hpp"
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -77,6 +80,8 @@ std::vector<glsl::Root> shader_path(const std::vector<std::string>& folders) {
     std::vector<glsl::Root> path;
     for (const std::string& folder : folders) path.push_back(glsl::Root::folder(folder));
     path.push_back(glsl::embedded());
+    for (const std::string& folder : folders)
+        if (const auto remark = glsl::remark_on_overlay(folder, path.back())) write_remark(*remark);
     return path;
 }
 

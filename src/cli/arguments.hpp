@@ -33,7 +33,8 @@ std::optional<double> parsed_percentage(const std::string& text);
 /// "2", "2s", "1.5min" [s]; absent if it is not above 0.
 std::optional<double> parsed_duration(const std::string& text);
 
-/// The given folders in front of the built-in shaders. @throws Error if one is no folder.
+/// The given folders in front of the built-in shaders; remarks on those that replace nothing.
+/// @throws Error if one is no folder.
 std::vector<glsl::Root> shader_path(const std::vector<std::string>& folders);
 
 } // namespace sr::cli

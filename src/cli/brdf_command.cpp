@@ -43,6 +43,7 @@ void choose(BrdfCommand& command) {
     if (command.name == "gltf") command.name = "metallic_roughness";
     if (ends_in(".glsl") || ends_in(".frag")) {
         specimen.user = brdf::read_user_shader(command.name);
+        specimen.trial = std::make_shared<gl::TrialCompiler>(command.backend);
     } else if (ends_in(".binary")) {
         specimen.material.model = Model::merl;
         specimen.material.measured = 0;
@@ -69,29 +70,31 @@ std::vector<vec3> tabulated(brdf::Trial& trial) {
 }
 
 void write_outputs(const BrdfCommand& command, brdf::Trial& trial) {
+    image::WholeFiles files;
     for (const std::string& output : command.outputs) {
         if (output.ends_with(".svg")) {
             const std::string svg = brdf::polar_plot(trial, command.name);
-            image::write_whole(output,
-                               std::span(reinterpret_cast<const std::uint8_t*>(svg.data()), svg.size()));
+            files.add(output, std::span(reinterpret_cast<const std::uint8_t*>(svg.data()), svg.size()));
         } else if (output.ends_with(".binary")) {
             const std::vector<std::byte> file = scene::merl_file(tabulated(trial));
-            image::write_whole(output,
-                               std::span(reinterpret_cast<const std::uint8_t*>(file.data()), file.size()));
+            files.add(output, std::span(reinterpret_cast<const std::uint8_t*>(file.data()), file.size()));
         } else {
             const image::Image film = brdf::lit_sphere(command.specimen, 256, command.samples);
             const bool is_linear = image::is_scene_referred(output);
-            image::write(
-                is_linear ? film : image::displayed(film, image::auto_ev100(film), image::ToneCurve::neutral),
-                output, is_linear ? image::SampleType::floating : image::SampleType::integer8);
+            files.add(is_linear ? film
+                                : image::displayed(film, image::auto_ev100(film), image::ToneCurve::neutral),
+                      output, is_linear ? image::SampleType::floating : image::SampleType::integer8);
         }
     }
+    files.put_in_place();
 }
 
-/// A format that is not known is the user's mistake, and is said before anything is computed.
+/// What cannot be written is said before anything is computed.
 void check_outputs(const BrdfCommand& command) {
-    for (const std::string& output : command.outputs)
+    for (const std::string& output : command.outputs) {
         if (!output.ends_with(".svg") && !output.ends_with(".binary")) image::is_scene_referred(output);
+        image::require_writable(output);
+    }
 }
 
 ordered_json albedos_json(brdf::Trial& trial) {

@@ -6,7 +6,7 @@
 #include "golden/compare.hpp"
 #include "golden/comparison_json.hpp"
 #include "golden/pictures.hpp"
-#include "image/file.hpp"
+#include "image/whole_file.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -132,15 +132,27 @@ void print_json(const golden::Comparison& comparison, const CompareCommand& comm
     write_json(json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
 }
 
+/// What cannot be written is said before anything is compared.
+void check_outputs_of(const CompareCommand& command) {
+    for (const std::string& output : {command.heat_map, command.side_by_side})
+        if (!output.empty()) {
+            image::is_scene_referred(output);
+            image::require_writable(output);
+        }
+}
+
 ExitStatus compare(const CompareCommand& command) {
+    check_outputs_of(command);
     const image::Image test = image::read(command.test), reference = image::read(command.reference);
     const golden::CompareOptions options = options_of(command);
     const golden::Comparison comparison = golden::compare(test, reference, options);
+    image::WholeFiles files;
     if (!command.heat_map.empty())
-        image::write(golden::heat_map(comparison), command.heat_map, image::SampleType::integer8);
+        files.add(golden::heat_map(comparison), command.heat_map, image::SampleType::integer8);
     if (!command.side_by_side.empty())
-        image::write(golden::side_by_side(test, reference, comparison, options), command.side_by_side,
-                     image::SampleType::integer8);
+        files.add(golden::side_by_side(test, reference, comparison, options), command.side_by_side,
+                  image::SampleType::integer8);
+    files.put_in_place();
     if (command.json)
         print_json(comparison, command);
     else

@@ -1,6 +1,7 @@
 #include "cli/commands.hpp"
 #include "cli/version.hpp"
 #include "core/error.hpp"
+#include "core/library_output.hpp"
 #include "core/limits.hpp"
 #include "core/output.hpp"
 
@@ -88,6 +89,7 @@ void declare_commands(CLI::App& app) {
     add_export_command(app);
     add_brdf_command(app);
     add_assignment_command(app);
+    add_trial_command(app);
 }
 
 /// Runs the command that the words name. @return the exit status
@@ -119,6 +121,7 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
     using namespace sr::cli;
     sr::occupy_standard_streams();
+    sr::silence_libraries();
     std::signal(SIGPIPE,
                 SIG_IGN); // a reader that leaves is an error of write(), and no reason to lose a picture
     std::set_terminate(end_by_exception);

@@ -165,6 +165,7 @@ render::RenderOptions render_options(const RenderCommand& command, Size size) {
     options.seed = command.seed;
     options.background = command.background;
     options.shader_path = shader_path(command.shaders);
+    if (!command.shaders.empty()) options.trial = std::make_shared<gl::TrialCompiler>(command.backend);
     options.estimator = command.estimator;
     options.analytic_points = command.analytic_points;
     if (command.view) options.shader = command.view->shader;

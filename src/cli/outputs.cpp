@@ -3,6 +3,7 @@
 #include "core/output.hpp"
 #include "image/half.hpp"
 #include "render/provenance.hpp"
+#include "image/whole_file.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -95,25 +96,27 @@ void warn_of_half_overflow(const image::Image& image, const std::string& output)
 std::optional<float> write_outputs(const Picture& picture, const RenderCommand& command) {
     const image::Image& film = picture.film;
     std::optional<float> ev100;
+    image::WholeFiles files;
     for (const std::string& output : command.outputs) {
         if (image::is_scene_referred(output)) {
             const image::Image& written = picture.layers && holds_layers(output) ? *picture.layers : film;
             if (command.exr_type == image::SampleType::half && holds_layers(output))
                 warn_of_half_overflow(written, output);
-            image::write(written, output, command.exr_type);
+            files.add(written, output, command.exr_type);
             continue;
         }
         if (command.view && command.view->kind != ViewKind::light) {
             image::Image shown = colors_of(*command.view, film);
             shown.attributes = film.attributes;
-            image::write(shown, output, image::SampleType::integer8);
+            files.add(shown, output, image::SampleType::integer8);
             continue;
         }
         if (!ev100) ev100 = command.ev100 ? *command.ev100 : image::auto_ev100(film);
         image::Image shown = image::displayed(film, *ev100, command.tone_curve);
         shown.attributes = film.attributes;
-        image::write(shown, output, image::SampleType::integer8);
+        files.add(shown, output, image::SampleType::integer8);
     }
+    files.put_in_place();
     return ev100;
 }
 

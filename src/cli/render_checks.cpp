@@ -2,6 +2,7 @@
 
 #include "cli/frame_names.hpp"
 #include "cli/outputs.hpp"
+#include "image/whole_file.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -39,6 +40,7 @@ void check_outputs(const RenderCommand& command) {
             throw CLI::ValidationError("-o", fmt::format("'{}' has no place for the frame's number: name it "
                                                          "like frame.####.png",
                                                          output));
+        image::require_writable(command.frames ? *numbered(output, 0) : output);
     }
     if (std::ranges::find(command.aovs, Aov::error) != command.aovs.end() && command.stop.samples < 2)
         throw CLI::ValidationError("--aov", "error takes --samples 2 at least");

@@ -52,6 +52,9 @@ viewer::Options viewer_options(const ViewCommand& command) {
     options.rendering.estimator = r.estimator;
     options.rendering.analytic_points = r.analytic_points;
     options.shaders = r.shaders;
+    options.rendering.shader_path = shader_path(r.shaders); // says now what is wrong with the folders
+    if (!r.shaders.empty())
+        options.rendering.trial = std::make_shared<gl::TrialCompiler>(gl::Backend::window);
     options.ev100 = r.ev100;
     options.tone_curve = r.tone_curve;
     if (r.size) {

@@ -1,8 +1,8 @@
 #include "core/error.hpp"
 
+#include "core/output.hpp"
 #include "core/text.hpp"
 
-#include <cstdio>
 #include <cstdlib>
 #include <fmt/format.h>
 
@@ -22,8 +22,8 @@ Error::Error(std::string_view what, std::string_view what_to_do)
 
 void require(bool claim, const char* what, std::source_location here) {
     if (claim) return;
-    std::fprintf(stderr, "%s:%u: %s: this is a bug in Steradian, please report it\n", here.file_name(),
-                 static_cast<unsigned>(here.line()), what);
+    print_remark("{}:{}: {}: this is a bug in Steradian, please report it", here.file_name(), here.line(),
+                 what);
     std::abort();
 }
 

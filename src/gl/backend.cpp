@@ -2,8 +2,13 @@
 
 #include "core/error.hpp"
 
+#include <algorithm>
 #include <array>
+#include <condition_variable>
 #include <fmt/format.h>
+#include <mutex>
+#include <thread>
+#include <vector>
 
 namespace sr::gl {
 namespace {
@@ -21,6 +26,19 @@ constexpr std::array<Entry, 3> entries{{
     {Backend::window, "window", open_window},
 }};
 
+/// Software drivers start a thread for each core and wait for ever for those that the system refuses.
+/// @throws std::system_error if it refuses as many
+void require_threads() {
+    constexpr unsigned others = 4, most = 36;
+    std::vector<std::jthread> threads; // which end when their stop tokens say so, at the latest here
+    for (unsigned i = 0; i < std::min(std::thread::hardware_concurrency() + others, most); ++i)
+        threads.emplace_back([](const std::stop_token& stop) {
+            std::mutex mutex;
+            std::unique_lock lock(mutex);
+            std::condition_variable_any().wait(lock, stop, [] { return false; });
+        });
+}
+
 } // namespace
 
 std::optional<Backend> backend_named(std::string_view name) {
@@ -30,7 +48,14 @@ std::optional<Backend> backend_named(std::string_view name) {
     return std::nullopt;
 }
 
+const char* name_of(Backend backend) {
+    for (const Entry& entry : entries)
+        if (entry.backend == backend) return entry.name;
+    return "auto";
+}
+
 std::unique_ptr<Context> open_context(const ContextOptions& options) {
+    require_threads();
     std::string failures;
     for (const Entry& entry : entries) {
         if (options.backend == entry.backend) return entry.open(options.debug);

@@ -20,6 +20,9 @@ enum class Backend {
 /// "auto", "egl", "osmesa", "window"; absent for any other name.
 std::optional<Backend> backend_named(std::string_view name);
 
+/// What backend_named() understands.
+const char* name_of(Backend backend);
+
 /// Whether a GL_RENDERER of this name runs on the CPU.
 bool is_software_renderer(std::string_view renderer);
 

@@ -22,6 +22,25 @@ std::string_view without_blanks_after(std::string_view text) {
 
 bool has(std::string_view text, std::string_view part) { return text.find(part) != text.npos; }
 
+/// The text with line breaks as we count them: drivers end a line at a lone carriage return, too.
+std::string with_plain_breaks(std::string text) {
+    std::size_t size = 0;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (text[i] == '\r' && i + 1 < text.size() && text[i + 1] == '\n') continue;
+        text[size++] = text[i] == '\r' ? '\n' : text[i];
+    }
+    text.resize(size);
+    return text;
+}
+
+/// @throws Error at a NUL, where the text would end for the driver
+void require_no_nul(std::string_view text, const std::string& place) {
+    const std::size_t at = text.find('\0');
+    if (at == text.npos) return;
+    const auto line = 1 + std::ranges::count(text.substr(0, at), '\n');
+    throw Error({place, static_cast<int>(line)}, "a NUL byte", "remove it: a shader is text");
+}
+
 /// A line without its comments. `is_comment` says whether a block comment is open, before and after the line.
 std::string code_of(std::string_view line, bool& is_comment) {
     std::string code;
@@ -44,12 +63,27 @@ std::string code_of(std::string_view line, bool& is_comment) {
     return code;
 }
 
-/// What follows `#name` on a line; absent if the line is no such directive.
-std::optional<std::string_view> directive(std::string_view code, std::string_view name) {
+/// What a line's `#` is followed by; absent if the line is no directive.
+std::optional<std::string_view> directive_text(std::string_view code) {
     code = without_blanks_before(code);
     if (!code.starts_with('#')) return std::nullopt;
-    code = without_blanks_before(code.substr(1));
-    if (!code.starts_with(name)) return std::nullopt;
+    return without_blanks_before(code.substr(1));
+}
+
+/// The directive's name: `if`, `line`, …; empty if the line is no directive.
+std::string_view directive_name(std::string_view code) {
+    const std::string_view text = directive_text(code).value_or("");
+    const auto is_letter = [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+    };
+    return text.substr(0, static_cast<std::size_t>(std::ranges::find_if_not(text, is_letter) - text.begin()));
+}
+
+/// What follows `#name` on a line; absent if the line is no such directive.
+std::optional<std::string_view> directive(std::string_view code, std::string_view name) {
+    const auto text = directive_text(code);
+    if (!text || !text->starts_with(name)) return std::nullopt;
+    code = *text;
     code.remove_prefix(name.size());
     const bool ends_here =
         code.empty() || code.front() == '"' || code.front() == '<' || blank.find(code.front()) != blank.npos;
@@ -77,23 +111,26 @@ private:
     struct Found {
         std::string place;
         std::string text;
+        bool is_foreign = false;
     };
 
     Found find(std::string_view name, const Location& includer) const;
     void add_lines(std::string_view text, int file);
     void check_version(const Location& here) const;
+    void check_directive(std::string_view code, const Location& here);
     void include(std::string_view argument, const Location& here);
 
     std::span<const Root> path_;
     Source source_;
     std::set<std::string, std::less<>> seen_;
-    std::vector<std::string> open_; // the chain of includes from the entry to here
+    std::vector<Location> conditions_; // the #if, #ifdef and #ifndef that are open
+    std::vector<std::string> open_;    // the chain of includes from the entry to here
 };
 
 Expansion::Found Expansion::find(std::string_view name, const Location& includer) const {
     std::vector<std::string_view> labels;
     for (const Root& root : path_) {
-        if (auto text = root.text_of(name)) return {root.place_of(name), std::move(*text)};
+        if (auto text = root.text_of(name)) return {root.place_of(name), std::move(*text), root.is_foreign()};
         labels.push_back(root.label());
     }
     const std::string searched =
@@ -116,7 +153,9 @@ void Expansion::add(std::string_view name, const Location& includer) {
     const Found found = find(name, includer);
     open_.emplace_back(name);
     source_.files.push_back(found.place);
-    add_lines(found.text, static_cast<int>(source_.files.size()) - 1);
+    if (found.is_foreign) source_.foreign.push_back(found.place);
+    require_no_nul(found.text, found.place);
+    add_lines(with_plain_breaks(found.text), static_cast<int>(source_.files.size()) - 1);
     open_.pop_back();
 }
 
@@ -125,30 +164,57 @@ void Expansion::add_lines(std::string_view text, int file) {
         text.remove_prefix(3); // a byte order mark, which no GLSL compiler takes
     bool is_comment = false;
     int comment_line = 0;
+    const std::size_t conditions_before = conditions_.size();
+    std::string code; // of this line, and of those that it continues
     for (int number = 1; !text.empty(); ++number) {
         const std::size_t end = std::min(text.find('\n'), text.size());
         std::string_view line = text.substr(0, end);
         text.remove_prefix(std::min(end + 1, text.size()));
-        if (line.ends_with('\r')) line.remove_suffix(1);
 
         const Location here{source_.files[static_cast<std::size_t>(file)], number};
         const bool was_comment = is_comment;
-        const std::string code = code_of(line, is_comment);
+        code += code_of(line, is_comment);
         if (is_comment && !was_comment) comment_line = number;
-        if (directive(code, "version")) check_version(here);
+        const bool goes_on = code.ends_with('\\');
+        if (!goes_on) check_directive(code, here);
         if (const auto argument = directive(code, "include")) {
             if (was_comment || is_comment)
                 throw Error(here, "a comment of several lines begins or ends beside #include",
                             "put it on lines of its own");
             include(*argument, here);
+            code.clear();
             continue;
         }
+        if (goes_on)
+            code.pop_back();
+        else if (!is_comment || directive_text(code) != "") // "#" and its word may stand around a comment
+            code.clear();
         source_.text.append(line) += '\n';
         source_.lines.push_back({file, number});
     }
+    const int last = source_.lines.empty() ? 1 : source_.lines.back().line;
+    if (source_.text.ends_with("\\\n") && !source_.lines.empty() && source_.lines.back().file == file)
+        throw Error({source_.files[static_cast<std::size_t>(file)], last}, "the last line ends in \\",
+                    "remove that: no line follows in this file");
+    if (conditions_.size() > conditions_before)
+        throw Error(conditions_.back(), "this #if never ends", "close it with #endif in the same file");
     if (is_comment)
         throw Error({source_.files[static_cast<std::size_t>(file)], comment_line}, "this comment never ends",
                     "close it with */");
+}
+
+void Expansion::check_directive(std::string_view code, const Location& here) {
+    const std::string_view name = directive_name(code);
+    if (name == "version") check_version(here);
+    if (name == "line")
+        throw Error(here, "#line would give errors another place",
+                    "remove it: the place is known without it");
+    if (name == "if" || name == "ifdef" || name == "ifndef") conditions_.push_back(here);
+    if (name == "endif") {
+        const bool is_open = !conditions_.empty() && conditions_.back().file == here.file;
+        if (!is_open) throw Error(here, "#endif without #if", "write both into the same file");
+        conditions_.pop_back();
+    }
 }
 
 void Expansion::check_version(const Location& here) const {

@@ -34,8 +34,18 @@ std::optional<std::string> Root::text_of(std::string_view name) const {
     }
     const fs::path file = std::get<fs::path>(place_) / name;
     std::error_code ignored;
-    if (!fs::exists(file, ignored)) return std::nullopt;
+    // A link that leads nowhere, or a folder that may not be read, is no absence: reading says what is wrong.
+    const fs::file_type type = fs::status(file, ignored).type();
+    const bool is_link = fs::is_symlink(fs::symlink_status(file, ignored));
+    if (type == fs::file_type::not_found && !is_link) return std::nullopt;
     return read_text(file);
+}
+
+std::vector<std::string> Root::names() const {
+    std::vector<std::string> names;
+    if (const Files* files = std::get_if<Files>(&place_))
+        for (const auto& [name, text] : *files) names.push_back(name);
+    return names;
 }
 
 std::string Root::place_of(std::string_view name) const {

@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 namespace sr::glsl {
 
@@ -29,10 +30,17 @@ public:
     /// @throws Error if a file is there and cannot be read.
     std::optional<std::string> text_of(std::string_view name) const;
 
+    /// The names of files in memory, in order; none of a folder.
+    std::vector<std::string> names() const;
+
     /// What errors call the file: on disk a path that a person can open.
     std::string place_of(std::string_view name) const;
 
     const std::string& label() const { return label_; }
+    /// Whether somebody else wrote it: a folder or a file of the user's.
+    bool is_foreign() const {
+        return is_single_ || std::holds_alternative<std::filesystem::path>(place_);
+    }
 
 private:
     Root(std::string label, std::variant<std::filesystem::path, Files> place);

@@ -23,6 +23,7 @@ struct Source {
     std::string text;
     std::vector<std::string> files; // as errors name them; files[0] is the entry. A hot reload watches these.
     std::vector<Line> lines;        // lines[i] is the origin of the text's line i + 1
+    std::vector<std::string> foreign; // those of `files` that somebody else wrote (Root::is_foreign)
 
     /// The place of a flat line, which counts from 1. Beyond the end: the last line; 0: the entry file alone.
     Location location(int flat_line) const;

@@ -31,6 +31,7 @@ std::unique_ptr<draco::Mesh> decoded(const Document& document, const PrimitivePl
         document.fail(
             fmt::format("{} claims to hold {} triangles in {} bytes", place.pointer(), *faces, stream.size()),
             export_draco_again);
+    document.values_read->add(3 * *faces); // primitives may share their bytes
     draco::DecoderBuffer buffer;
     buffer.Init(reinterpret_cast<const char*>(stream.data()), stream.size());
     draco::Decoder decoder;
@@ -101,6 +102,7 @@ void unpack_attribute(Document& document, const PrimitivePlace& place, const dra
         document.fail(fmt::format("{} announces {} of {}, and its Draco data has {}", place.pointer(),
                                   like.count, name, mesh.num_points()),
                       export_draco_again);
+    document.values_read->add(std::uint64_t{mesh.num_points()} * static_cast<std::uint64_t>(components));
     std::vector<std::uint8_t> bytes;
     if (!convert(mesh, *from, like.componentType, components, bytes))
         fail_broken(document, place, name + " cannot be converted");

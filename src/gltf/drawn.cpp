@@ -1,5 +1,6 @@
 #include "gltf/drawn.hpp"
 
+#include "gltf/accessor.hpp"
 #include "gltf/instancing.hpp"
 #include "gltf/variants.hpp"
 
@@ -24,6 +25,15 @@ const std::vector<tinygltf::Primitive>& primitives_of(const Document& document, 
 const std::vector<double>& weights_of(const Document& document, const tinygltf::Node& node) {
     return node.weights.empty() ? document.model.meshes[static_cast<std::size_t>(node.mesh)].weights
                                 : node.weights;
+}
+
+/// How many vertices a primitive asks for, by what it says: primitives may share their accessors.
+std::uint64_t vertices_at_least(const Document& document, const tinygltf::Primitive& primitive) {
+    const auto positions = primitive.attributes.find("POSITION");
+    const std::uint64_t stated =
+        positions == primitive.attributes.end() ? 0 : count_of(document, positions->second);
+    const std::uint64_t corners = primitive.indices < 0 ? 0 : count_of(document, primitive.indices);
+    return std::max(stated, corners / 3);
 }
 
 const dmat4 mirror{glm::dvec4(-1.0, 0.0, 0.0, 0.0), glm::dvec4(0.0, 1.0, 0.0, 0.0),
@@ -51,6 +61,7 @@ DrawnMeshes::DrawnMeshes(const Document& document, const std::vector<PlacedNode>
     : document_(document),
       placed_(placed),
       variant_(variant),
+      made_count_(Limit::vertices, document.name),
       instance_count_(Limit::instances, document.name),
       vertex_count_(Limit::vertices, document.name),
       name_size_(Limit::names, document.name) {
@@ -82,7 +93,7 @@ void DrawnMeshes::read(MaterialTable& materials, scene::Scene& scene, Warnings& 
 }
 
 std::vector<DrawnMeshes::Part> DrawnMeshes::parts_of(int mesh, MaterialTable& materials, scene::Scene& scene,
-                                                     Warnings& warnings) const {
+                                                     Warnings& warnings) {
     std::vector<Part> parts;
     const auto& primitives = primitives_of(document_, mesh);
     for (int p = 0; p < static_cast<int>(primitives.size()); ++p) {
@@ -90,6 +101,7 @@ std::vector<DrawnMeshes::Part> DrawnMeshes::parts_of(int mesh, MaterialTable& ma
         const int number = materials.material(material_of(primitive, variant_));
         const scene::Material& material = scene.materials[static_cast<std::size_t>(number)];
         const PrimitivePlace place{mesh, p};
+        made_count_.add(vertices_at_least(document_, primitive));
         auto made = mesh_of(document_, place, material, warnings);
         if (!made || made->indices.empty()) continue;
         made->material = number;

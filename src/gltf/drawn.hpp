@@ -45,8 +45,7 @@ private:
         std::vector<glm::dmat4> node_from_instance;
     };
 
-    std::vector<Part> parts_of(int mesh, MaterialTable& materials, scene::Scene& scene,
-                               Warnings& warnings) const;
+    std::vector<Part> parts_of(int mesh, MaterialTable& materials, scene::Scene& scene, Warnings& warnings);
     void add(std::size_t placed, const PlacedNode& node, Part& part, scene::Scene& scene, Warnings& warnings);
     /// @throws Error if this is more than a file may draw
     void count(const Drawn& drawn, const PlacedNode& node, const scene::Mesh& mesh);
@@ -61,6 +60,7 @@ private:
     std::optional<int> variant_;
     std::map<int, Skin> skins_;
     std::vector<Drawn> drawn_;
+    Tally made_count_; // vertices of meshes, each counted before it is made
     Tally instance_count_, vertex_count_, name_size_;
 };
 

@@ -88,6 +88,7 @@ std::vector<std::uint8_t> unpacked(const Document& document, const Packed& p, co
     if (size > densest * p.length)
         document.fail(fmt::format("{} claims to hold {} bytes in {}", pointer, size, p.length),
                       export_meshopt_again);
+    document.values_read->add(size / sizeof(float)); // views may share their bytes
     std::vector<std::uint8_t> bytes(size);
     if (size > 0) decode(document, p, buffer->subspan(p.offset, p.length), bytes, pointer);
     return bytes;

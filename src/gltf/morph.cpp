@@ -46,6 +46,9 @@ std::vector<MorphTarget> targets_of(const Document& document, const PrimitivePla
             if (!normals.empty()) target.normals.push_back(normals[source]);
             if (!tangents.empty()) target.tangents.push_back(tangents[source]);
         }
+        // Indices repeat what the accessors have once.
+        document.values_read->add(target.vertices.size() + 3 * target.positions.size()
+                                  + 3 * target.normals.size() + 3 * target.tangents.size());
         targets.push_back(std::move(target));
     }
     return targets;

@@ -100,6 +100,8 @@ Influences influences_of(const Document& document, const PrimitivePlace& place,
     Influences result;
     result.per_vertex = 4 * joints.size();
     if (joints.empty()) return result;
+    document.values_read->add(2 * sources.size()
+                              * result.per_vertex); // indices repeat what accessors have once
     for (const std::uint32_t vertex : sources)
         for (std::size_t set = 0; set < joints.size(); ++set)
             for (int i = 0; i < 4; ++i) {

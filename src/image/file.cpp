@@ -44,14 +44,20 @@ bool is_scene_referred(const fs::path& file) {
     return format == Format::exr || format == Format::hdr;
 }
 
-void write(const Image& image, const fs::path& file, SampleType type) {
+void WholeFiles::add(const Image& image, const fs::path& file, SampleType type) {
     const Format format = format_of(file);
     const std::size_t samples = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height)
                                 * static_cast<std::size_t>(image.channels);
     require(samples > 0 && image.pixels.size() == samples, "an image has as many samples as its size says");
     const bool is_half = format == Format::exr && type == SampleType::half;
     const bool is_clamped = is_half && half_overflow_count(image) > 0;
-    write_whole(file, codec().encode(is_clamped ? within_half(image) : image, format, type, file.string()));
+    add(file, codec().encode(is_clamped ? within_half(image) : image, format, type, file.string()));
+}
+
+void write(const Image& image, const fs::path& file, SampleType type) {
+    WholeFiles files;
+    files.add(image, file, type);
+    files.put_in_place();
 }
 
 Image read(const fs::path& file) {

@@ -7,6 +7,8 @@
 #include <cstring>
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <optional>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace sr::image {
@@ -31,21 +33,60 @@ namespace fs = std::filesystem;
     case EFBIG:
         throw Error(where, "the file would exceed the size limit",
                     "raise the limit, or write a smaller image");
+    case ELOOP: throw Error(where, "its symbolic links lead in a circle", "name another file");
+    case ENAMETOOLONG: throw Error(where, "the name is too long", "choose a shorter one");
     case EISDIR: throw Error(where, "this is a folder", "name a file");
     default:
         throw Error(where, fmt::format("cannot be written ({})", std::strerror(cause)), "try another place");
     }
 }
 
-/// The file while it is being written: closed and removed unless it was renamed into place.
-class Temporary {
+/// The file that a chain of symbolic links leads to, which need not exist; `file` itself if it is no link.
+fs::path end_of_links(const fs::path& file) {
+    constexpr int most = 40; // as Linux has it
+    fs::path end = file;
+    std::error_code failure;
+    for (int i = 0; i < most && fs::is_symlink(fs::symlink_status(end, failure)); ++i) {
+        const fs::path next = fs::read_symlink(end, failure);
+        if (failure) fail(file, failure.value());
+        end = next.is_absolute() ? next : end.parent_path() / next;
+    }
+    if (fs::is_symlink(fs::symlink_status(end, failure))) fail(file, ELOOP);
+    return end;
+}
+
+/// The status of the file that is to be replaced; absent if there is none.
+/// @throws Error if it may not be replaced
+std::optional<struct stat> status_of(const fs::path& target, const fs::path& name) {
+    struct stat status {};
+    if (stat(target.c_str(), &status) != 0) {
+        if (errno == ENOENT) return std::nullopt;
+        fail(name, errno);
+    }
+    if (S_ISDIR(status.st_mode)) fail(name, EISDIR);
+    if (!S_ISREG(status.st_mode)) throw Error({name.string()}, "this is not a regular file", "name a file");
+    if (access(target.c_str(), W_OK) != 0)
+        throw Error({name.string()}, fmt::format("the file cannot be replaced ({})", std::strerror(errno)),
+                    "change its permissions, or name another file");
+    return status;
+}
+
+fs::path folder_of(const fs::path& file) {
+    return file.has_parent_path() ? file.parent_path() : fs::path(".");
+}
+
+} // namespace
+
+/// A file while it is being written: closed and removed unless it was renamed into place.
+class WholeFiles::Temporary {
 public:
-    explicit Temporary(const fs::path& target) : target_(target) {
+    explicit Temporary(const fs::path& name) : name_(name), target_(end_of_links(name)) {
         static std::atomic<int> count{0};
-        const std::string name = fmt::format(".steradian-{}-{}.tmp", getpid(), count++);
-        path_ = target.parent_path() / name;
+        const auto before = status_of(target_, name_);
+        path_ = folder_of(target_) / fmt::format(".steradian-{}-{}.tmp", getpid(), count++);
         descriptor_ = open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-        if (descriptor_ < 0) fail(target_, errno);
+        if (descriptor_ < 0) fail(name_, errno);
+        if (before) keep(*before);
     }
     Temporary(const Temporary&) = delete;
     Temporary& operator=(const Temporary&) = delete;
@@ -58,32 +99,61 @@ public:
         while (!bytes.empty()) {
             const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
             if (written < 0 && errno == EINTR) continue;
-            if (written < 0) fail(target_, errno);
+            if (written < 0) fail(name_, errno);
             bytes = bytes.subspan(static_cast<std::size_t>(written));
         }
+        const int closed = close(descriptor_); // some file systems tell here that the disk is full
+        descriptor_ = -1;
+        if (closed != 0) fail(name_, errno);
     }
 
     void put_in_place() {
-        const int closed = close(descriptor_); // some file systems tell here that the disk is full
-        descriptor_ = -1;
-        if (closed != 0) fail(target_, errno);
-        if (rename(path_.c_str(), target_.c_str()) != 0) fail(target_, errno);
+        if (rename(path_.c_str(), target_.c_str()) != 0) fail(name_, errno);
         is_in_place_ = true;
     }
 
 private:
-    fs::path target_;
+    /// Owner, group and mode of the file that is replaced, as far as this user may.
+    void keep(const struct stat& before) const {
+        constexpr mode_t permissions = 0777;
+        [[maybe_unused]] const int owned = fchown(descriptor_, before.st_uid, before.st_gid);
+        if (fchmod(descriptor_, before.st_mode & permissions) != 0) fail(name_, errno);
+    }
+
+    fs::path name_;   // as the user says it
+    fs::path target_; // where its links lead
     fs::path path_;
     int descriptor_ = -1;
     bool is_in_place_ = false;
 };
 
-} // namespace
+WholeFiles::WholeFiles() = default;
+WholeFiles::~WholeFiles() = default;
+
+void WholeFiles::add(const fs::path& file, std::span<const std::uint8_t> bytes) {
+    temporaries_.push_back(std::make_unique<Temporary>(file));
+    temporaries_.back()->write(bytes);
+}
+
+void WholeFiles::put_in_place() {
+    for (const auto& temporary : temporaries_) temporary->put_in_place();
+    temporaries_.clear();
+}
 
 void write_whole(const fs::path& file, std::span<const std::uint8_t> bytes) {
-    Temporary temporary(file);
-    temporary.write(bytes);
-    temporary.put_in_place();
+    WholeFiles files;
+    files.add(file, bytes);
+    files.put_in_place();
+}
+
+void require_writable(const fs::path& file) {
+    const fs::path target = end_of_links(file);
+    status_of(target, file);
+    const fs::path folder = folder_of(target);
+    struct stat status {};
+    if (stat(folder.c_str(), &status) != 0) fail(file, errno);
+    if (!S_ISDIR(status.st_mode)) fail(file, ENOTDIR);
+    if (access(folder.c_str(), W_OK | X_OK) != 0) fail(file, errno);
 }
 
 } // namespace sr::image

@@ -12,10 +12,18 @@ namespace {
 constexpr int columns = 256;
 constexpr GLuint rows_unit = environment_texels_unit + 1;
 
+gl::Program compiled(std::span<const glsl::Root> path, const std::string& fragment,
+                     gl::TrialCompiler* trial) {
+    const glsl::Source vertex_source = glsl::expand(path, "fullscreen.vert");
+    const glsl::Source fragment_source = glsl::expand(path, fragment);
+    if (trial) trial->try_out(vertex_source, fragment_source);
+    return {fragment, vertex_source, fragment_source};
+}
+
 } // namespace
 
-GlslTable::GlslTable(std::span<const glsl::Root> path, const std::string& fragment)
-    : program_(fragment, glsl::expand(path, "fullscreen.vert"), glsl::expand(path, fragment)) {
+GlslTable::GlslTable(std::span<const glsl::Root> path, const std::string& fragment, gl::TrialCompiler* trial)
+    : program_(compiled(path, fragment, trial)) {
     program_.bind_texture("rows", rows_unit);
     program_.bind_texture("light_table", light_table_unit);
     program_.bind_texture("emission_texels", emission_texels_unit);

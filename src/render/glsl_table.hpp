@@ -2,6 +2,7 @@
 // Evaluates GLSL over a table of inputs, on the very code that renders.
 #include "core/math.hpp"
 #include "gl/program.hpp"
+#include "gl/trial_compiler.hpp"
 #include "glsl/root.hpp"
 #include "render/film.hpp"
 
@@ -20,9 +21,10 @@ using Row = std::array<vec4, 3>;
 /// writes one vec4 (shaders/trial/table.glsl does all that).
 class GlslTable {
 public:
-    /// Compiles `fragment` of the shader path with fullscreen.vert. Needs a current context. @throws
-    /// ShaderError
-    GlslTable(std::span<const glsl::Root> path, const std::string& fragment);
+    /// Compiles `fragment` of the shader path with fullscreen.vert. Needs a current context.
+    /// `trial` tries it before; null: it is compiled at once. @throws ShaderError, Error
+    GlslTable(std::span<const glsl::Root> path, const std::string& fragment,
+              gl::TrialCompiler* trial = nullptr);
 
     /// The answers in the order of the rows, none of them clamped. Textures other than `rows` are the
     /// caller's to bind, at the units of blocks.hpp.

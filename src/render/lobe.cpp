@@ -83,7 +83,7 @@ std::optional<PixelBrdf> brdf_at(const GpuScene& scene, const scene::Camera& cam
             "the pixel is in the picture");
     require(!wi.empty(), "a direction is asked for");
     const int row_from_below = options.height - 1 - row;
-    ShaderLibrary shaders(options.shader_path);
+    ShaderLibrary shaders(options.shader_path, {}, options.trial);
     FrameData frame_data;
     const View view = view_of(camera, options.width, options.height, vec2(0.5f));
     frame_data.upload({view.clip_from_world, view.eye, 0, options.seed, 0, 0});

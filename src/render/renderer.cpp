@@ -37,7 +37,7 @@ std::optional<glsl::Root> estimator(const RenderOptions& options) {
 
 std::shared_ptr<ShaderLibrary> Renderer::programs(const RenderOptions& options) {
     require(!options.shader_path.empty(), "the shader path has a root");
-    return std::make_shared<ShaderLibrary>(options.shader_path, estimator(options));
+    return std::make_shared<ShaderLibrary>(options.shader_path, estimator(options), options.trial);
 }
 
 Renderer::Renderer(const GpuScene& scene, const scene::Camera& camera, const RenderOptions& options,

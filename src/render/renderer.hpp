@@ -35,6 +35,8 @@ struct RenderOptions {
     std::optional<Window> window;
     /// The roots that shaders come from, most particular first.
     std::vector<glsl::Root> shader_path{glsl::embedded()};
+    /// Tries what others wrote of that path before this process compiles it; null: nothing is tried.
+    std::shared_ptr<gl::TrialCompiler> trial;
     Estimator estimator = Estimator::sampled;
     int analytic_points = default_analytic_points; // 0: linearly transformed cosines alone
     MapOptions maps;                               // of a scene whose shadows are found by depth maps

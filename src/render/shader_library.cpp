@@ -65,6 +65,16 @@ void connect(const gl::Program& program) {
 
 } // namespace
 
+gl::Program ShaderLibrary::compiled(const std::string& vertex, const std::string& fragment,
+                                    std::span<const glsl::Root> path) const {
+    const glsl::Source vertex_source = glsl::expand(path, vertex);
+    const glsl::Source fragment_source = glsl::expand(path, fragment);
+    if (trial_) trial_->try_out(vertex_source, fragment_source);
+    gl::Program program(fragment, vertex_source, fragment_source);
+    connect(program);
+    return program;
+}
+
 const gl::Program& ShaderLibrary::mesh_program(const std::string& fragment, const Features& features,
                                                VisibilityTerm visibility) {
     const auto key = std::tuple(fragment, features, visibility);
@@ -74,18 +84,14 @@ const gl::Program& ShaderLibrary::mesh_program(const std::string& fragment, cons
     if (estimator_ && features.is_analytic()) path.push_back(*estimator_);
     path.push_back(specialised(features, visibility));
     path.push_back(shader_path_.back());
-    gl::Program program(fragment, glsl::expand(path, "mesh.vert"), glsl::expand(path, fragment));
-    connect(program);
-    return mesh_programs_.emplace(key, std::move(program)).first->second;
+    return mesh_programs_.emplace(key, compiled("mesh.vert", fragment, path)).first->second;
 }
 
 const gl::Program& ShaderLibrary::fullscreen_program(const std::string& fragment) {
     if (const auto found = fullscreen_programs_.find(fragment); found != fullscreen_programs_.end())
         return found->second;
-    gl::Program program(fragment, glsl::expand(shader_path_, "fullscreen.vert"),
-                        glsl::expand(shader_path_, fragment));
-    connect(program);
-    return fullscreen_programs_.emplace(fragment, std::move(program)).first->second;
+    return fullscreen_programs_.emplace(fragment, compiled("fullscreen.vert", fragment, shader_path_))
+        .first->second;
 }
 
 } // namespace sr::render

@@ -143,6 +143,116 @@ class Hostile(cli_test.CommandLine):
         self.assertEqual(result.returncode, 3, result.stderr)
         self.assertIn("f_r.glsl: this is not a regular file", result.stderr)
 
+    def overlay(self, text, name="brdf/f_r.glsl", folder="overlay"):
+        file = self.folder / folder / name
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_bytes(text if isinstance(text, bytes) else text.encode())
+        return file
+
+    def rendered_with(self, folder="overlay", *arguments):
+        return run("render", self.write(scene()), "-o", self.folder / "a.exr", "--size", "8x8", "--samples", "1",
+                   "--shaders", self.folder / folder, *arguments)
+
+    def test_shaders_that_kill_the_compiler_are_one_line(self):
+        good = "vec3 f_r(Surface x, vec3 wi, vec3 wo) { return vec3(0.1); }\n"
+        bombs = {"crashes": "float d(float x) { return x" + "-x" * 100000 + "; }\n",
+                 "takes more than 2 GiB of memory": "#define A0 1.0\n" + "".join(f"#define A{i + 1} (A{i}+A{i})\n" for i in range(40))
+                                                    + "float bomb() { return A40; }\n"}
+        for words, bomb in bombs.items():
+            file = self.overlay(good + bomb)
+            self.assert_refused(self.rendered_with(), f"{file}: ", words)
+        file.write_text(good + "float q() { return nothere; }\n")  # a mistake keeps its place
+        self.assert_refused(self.rendered_with(), f"{file}:2:", "nothere")
+        file.write_text(good)
+        self.assertEqual(self.rendered_with().returncode, 0)
+
+    def test_a_shader_of_brdf_that_kills_the_compiler_is_one_line(self):
+        file = self.overlay("vec3 f_r(Surface x, vec3 wi, vec3 wo) { return vec3(0.1" + "-0.1*x.alpha" * 50000 + "); }\n")
+        self.assert_refused(run("brdf", file), f"{file}: ", "the driver's compiler")
+
+    def test_errors_of_odd_overlays_name_their_place(self):
+        for text, place in ((b"float a;\n#line 7 7\nfloat q() { return nothere; }\n", ":2: #line"), (b"float a;\r\n\0float b;\n", ":2: a NUL byte"),
+                            (b"float a;\r#if 0\rfloat b;\n", ":2: this #if never ends"), (b"float a;\rgarbage garbage\n", ":2:")):
+            file = self.overlay(text)
+            self.assert_refused(self.rendered_with(), f"{file}{place}")
+
+    def test_an_overlay_that_replaces_nothing_is_named(self):
+        self.overlay("", "brdf/fr.glsl", "misspelt")
+        self.overlay("", "f_r.glsl", "flat")
+        (self.folder / "empty").mkdir()
+        for folder, words in (("misspelt", "rename brdf/fr.glsl if brdf/f_r.glsl is meant"), ("flat", "rename f_r.glsl if brdf/f_r.glsl is meant"),
+                              ("empty", "the folder holds no files")):
+            result = self.rendered_with(folder)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            self.assertEqual(len(result.stderr.strip().splitlines()), 1, result.stderr)
+            self.assertIn(words, result.stderr)
+        (self.folder / "a.exr").unlink()
+        self.linked("nowhere", self.overlay("", folder="dangling"))
+        self.assert_refused(self.rendered_with("dangling"), "brdf/f_r.glsl: no such file")
+
+    def test_a_term_needs_no_includes_for_its_signature(self):
+        terms = {"brdf/f_r.glsl": "vec3 f_r(Surface x, vec3 wi, vec3 wo) { return vec3(0.1); }\n",
+                 "integrator/emitted.glsl": "vec3 emitted(Surface x) { return vec3(0.0); }\n",
+                 "visibility/visibility.glsl": "vec3 visibility(Surface x, vec3 wi, float distance, int light, int ray) { return vec3(1.0); }\n"}
+        for name, text in terms.items():
+            self.overlay(text, name, name.split("/")[0])
+            for view in ([], ["--view", "irradiance"]):
+                result = self.rendered_with(name.split("/")[0], *view)
+                self.assertEqual((result.returncode, result.stderr), (0, ""), name)
+
+    def test_outputs_are_checked_before_rendering(self):
+        gltf, there = self.write(scene()), self.folder / "there"
+        there.mkdir()
+        (there / "folder.png").mkdir()
+        os.mkfifo(there / "fifo.png")
+        self.linked("loop.png", "there/loop.png")
+        for name, words in (("none/x.exr", "there is no folder"), ("folder.png", "this is a folder"), ("fifo.png", "not a regular file"),
+                            ("a.tiff", "unknown image format"), ("loop.png", "circle"), ("x" * 300 + ".png", "too long")):
+            begin = time.monotonic()
+            result = run("render", gltf, "-o", there / "a.exr", "-o", there / name, "--samples", "1000000")
+            self.assert_refused(result, words)
+            self.assertLess(time.monotonic() - begin, 20, name)
+            self.assertEqual(sorted(p.name for p in there.iterdir()), ["fifo.png", "folder.png", "loop.png"])
+            if name != "a.tiff":
+                self.assert_refused(run("brdf", "lambert", "-o", there / name), words)
+        good = self.folder / "good.hdr"
+        self.assertEqual(run("render", gltf, "-o", good, "--size", "8x8", "--samples", "1").returncode, 0)
+        self.assert_refused(run("compare", good, good, "--heat-map", self.folder / "none/x.png"), "there is no folder")
+
+    def test_modes_and_links_of_outputs_stay(self):
+        gltf, target, link = self.write(scene()), self.folder / "target.hdr", self.folder / "link.hdr"
+        render = ["render", gltf, "--size", "8x8", "--samples", "1", "-o"]
+        target.write_text("before")
+        for mode in (0o600, 0o640, 0o444):
+            target.chmod(mode)
+            result = run(*render, target)
+            if result.returncode:  # only root may write what is read-only
+                self.assertEqual(mode, 0o444)
+                self.assert_refused(result, "target.hdr: the file cannot be replaced")
+            self.assertEqual(target.stat().st_mode & 0o777, mode)
+        target.chmod(0o644)
+        for before in ("target.hdr", "new.hdr"):  # the second leads nowhere yet
+            self.linked(before, link.name)
+            self.assertEqual(run(*render, link).returncode, 0)
+            self.assertEqual(os.readlink(link), before)
+            self.assertTrue((self.folder / before).read_bytes().startswith(b"#?"))
+
+    def test_libraries_print_no_line_of_their_own(self):
+        good = png(4, 4)
+        half = zlib.compress(bytes(20))
+        ihdr = good[:33]
+        pictures = {"crc.png": good[:45] + b"zzzz" + good[49:], "short.png": good[:50], "rows.png":
+                    ihdr + struct.pack(">I", len(half)) + b"IDAT" + half + struct.pack(">I", zlib.crc32(b"IDAT" + half)) + good[-12:],
+                    "bad.jpg": b"\xff\xd8\xff\xe0\0\x10JFIF\0\1\1\0\0\1\0\1\0\0\xff\xda" + b"z" * 40}
+        self.write(good, "good.PNG")
+        for name, data in pictures.items():
+            file = self.write(data, name).rename(self.folder / name.upper())
+            result = run("compare", file, self.folder / "good.PNG")
+            self.assert_refused(result, file.name)
+        gltf = self.write(scene(images=[{"uri": "ROWS.PNG"}], textures=[{"source": 0}],
+                                materials=[{"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}}]))
+        self.assertEqual(run("info", gltf).stderr, "")  # a warning on stdout
+
     def linked(self, target, name):
         link = self.folder / name
         link.unlink(missing_ok=True)
@@ -179,6 +289,43 @@ class Hostile(cli_test.CommandLine):
         self.assert_small("info", self.write(json.dumps(scene(extras=["@"])).replace('"@"', ",".join(["[]"] * 5000000)), "values.gltf"))
         picture = self.write(png(16384, 16384), "picture.PNG")
         self.assert_small("compare", picture, picture)
+
+    def test_what_is_unpacked_counts(self):
+        corners = 3 << 18
+        shared = scene(buffers=[{"byteLength": 36, "uri": data_uri(TRIANGLE)}, {"byteLength": corners, "uri": data_uri(bytes([0, 1, 2]) * (corners // 3))}])
+        shared["bufferViews"].append({"buffer": 1, "byteLength": corners})
+        shared["accessors"].append({"bufferView": 1, "componentType": 5121, "count": corners, "type": "SCALAR"})
+        primitive = {"attributes": {"POSITION": 0}, "indices": 1, "material": 0}
+        shared["meshes"] = [{"primitives": [{**primitive, "targets": [{"POSITION": 0}] * 500}]}]  # of three vertices, for 786432 corners
+        self.assert_small("info", self.write(shared, "targets.gltf"), "--limit", "values=20000000")
+        shared["meshes"] = [{"primitives": [primitive] * 1000}]
+        self.assert_small("info", self.write(shared, "corners.gltf"), "--limit", "vertices=1000000")
+        blocks = 1 << 14  # of 256 elements, all 0: 16 bytes each
+        packed = b"\xa0" + bytes(16 * blocks + 32)
+        view = {"buffer": 0, "byteLength": 1024 * blocks, "byteStride": 4, "extensions": {"EXT_meshopt_compression": {
+            "buffer": 0, "byteLength": len(packed), "byteStride": 4, "count": 256 * blocks, "mode": "ATTRIBUTES"}}}
+        meshopt = scene(buffers=[{"byteLength": len(packed), "uri": data_uri(packed)}], bufferViews=[view] * 1000,
+                        extensionsUsed=["KHR_lights_punctual", "EXT_meshopt_compression"], extensionsRequired=["EXT_meshopt_compression"])
+        file = self.write(meshopt, "meshopt.gltf")
+        if "is not supported" in run("info", file, "--limit", "values=40000000").stderr:
+            self.skipTest("built without meshoptimizer")
+        self.assert_small("info", file, "--limit", "values=40000000")
+
+    def test_a_large_scene_is_within_the_limits(self):
+        side, copies = 142, 100  # 40,328 triangles a mesh, four million in all
+        grid = b"".join(struct.pack("<3f", x / side, y / side, 0) for y in range(side + 1) for x in range(side + 1))
+        quads = [y * (side + 1) + x for y in range(side) for x in range(side)]
+        indices = b"".join(struct.pack("<6I", q, q + 1, q + side + 2, q, q + side + 2, q + side + 1) for q in quads)
+        file = scene(buffers=[{"byteLength": len(grid), "uri": data_uri(grid)}, {"byteLength": len(indices), "uri": data_uri(indices)}])
+        file["bufferViews"] = [{"buffer": 0, "byteLength": len(grid)}, {"buffer": 1, "byteLength": len(indices)}]
+        file["accessors"] = [{"bufferView": 0, "componentType": 5126, "count": (side + 1) ** 2, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 0]},
+                             {"bufferView": 1, "componentType": 5125, "count": 6 * side * side, "type": "SCALAR"}]
+        file["meshes"][0]["primitives"][0]["indices"] = 1
+        file["nodes"] += [{"mesh": 0, "translation": [i, 0, 0]} for i in range(1, copies)]
+        file["scenes"][0]["nodes"] = list(range(len(file["nodes"])))
+        result = run("info", self.write(file))
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        self.assertIn(f"{2 * side * side * copies}", result.stdout.replace(",", ""))
 
     def test_limits_are_settable(self):
         gltf = self.write(scene())

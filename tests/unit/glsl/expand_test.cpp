@@ -113,6 +113,41 @@ const Test version_place("unit.glsl.expand.version_place", [] {
         failure({{"main.frag", "float a;\n#version 410 core\n"}}).starts_with("mem/main.frag:2: #version"));
 });
 
+const Test places("unit.glsl.expand.refuses_what_moves_places", [] {
+    const auto refused = [](const char* text, std::string_view begin) {
+        const std::string said =
+            failure({{"main.frag", "#include \"a.glsl\"\nfloat z;\n"}, {"a.glsl", text}});
+        EXPECT_TRUE(said.starts_with(begin)) << text << ": " << said;
+    };
+    refused("float a;\n#line 7\n", "mem/a.glsl:2: #line");
+    refused("float a;\n # /* */ line 7 7\n", "mem/a.glsl:2: #line");
+    refused("float a;\n#\\\nline 7\n", "mem/a.glsl:3: #line");
+    refused("float a;\n#li\\\nne 7\n", "mem/a.glsl:3: #line");
+    refused("# /*\n*/ line 7\n", "mem/a.glsl:2: #line");
+    refused("#line\n", "mem/a.glsl:1: #line");
+    refused("#if 1\nfloat a;\n", "mem/a.glsl:1: this #if never ends");
+    refused("float a;\n#endif\n", "mem/a.glsl:2: #endif without #if");
+    refused("#define A \\", "mem/a.glsl:1: the last line ends in \\");
+    EXPECT_EQ(failure({{"main.frag", "// #line 7\n#define line 1\n#ifdef A\n#if 1\n#endif\n#endif\n"}}),
+              "no error");
+    const std::string nul = failure({{"main.frag", std::string("float a;\nflo\0at b;\n", 18)}});
+    EXPECT_TRUE(nul.starts_with("mem/main.frag:2: a NUL byte")) << nul;
+});
+
+const Test line_breaks("unit.glsl.expand.line_breaks", [] {
+    const Source source = expanded({{"main.frag", "a\rb\r\nc\nd"}});
+    EXPECT_EQ(source.text, "a\nb\nc\nd\n");
+    EXPECT_EQ(source.location(3).text(), "mem/main.frag:3");
+});
+
+const Test foreign("unit.glsl.expand.knows_what_is_foreign", [] {
+    const Root roots[] = {Root::single("/home/me/mine.glsl", "a.glsl", "float a;\n"),
+                          Root::memory("mem", {{"main.frag", "#include \"a.glsl\"\n#include \"b.glsl\"\n"},
+                                               {"b.glsl", "float b;\n"}})};
+    EXPECT_EQ(expand(roots, "main.frag").foreign, std::vector<std::string>{"/home/me/mine.glsl"});
+    EXPECT_TRUE(expanded({{"main.frag", "float a;\n"}}).foreign.empty());
+});
+
 const Test folder_root("unit.glsl.root.folder", [] {
     const auto folder = sr::testing::scratch_folder("glsl_root");
     std::filesystem::create_directories(folder / "brdf");

@@ -1,0 +1,14 @@
+#pragma once
+// Folders of shaders that replace none of ours, by a slip in a name.
+#include "glsl/root.hpp"
+
+#include <optional>
+#include <string>
+
+namespace sr::glsl {
+
+/// What to say of a folder none of whose files has the name of one in `ours`: one line with the name that is
+/// nearest. Absent if one has.
+std::optional<std::string> remark_on_overlay(const std::filesystem::path& folder, const Root& ours);
+
+} // namespace sr::glsl
