@@ -12,6 +12,6 @@ out vec4 film; // L_o [cd/m²] times coverage, and coverage
 void main() {
     Surface x = surface_at_fragment();
     vec3 wo = direction_to_viewer();
-    vec3 L_o = is_unlit ? x.base_color : emitted(x) + reflected(x, wo);
+    vec3 L_o = is_unlit ? unlit(x) : emitted(x) + reflected(x, wo);
     film = vec4(bounded(L_o) * x.coverage, x.coverage);
 }
