@@ -57,4 +57,6 @@ const bool is_masked = true;  // alphaMode MASK
 const bool is_blended = true; // alphaMode BLEND
 const bool is_mirror = false;  // brdf/models/mirror.glsl
 const bool is_lambert = false; // brdf/models/lambert.glsl
-const bool is_unlit = false;  // KHR_materials_unlit
+const bool is_unlit = false;  // KHR_materials_unlit; lines and points without normals
+const bool is_line = false;   // the mesh is lines
+const bool is_point = false;  // the mesh is points

@@ -6,4 +6,5 @@ layout(std140) uniform Frame {
     uint seed;
     int first_light;      // the emitters at work: from this one
     int end_light;        // up to the one before this
+    vec2 frame_size;      // of the picture [pixels]
 };

@@ -77,7 +77,7 @@ Surface surface_at_fragment() {
 
     Surface x;
     x.position = vertex_position;
-    x.triangle = first_triangle + gl_PrimitiveID;
+    x.triangle = is_line || is_point ? -1 : first_triangle + gl_PrimitiveID;
     x.n = shading_normal(wo);
     x.unmapped_n = on_seen_side(interpolated_normal(), wo);
     x.base_color = color.rgb;

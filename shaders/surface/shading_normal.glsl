@@ -3,8 +3,9 @@
 #include "base/unit.glsl"
 #include "surface/textures.glsl"
 
-// The triangle's own normal, on its front.
+// The triangle's own normal, on its front; lines and points have none, 0.
 vec3 triangle_normal() {
+    if (is_line || is_point) return vec3(0.0);
     vec3 towards_viewer = cross(dFdx(vertex_position), dFdy(vertex_position));
     return unit_or(gl_FrontFacing ? towards_viewer : -towards_viewer, vec3(0.0, 1.0, 0.0));
 }
@@ -41,6 +42,10 @@ vec3 facing(vec3 n, vec3 wo) {
     return cos_o >= 0.0 ? n : unit_or(n - cos_o * wo, frame_around(wo)[0]);
 }
 
-vec3 on_seen_side(vec3 n, vec3 wo) { return facing(gl_FrontFacing ? n : -n, wo); }
+// Lines and points have no back: n is taken for the side that is seen, and faces the viewer where there is none.
+vec3 on_seen_side(vec3 n, vec3 wo) {
+    if (is_line || is_point) return unit_or(dot(n, wo) < 0.0 ? -n : n, wo);
+    return facing(gl_FrontFacing ? n : -n, wo);
+}
 
 vec3 shading_normal(vec3 wo) { return on_seen_side(mapped_normal(), wo); }

@@ -10,7 +10,7 @@ struct Surface {
     vec3 F0_dielectric;   // reflectance of the dielectric part at normal incidence
     float specular;       // weight of the dielectric part's specular layer
     vec3 emission;        // L_e [cd/m²]
-    int triangle;         // that x lies on: its index among the shadow casters
+    int triangle;         // that x lies on: its index among the shadow casters; -1: on a line or point, which casts none
     float coverage;       // how much of the light from behind is kept back: alpha of the base colour, 1 if opaque; of
                           // glass the mean over the channels
 

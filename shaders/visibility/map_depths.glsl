@@ -13,8 +13,9 @@ struct Plane {
     vec3 normal; // of any length
 };
 
-// The plane in which x lies: its triangle's.
+// The plane in which x lies: its triangle's; on a line or point the shading normal's.
 Plane plane_of(Surface x) {
+    if (x.triangle < 0) return Plane(x.position, x.n);
     vec3 a = texelFetch(caster_triangles, 3 * x.triangle).xyz;
     vec3 b = texelFetch(caster_triangles, 3 * x.triangle + 1).xyz;
     vec3 c = texelFetch(caster_triangles, 3 * x.triangle + 2).xyz;

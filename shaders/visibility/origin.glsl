@@ -21,7 +21,15 @@ const float last_share = 1.0 - 1.0 / 32768.0;
 
 float largest_coordinate(vec3 v) { return max(abs(v.x), max(abs(v.y), abs(v.z))); }
 
+// Lines and points have no plane: the ray begins as far off, along wi.
+Ray ray_from_line(vec3 x, vec3 wi, float distance) {
+    vec3 origin = x + offset_share * largest_coordinate(x) * wi;
+    if (distance >= infinitely_far_away) return Ray(origin, wi, infinitely_far_away);
+    return Ray(origin, x + distance * wi - origin, last_share);
+}
+
 Ray ray_from(Surface x, vec3 wi, float distance) {
+    if (x.triangle < 0) return ray_from_line(x.position, wi, distance);
     int place = texelFetch(triangle_places, x.triangle).r;
     if (place < 0) return Ray(x.position, wi, 0.0);
     vec3 a = texelFetch(caster_triangles, 3 * place).xyz;

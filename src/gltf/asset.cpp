@@ -93,16 +93,18 @@ private:
         Warnings here(document_.name, is_strict_);
         scene.lights = place_lights(placed, here);
         scene.cameras.clear();
-        for (const PlacedNode& node : placed)
-            if (is_camera(node))
-                here.attempt("that camera is left out",
-                             [&] { scene.cameras.push_back(camera_at(document_, node)); });
+        int number = 0;
+        for (const PlacedNode& node : placed) {
+            const int camera = document_.model.nodes[static_cast<std::size_t>(node.node)].camera;
+            if (camera < 0) continue;
+            const int own_number = number++; // a camera that is left out keeps its number
+            if (document_.is_lost(fmt::format("/cameras/{}", camera))) continue;
+            here.attempt("that camera is left out", [&] {
+                scene.cameras.push_back(camera_at(document_, node));
+                scene.cameras.back().number = own_number;
+            });
+        }
         warnings_.add_new(here);
-    }
-
-    bool is_camera(const PlacedNode& node) const {
-        const int camera = document_.model.nodes[static_cast<std::size_t>(node.node)].camera;
-        return camera >= 0 && !document_.is_lost(fmt::format("/cameras/{}", camera));
     }
 
     /// Takes the textures away whose image could not be decoded. What is left of a material is its factors;

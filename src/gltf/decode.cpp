@@ -2,6 +2,7 @@
 
 #include "core/error.hpp"
 #include "core/limits.hpp"
+#include "gltf/extensions.hpp"
 #include "gltf/text.hpp"
 #include "gltf/uri.hpp"
 #include "image/file.hpp"
@@ -26,8 +27,9 @@ Bytes bytes_of(const Document& document, int source, std::vector<std::uint8_t>& 
 scene::TextureImage decoded(const Document& document, int source, Bytes bytes) {
     const ImageSource& image = document.images[static_cast<std::size_t>(source)];
     const std::string name = image.name.empty() ? "" : fmt::format(" {}", in_quotes(image.name));
-    image::DecodedTexture texture =
-        image::decode_texture(bytes, fmt::format("{}: /images/{}{}", document.name, source, name));
+    const std::string what = fmt::format("{}: /images/{}{}", document.name, source, name);
+    if (image::is_ktx2(bytes)) throw Error({what}, "a KTX2 image, which is not supported", convert_ktx);
+    image::DecodedTexture texture = image::decode_texture(bytes, what);
     return {image.name, texture.width, texture.height, std::move(texture.texels)};
 }
 

@@ -22,7 +22,8 @@ void morph(const Deformation& deformation, std::span<const double> weights, scen
         for (std::size_t i = 0; i < target.vertices.size(); ++i) {
             const std::uint32_t v = target.vertices[i];
             mesh.positions[v] += weight * target.positions[i];
-            if (!target.normals.empty()) mesh.normals[v] += weight * target.normals[i];
+            if (!target.normals.empty() && !mesh.normals.empty())
+                mesh.normals[v] += weight * target.normals[i];
             if (!target.tangents.empty() && !mesh.tangents.empty())
                 mesh.tangents[v] += vec4(weight * target.tangents[i], 0.0f);
         }
@@ -43,6 +44,7 @@ void skin(const Influences& influences, std::span<const dmat4> joints, scene::Me
             if (influences.weights[i] > 0.0f)
                 world_from_rest += double{influences.weights[i]} * joints[influences.joints[i]];
         mesh.positions[v] = vec3(world_from_rest * glm::dvec4(mesh.positions[v], 1.0));
+        if (mesh.normals.empty()) continue; // points and lines
         const dmat3 linear(world_from_rest);
         mesh.normals[v] = scene::unit_or(cofactors(linear) * dvec3(mesh.normals[v]), vec3(0.0f));
         if (mesh.tangents.empty()) continue;

@@ -89,7 +89,8 @@ void DrawnMeshes::read(MaterialTable& materials, scene::Scene& scene, Warnings& 
         for (Part& part : found->second) add(i, placed_[i], part, scene, warnings);
     }
     if (drawn_.empty())
-        warnings.add("no node of the scene has a mesh with triangles", "there is nothing to see");
+        warnings.add("no node of the scene has a mesh with triangles, lines or points",
+                     "there is nothing to see");
 }
 
 std::vector<DrawnMeshes::Part> DrawnMeshes::parts_of(int mesh, MaterialTable& materials, scene::Scene& scene,
@@ -103,7 +104,7 @@ std::vector<DrawnMeshes::Part> DrawnMeshes::parts_of(int mesh, MaterialTable& ma
         const PrimitivePlace place{mesh, p};
         made_count_.add(vertices_at_least(document_, primitive));
         auto made = mesh_of(document_, place, material, warnings);
-        if (!made || made->indices.empty()) continue;
+        if (!made || made->is_empty()) continue;
         made->material = number;
         Deformation deformation = deformation_of(document_, place, *made, material, warnings);
         Part part;
@@ -146,7 +147,8 @@ void DrawnMeshes::count(const Drawn& drawn, const PlacedNode& node, const scene:
     const std::size_t instances = drawn.node_from_instance.size();
     const std::size_t shapes = 1 + (drawn.deformation ? drawn.deformation->targets.size() : 0);
     instance_count_.add(instances);
-    vertex_count_.add(instances * shapes * std::max(mesh.positions.size(), mesh.indices.size() / 3));
+    const std::size_t quads = 2 * mesh.lines.size(); // in which lines are drawn: four vertices each
+    vertex_count_.add(instances * shapes * std::max({mesh.positions.size(), mesh.indices.size() / 3, quads}));
     name_size_.add(instances * (node_of(document_, node).name.size() + mesh.name.size()));
 }
 
@@ -159,13 +161,22 @@ void DrawnMeshes::require_joints(int skin, const Deformation& deformation) const
                        "export the file again");
 }
 
-std::map<int, std::vector<dmat4>> DrawnMeshes::joints(const std::vector<PlacedNode>& placed) const {
+std::map<int, std::vector<dmat4>> DrawnMeshes::joints(const std::vector<PlacedNode>& placed,
+                                                      glm::dvec3 origin) const {
     std::map<int, std::vector<dmat4>> result;
     if (skins_.empty()) return result;
-    std::map<int, dmat4> world_from_node;
-    for (const PlacedNode& node : placed) world_from_node[node.node] = node.world_from_node;
-    for (const auto& [number, skin] : skins_)
-        result[number] = world_from_rest(document_, number, skin, world_from_node);
+    std::map<int, dmat4> world_from_joint;
+    for (const PlacedNode& node : placed) world_from_joint[node.node] = node.world_from_node;
+    std::vector<dmat4> elsewhere; // of all nodes, once one is needed that the scene lacks
+    for (const auto& [number, skin] : skins_) {
+        for (const int joint : skin.joints) {
+            if (world_from_joint.contains(joint)) continue;
+            if (elsewhere.empty()) elsewhere = world_from_nodes(document_);
+            dmat4& world = world_from_joint[joint] = elsewhere[static_cast<std::size_t>(joint)];
+            world[3] -= glm::dvec4(origin, 0.0);
+        }
+        result[number] = world_from_rest(skin, world_from_joint);
+    }
     return result;
 }
 
@@ -176,7 +187,7 @@ void DrawnMeshes::append_instances(const Drawn& drawn, const PlacedNode& node, s
 }
 
 std::vector<bool> DrawnMeshes::pose(const std::vector<PlacedNode>& placed, scene::Scene& scene) const {
-    std::map<int, std::vector<dmat4>> joints = this->joints(placed);
+    std::map<int, std::vector<dmat4>> joints = this->joints(placed, scene.origin);
     // A skeleton that mirrors turns triangles inside out, so the instance does the mirroring.
     std::map<int, mat4> world_from_skinned;
     for (auto& [skin, matrices] : joints) {

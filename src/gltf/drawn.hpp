@@ -23,7 +23,8 @@ public:
     /// @throws Error as mesh_of(), skin_of(), deformation_of() do
     void read(MaterialTable& materials, scene::Scene& scene, Warnings& warnings);
 
-    /// Replaces the scene's instances, and moves the vertices of the meshes that deform.
+    /// Replaces the scene's instances, told from its origin, and moves the vertices of the meshes that
+    /// deform.
     /// @param placed the same nodes at the moment
     /// @return for each instance whether it is visible
     std::vector<bool> pose(const std::vector<PlacedNode>& placed, scene::Scene& scene) const;
@@ -50,8 +51,10 @@ private:
     /// @throws Error if this is more than a file may draw
     void count(const Drawn& drawn, const PlacedNode& node, const scene::Mesh& mesh);
     void require_joints(int skin, const Deformation& deformation) const;
-    /// world_from_rest() of every skin that is drawn.
-    std::map<int, std::vector<glm::dmat4>> joints(const std::vector<PlacedNode>& placed) const;
+    /// world_from_rest() of every skin that is drawn. Joints outside the scene, which glTF forbids and real
+    /// files have, stand where they would in a scene of their own.
+    std::map<int, std::vector<glm::dmat4>> joints(const std::vector<PlacedNode>& placed,
+                                                  glm::dvec3 origin) const;
     void append_instances(const Drawn& drawn, const PlacedNode& node, scene::Scene& scene) const;
 
     const Document& document_;

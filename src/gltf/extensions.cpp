@@ -34,13 +34,54 @@ constexpr std::array<std::string_view, 21> supported{"EXT_lights_area",
                                                      "KHR_node_visibility",
                                                      "KHR_texture_transform"};
 
+// What they say has no part in a picture: metadata, sound, physics, interaction; how polygons were
+// triangulated; coarser meshes and other packings of what is there anyway.
+constexpr std::array<std::string_view, 28> without_effect{"AGI_articulations",
+                                                          "AGI_stk_metadata",
+                                                          "EXT_feature_metadata",
+                                                          "EXT_instance_features",
+                                                          "EXT_mesh_features",
+                                                          "EXT_mesh_manifold",
+                                                          "EXT_structural_metadata",
+                                                          "FB_ngon_encoding",
+                                                          "GODOT_single_root",
+                                                          "KHR_audio",
+                                                          "KHR_audio_emitter",
+                                                          "KHR_implicit_shapes",
+                                                          "KHR_interactivity",
+                                                          "KHR_node_hoverability",
+                                                          "KHR_node_selectability",
+                                                          "KHR_physics_rigid_bodies",
+                                                          "KHR_xmp",
+                                                          "KHR_xmp_json_ld",
+                                                          "MSFT_audio_emitter",
+                                                          "MSFT_lod",
+                                                          "MSFT_packing_normalRoughnessMetallic",
+                                                          "MSFT_packing_occlusionRoughnessMetallic",
+                                                          "OMI_collider",
+                                                          "OMI_physics_body",
+                                                          "OMI_physics_joint",
+                                                          "OMI_physics_shape",
+                                                          "VRMC_node_constraint",
+                                                          "VRMC_springBone"};
+
+// Formats of textures: what is lost without them is told texture by texture.
+constexpr std::array<std::string_view, 5> texture_formats{
+    "EXT_texture_avif", "EXT_texture_webp", "GOOGLE_texture_basis", "KHR_texture_basisu", "MSFT_texture_dds"};
+
+/// Whether a file that is shown without the extension is the same, but for textures that say so themselves.
+bool is_dispensable(std::string_view extension) {
+    return std::ranges::find(without_effect, extension) != without_effect.end()
+           || std::ranges::find(texture_formats, extension) != texture_formats.end();
+}
+
 std::string_view remedy_for(const std::vector<std::string>& missing) {
     const auto any_ends_with = [&](std::string_view end) {
         return std::ranges::any_of(missing, [&](const std::string& name) { return name.ends_with(end); });
     };
     if (any_ends_with("_compression\""))
         return "build Steradian with libmeshoptimizer-dev and libdraco-dev, or export it without";
-    return any_ends_with("_basisu\"") ? convert_ktx : "export it without";
+    return "export it without";
 }
 
 } // namespace
@@ -58,8 +99,10 @@ void check_required_extensions(const nlohmann::json& root, const std::string& na
     if (required == root.end() || !required->is_array()) return;
     std::vector<std::string> missing;
     for (const auto& extension : *required)
-        if (extension.is_string() && !is_supported(extension.get_ref<const std::string&>()))
-            missing.push_back(in_quotes(extension.get_ref<const std::string&>()));
+        if (extension.is_string()) {
+            const auto& text = extension.get_ref<const std::string&>();
+            if (!is_supported(text) && !is_dispensable(text)) missing.push_back(in_quotes(text));
+        }
     if (missing.empty()) return;
     throw Error({name}, fmt::format("it requires what is not supported yet, {}", fmt::join(missing, ", ")),
                 remedy_for(missing));
@@ -68,7 +111,7 @@ void check_required_extensions(const nlohmann::json& root, const std::string& na
 void warn_of_unsupported(const std::vector<std::string>& extensions_used, Warnings& warnings) {
     std::vector<std::string> missing;
     for (const std::string& extension : extensions_used)
-        if (!is_supported(extension)) missing.push_back(in_quotes(extension));
+        if (!is_supported(extension) && !is_dispensable(extension)) missing.push_back(in_quotes(extension));
     if (missing.empty()) return;
     warnings.add(fmt::format("it uses what is not supported yet, {}", fmt::join(missing, ", ")),
                  "shown without, which may look different");

@@ -75,6 +75,17 @@ void check_finite(const Document& document, const PlacedNode& placed) {
                               "scale the scene down");
 }
 
+/// The nodes that are nobody's children.
+std::vector<int> all_roots(const Document& document) {
+    std::vector<bool> is_child(document.model.nodes.size(), false);
+    for (const tinygltf::Node& node : document.model.nodes)
+        for (const int child : node.children) is_child[static_cast<std::size_t>(child)] = true;
+    std::vector<int> result;
+    for (std::size_t node = 0; node < is_child.size(); ++node)
+        if (!is_child[node]) result.push_back(static_cast<int>(node));
+    return result;
+}
+
 std::vector<int> roots(const Document& document, std::optional<int> scene) {
     const auto& scenes = document.model.scenes;
     if (scene && (*scene < 0 || *scene >= static_cast<int>(scenes.size())))
@@ -84,13 +95,7 @@ std::vector<int> roots(const Document& document, std::optional<int> scene) {
     if (!scenes.empty())
         return scenes[static_cast<std::size_t>(scene.value_or(std::max(document.model.defaultScene, 0)))]
             .nodes;
-    std::vector<bool> is_child(document.model.nodes.size(), false);
-    for (const tinygltf::Node& node : document.model.nodes)
-        for (const int child : node.children) is_child[static_cast<std::size_t>(child)] = true;
-    std::vector<int> result;
-    for (std::size_t node = 0; node < is_child.size(); ++node)
-        if (!is_child[node]) result.push_back(static_cast<int>(node));
-    return result;
+    return all_roots(document);
 }
 
 } // namespace
@@ -119,6 +124,22 @@ std::vector<PlacedNode> placed_nodes(const Document& document, std::optional<int
                                here.is_visible && says_visible(at(document, *child))});
     }
     return placed;
+}
+
+std::vector<glm::dmat4> world_from_nodes(const Document& document) {
+    std::vector<glm::dmat4> world(document.model.nodes.size(), glm::dmat4(1.0));
+    std::vector<int> pending = all_roots(document);
+    for (const int root : pending) world[static_cast<std::size_t>(root)] = parent_from_node(document, root);
+    while (!pending.empty()) {
+        const int node = pending.back();
+        pending.pop_back();
+        for (const int child : at(document, node).children) {
+            world[static_cast<std::size_t>(child)] =
+                world[static_cast<std::size_t>(node)] * parent_from_node(document, child);
+            pending.push_back(child);
+        }
+    }
+    return world;
 }
 
 } // namespace sr::gltf

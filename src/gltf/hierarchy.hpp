@@ -22,4 +22,8 @@ struct PlacedNode {
 /// not finite
 std::vector<PlacedNode> placed_nodes(const Document& document, std::optional<int> scene);
 
+/// Where each node stands, whether or not a scene has it. placed_nodes() has checked that the nodes are
+/// trees.
+std::vector<glm::dmat4> world_from_nodes(const Document& document);
+
 } // namespace sr::gltf

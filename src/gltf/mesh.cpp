@@ -8,9 +8,12 @@
 #include "gltf/vertices.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
 #include <numeric>
+#include <string_view>
+#include <utility>
 
 namespace sr::gltf {
 namespace {
@@ -40,18 +43,20 @@ std::vector<std::uint32_t> corners(const Document& document, const tinygltf::Pri
 
 bool is_finite(vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
-void drop_infinite_triangles(scene::Mesh& mesh, Warnings& warnings) {
+/// `corners`: of each triangle, line or point.
+void drop_infinite(scene::Mesh& mesh, std::size_t corners, Warnings& warnings) {
     if (std::all_of(mesh.positions.begin(), mesh.positions.end(), is_finite)) return;
     std::size_t kept = 0;
-    for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+    for (std::size_t i = 0; i < mesh.indices.size(); i += corners) {
         const auto first = mesh.indices.begin() + static_cast<std::ptrdiff_t>(i);
-        if (!std::all_of(first, first + 3, [&](std::uint32_t v) { return is_finite(mesh.positions[v]); }))
-            continue;
-        std::copy_n(first, 3, mesh.indices.begin() + static_cast<std::ptrdiff_t>(kept));
-        kept += 3;
+        const auto end = first + static_cast<std::ptrdiff_t>(corners);
+        if (!std::all_of(first, end, [&](std::uint32_t v) { return is_finite(mesh.positions[v]); })) continue;
+        std::copy(first, end, mesh.indices.begin() + static_cast<std::ptrdiff_t>(kept));
+        kept += corners;
     }
-    warnings.add("a triangle has a position that is not finite", "it is left out",
-                 (mesh.indices.size() - kept) / 3);
+    constexpr std::array<std::string_view, 3> names{"point", "line", "triangle"};
+    warnings.add(fmt::format("a {} has a position that is not finite", names[corners - 1]), "it is left out",
+                 (mesh.indices.size() - kept) / corners);
     mesh.indices.resize(kept);
 }
 
@@ -114,6 +119,16 @@ void finish_frame(SourcedMesh& mesh, const scene::Material& material, Warnings& 
                      repair_tangents(mesh));
 }
 
+/// Leaves in `mesh` the points or lines of mode `mode`, whose corners are its indices. Without normals they
+/// are unlit, and without the file's own tangents they have no normal map (glTF 2.0, section 3.9.7).
+void finish_lines(SourcedMesh& mesh, int mode, Warnings& warnings) {
+    (is_points(mode) ? mesh.points : mesh.lines) = std::exchange(mesh.indices, {});
+    warnings.add("a normal of a point or line is zero or not finite",
+                 "the point or line faces the viewer there", repair_normals(mesh));
+    warnings.add("a tangent is zero, not finite or along its normal", "it is replaced by one across",
+                 repair_tangents(mesh));
+}
+
 void warn_of_absent_texcoords(const scene::Mesh& mesh, const scene::Material& material, Warnings& warnings) {
     for (const scene::TextureSlot* slot : scene::texture_slots(material))
         if (slot->is_present() && mesh.texcoords[slot->texcoord].empty())
@@ -145,10 +160,6 @@ std::optional<SourcedMesh> mesh_of(const Document& document, const PrimitivePlac
     const tinygltf::Mesh& source = document.model.meshes[static_cast<std::size_t>(place.mesh)];
     const tinygltf::Primitive& primitive = source.primitives[static_cast<std::size_t>(place.primitive)];
     const auto position = primitive.attributes.find("POSITION");
-    if (!is_surface(primitive.mode)) {
-        warnings.add("a primitive is made of points or lines", "only surfaces are drawn, it is left out");
-        return std::nullopt;
-    }
     if (position == primitive.attributes.end()) {
         warnings.add("a primitive has no positions", "it is left out");
         return std::nullopt;
@@ -158,12 +169,20 @@ std::optional<SourcedMesh> mesh_of(const Document& document, const PrimitivePlac
     mesh.positions = vectors<3>(document, position->second);
     mesh.sources.resize(mesh.positions.size());
     std::iota(mesh.sources.begin(), mesh.sources.end(), 0u);
-    mesh.indices = triangles(corners(document, primitive, mesh.positions.size(), place), primitive.mode);
+    const bool is_triangles = is_surface(primitive.mode);
+    mesh.indices = corners(document, primitive, mesh.positions.size(), place);
+    if (is_triangles)
+        mesh.indices = triangles(std::move(mesh.indices), primitive.mode);
+    else if (!is_points(primitive.mode))
+        mesh.indices = lines(std::move(mesh.indices), primitive.mode);
     read_frame(document, primitive, place, scene::needs_tangents(material), mesh);
     read_surface(document, primitive, place, material, mesh, warnings);
-    drop_infinite_triangles(mesh, warnings);
+    drop_infinite(mesh, is_triangles ? 3 : is_points(primitive.mode) ? 1 : 2, warnings);
     drop_unused(mesh);
-    finish_frame(mesh, material, warnings);
+    if (is_triangles)
+        finish_frame(mesh, material, warnings);
+    else
+        finish_lines(mesh, primitive.mode, warnings);
     warn_of_absent_texcoords(mesh, material, warnings);
     return mesh;
 }

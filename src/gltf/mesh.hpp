@@ -19,8 +19,9 @@ struct PrimitivePlace {
     std::string pointer() const;
 };
 
-/// The primitive as triangles with normals, and tangents where its material has a normal map. Absent where it
-/// draws no surface (points, lines, no positions). `Mesh::material` is the caller's.
+/// The primitive as triangles with normals, and tangents where its material has a normal map; or as points or
+/// lines, with what the file has of these. Absent where it has no positions. `Mesh::material` is the
+/// caller's.
 /// @throws Error if an index or an attribute's length contradicts the positions
 std::optional<SourcedMesh> mesh_of(const Document& document, const PrimitivePlace& place,
                                    const scene::Material& material, Warnings& warnings);

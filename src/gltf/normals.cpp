@@ -48,7 +48,7 @@ std::size_t repair_normals(scene::Mesh& mesh) {
         else
             ++bad_count, normal = vec3(0.0f);
     }
-    if (bad_count == 0) return 0;
+    if (bad_count == 0 || mesh.indices.empty()) return bad_count; // points and lines have no faces
 
     std::vector<dvec3> sums(mesh.positions.size(), dvec3(0.0));
     for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {

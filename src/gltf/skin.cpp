@@ -69,17 +69,10 @@ Skin skin_of(const Document& document, int skin) {
     return result;
 }
 
-std::vector<glm::dmat4> world_from_rest(const Document& document, int skin, const Skin& from,
-                                        const std::map<int, glm::dmat4>& world_from_node) {
+std::vector<glm::dmat4> world_from_rest(const Skin& from, const std::map<int, glm::dmat4>& world_from_node) {
     std::vector<glm::dmat4> matrices;
-    for (std::size_t joint = 0; joint < from.joints.size(); ++joint) {
-        const auto found = world_from_node.find(from.joints[joint]);
-        if (found == world_from_node.end())
-            document.fail(fmt::format("/skins/{} has the joint /nodes/{}, which is not in the scene", skin,
-                                      from.joints[joint]),
-                          "put the whole skeleton into the scene of the mesh");
-        matrices.push_back(found->second * from.joint_from_mesh_rest[joint]);
-    }
+    for (std::size_t joint = 0; joint < from.joints.size(); ++joint)
+        matrices.push_back(world_from_node.at(from.joints[joint]) * from.joint_from_mesh_rest[joint]);
     return matrices;
 }
 

@@ -22,10 +22,8 @@ Skin skin_of(const Document& document, int skin);
 
 /// What moves a vertex from the mesh at rest into the world, for each joint. The node that carries the mesh
 /// takes no part.
-/// @param world_from_node of each node of the scene
-/// @throws Error naming `skin` and the joint that is not in the scene
-std::vector<glm::dmat4> world_from_rest(const Document& document, int skin, const Skin& from,
-                                        const std::map<int, glm::dmat4>& world_from_node);
+/// @param world_from_node of each joint
+std::vector<glm::dmat4> world_from_rest(const Skin& from, const std::map<int, glm::dmat4>& world_from_node);
 
 /// The joints that a vertex follows, `per_vertex` for each: joint numbers in the skin, and weights that add
 /// up to 1.

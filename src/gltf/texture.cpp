@@ -55,7 +55,9 @@ int TextureTable::texture(int gltf_texture, scene::ColorSpace color_space) {
     const int source = source_of(from);
     const int count = static_cast<int>(document_.images.size());
     if (source < 0 || source >= count) {
-        const bool is_ktx = source < 0 && extension(from.extensions, "KHR_texture_basisu");
+        const bool is_ktx = source < 0
+                            && (extension(from.extensions, "KHR_texture_basisu")
+                                || extension(from.extensions, "GOOGLE_texture_basis"));
         warnings_.add(source < 0 ? pointer + " has no image in a supported format"
                                  : fmt::format("{} has image {}, and there are {}", pointer, source, count),
                       is_ktx ? fmt::format("the material is shown without it; {}", convert_ktx)

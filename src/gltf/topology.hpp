@@ -1,5 +1,5 @@
 #pragma once
-// Primitive modes (glTF 2.0 specification, section 3.7.2.1): strips and fans become triangles.
+// Primitive modes (glTF 2.0 specification, section 3.7.2.1): strips, fans and loops become lists.
 #include <cstdint>
 #include <vector>
 
@@ -11,5 +11,12 @@ bool is_surface(int mode);
 /// The triangles of a list (4), strip (5) or fan (6), three indices each, all with the winding of the first.
 /// Trailing indices that make no triangle are dropped.
 std::vector<std::uint32_t> triangles(std::vector<std::uint32_t> indices, int mode);
+
+/// Whether the mode draws points.
+bool is_points(int mode);
+
+/// The lines of a list (1), loop (2) or strip (3), two indices each. Trailing indices that make no line are
+/// dropped.
+std::vector<std::uint32_t> lines(std::vector<std::uint32_t> indices, int mode);
 
 } // namespace sr::gltf

@@ -55,19 +55,26 @@ constexpr std::array<std::uint8_t, 256> base64_digits = [] {
     constexpr std::string_view alphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     for (std::size_t i = 0; i < alphabet.size(); ++i)
         digits[static_cast<std::uint8_t>(alphabet[i])] = static_cast<std::uint8_t>(i);
+    digits[static_cast<std::uint8_t>('-')] = 62; // section 5: safe in URLs
+    digits[static_cast<std::uint8_t>('_')] = 63;
     return digits;
 }();
 
-// RFC 4648, section 4; absent where the text is not base64.
+bool is_space(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
+
+// RFC 4648, sections 4 and 5, broken into lines or not; absent where the text is not base64.
 std::optional<std::vector<std::uint8_t>> base64_decoded(std::string_view text) {
-    for (int padding = 0; padding < 2 && text.ends_with('='); ++padding) text.remove_suffix(1);
-    if (text.size() % 4 == 1) return std::nullopt;
+    int padding = 0;
+    for (; !text.empty() && (is_space(text.back()) || (padding < 2 && text.back() == '='));
+         text.remove_suffix(1))
+        if (text.back() == '=') ++padding;
     std::vector<std::uint8_t> bytes;
     bytes.reserve(text.size() / 4 * 3 + 2);
     std::uint32_t bits = 0;
     int bit_count = 0;
     for (const char c : text) {
         const std::uint8_t digit = base64_digits[static_cast<std::uint8_t>(c)];
+        if (digit == no_digit && is_space(c)) continue;
         if (digit == no_digit) return std::nullopt;
         bits = bits << 6 | digit;
         bit_count += 6;
@@ -75,6 +82,7 @@ std::optional<std::vector<std::uint8_t>> base64_decoded(std::string_view text) {
         bit_count -= 8;
         bytes.push_back(static_cast<std::uint8_t>(bits >> bit_count & 0xFF));
     }
+    if (bit_count == 6) return std::nullopt; // one digit is no byte
     return bytes;
 }
 

@@ -19,7 +19,7 @@ void gather(SourcedMesh& mesh, std::span<const std::uint32_t> sources);
 /// Gives each triangle three vertices of its own.
 void unweld(SourcedMesh& mesh);
 
-/// Drops the vertices that no triangle uses: exporters share one vertex array among many primitives.
+/// Drops the vertices that no index names: exporters share one vertex array among many primitives.
 void drop_unused(SourcedMesh& mesh);
 
 } // namespace sr::gltf

@@ -11,6 +11,7 @@
 #include "image/whole_file.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <fmt/format.h>
 #include <string_view>
@@ -70,6 +71,11 @@ bool is_webp(std::span<const std::uint8_t> bytes) {
     constexpr std::string_view webp = "WEBP"; // after the size
     return bytes.size() >= 12 && std::equal(riff.begin(), riff.end(), bytes.begin())
            && std::equal(webp.begin(), webp.end(), bytes.begin() + 8);
+}
+
+bool is_ktx2(std::span<const std::uint8_t> bytes) {
+    constexpr std::array<std::uint8_t, 7> magic{0xAB, 'K', 'T', 'X', ' ', '2', '0'};
+    return bytes.size() >= magic.size() && std::equal(magic.begin(), magic.end(), bytes.begin());
 }
 
 std::uint64_t claimed_texels(std::span<const std::uint8_t> bytes) {

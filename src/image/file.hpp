@@ -48,6 +48,9 @@ struct DecodedTexture {
 /// How many texels the head of a texture claims, 0 if the head is broken or of an unknown format.
 std::uint64_t claimed_texels(std::span<const std::uint8_t> bytes);
 
+/// Whether it is KTX2 (its identifier: KTX 2.0 specification, section 3.1), which nothing here decodes.
+bool is_ktx2(std::span<const std::uint8_t> bytes);
+
 /// Decodes a PNG or JPEG, the two formats of glTF. Grey becomes RGB, missing alpha is opaque. `name` is what
 /// errors call it. Any number of threads may decode at once. The dimensions are checked before anything is
 /// allocated for them.

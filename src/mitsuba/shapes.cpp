@@ -97,6 +97,12 @@ Triangles triangles_of(const scene::Scene& scene, const scene::Instance& instanc
 }
 
 void write_instances(Output& output) {
+    const auto& meshes = output.scene.meshes;
+    const auto lines =
+        std::ranges::count_if(meshes, [](const scene::Mesh& mesh) { return !mesh.is_surface(); });
+    if (lines > 0)
+        output.warnings.push_back(
+            fmt::format("{} mesh{} points or lines: not exported", lines, lines == 1 ? " is" : "es are"));
     for (const scene::Instance& instance : output.scene.instances) write_instance(output, instance);
 }
 

@@ -19,6 +19,8 @@ struct FrameBlock {
     std::uint32_t seed;
     std::int32_t first_light;
     std::int32_t end_light;
+    vec2 frame_size;
+    vec2 padding{0.0f};
 };
 
 struct ObjectBlock {

@@ -49,7 +49,8 @@ DepthMaps::DepthMaps(const GpuScene& scene, const MapOptions& options)
 
 void DepthMaps::compile(ShaderLibrary& shaders) const {
     for (const auto* draws : {&scene_.opaque_draws(), &scene_.blended_draws()})
-        for (const Draw& draw : *draws) shaders.mesh_program("caster.frag", caster_features(draw.features));
+        for (const Draw& draw : *draws)
+            if (draw.is_surface) shaders.mesh_program("caster.frag", caster_features(draw.features));
 }
 
 bool DepthMaps::has_extent(int light) const {
@@ -174,8 +175,8 @@ void DepthMaps::draw_face(const Point& point, int face, std::uint32_t sample_ind
     glClearBufferiv(GL_COLOR, 0, nothing);
     glClearBufferfv(GL_DEPTH, 0, &farthest);
     const vec4 eye(point.view.origin, point.view.kind == MapKind::orthographic ? 0.0f : 1.0f);
-    frame_data_.upload(
-        {clip_from_world(point.view, face), eye, sample_index, point.seed, point.light, point.light + 1});
+    frame_data_.upload({clip_from_world(point.view, face), eye, sample_index, point.seed, point.light,
+                        point.light + 1, vec2(static_cast<float>(size_))});
     const auto& casters = scene_.occluders()->casters().casters;
     const bool passes =
         scene_.occluders()->casters().passes_back_faces[static_cast<std::size_t>(point.light)];
@@ -183,6 +184,7 @@ void DepthMaps::draw_face(const Point& point, int face, std::uint32_t sample_ind
     for (const auto* draws : {&scene_.opaque_draws(), &scene_.blended_draws()}) {
         for (const Draw& draw : *draws) {
             const auto instance = static_cast<std::size_t>(draw.instance);
+            if (!draw.is_surface) continue;
             if (!is_in_maps(casters[instance], point.light)
                 || !may_see(point.view, face, stage_.casters[instance]))
                 continue;

@@ -95,7 +95,9 @@ constexpr std::array other_flags{Flag{"has_vertex_colors", &Features::has_vertex
                                  Flag{"has_tinted_casters", &Features::has_tinted_casters},
                                  Flag{"is_masked", &Features::is_masked},
                                  Flag{"is_blended", &Features::is_blended},
-                                 Flag{"is_unlit", &Features::is_unlit}};
+                                 Flag{"is_unlit", &Features::is_unlit},
+                                 Flag{"is_line", &Features::is_line},
+                                 Flag{"is_point", &Features::is_point}};
 
 /// Whether a model has GGX microfacets, which lose energy.
 bool takes_compensation(scene::Model model) {
@@ -218,10 +220,12 @@ Features shading_features(const scene::Scene& scene, const scene::Mesh& mesh, co
     f.model = material.model;
     f.is_specular_glossiness = material.is_specular_glossiness;
     ask_for_layers(f, material, !mesh.tangents.empty());
-    ask_for_transmission(f, material);
+    if (mesh.is_surface()) ask_for_transmission(f, material);
     f.is_masked = material.alpha_mode == scene::AlphaMode::mask;
     f.is_blended = material.alpha_mode == scene::AlphaMode::blend;
-    f.is_unlit = material.is_unlit;
+    f.is_unlit = scene::is_unlit(mesh, material);
+    f.is_line = !mesh.lines.empty();
+    f.is_point = !mesh.points.empty();
     return f;
 }
 
@@ -236,7 +240,7 @@ void require_texture_units(const Features& features, std::string_view material, 
 }
 
 Features depth_features(const Features& shading) {
-    Features f = shading.is_masked ? caster_features(shading) : Features{};
+    Features f = caster_features(shading);
     if (!shading.is_opaque_part) return f;
     f.is_transmissive = f.is_opaque_part = true;
     f.has_transmission_texture = shading.has_transmission_texture;
@@ -246,6 +250,8 @@ Features depth_features(const Features& shading) {
 
 Features caster_features(const Features& shading) {
     Features f;
+    f.is_line = shading.is_line;
+    f.is_point = shading.is_point;
     if (!shading.is_masked && !shading.is_blended) return f;
     f.is_masked = shading.is_masked;
     f.is_blended = shading.is_blended;

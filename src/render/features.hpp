@@ -66,6 +66,8 @@ struct Features {
     bool is_masked = false;
     bool is_blended = false;
     bool is_unlit = false;
+    bool is_line = false; // drawn a few pixels wide
+    bool is_point = false;
 
     auto operator<=>(const Features&) const = default;
 

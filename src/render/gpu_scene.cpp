@@ -250,7 +250,7 @@ void GpuScene::list_draws(const scene::Scene& scene, std::span<const scene::Ligh
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {
         const scene::Instance& instance = scene.instances[i];
         const scene::Mesh& mesh = scene.meshes[instance.mesh];
-        if (mesh.indices.empty()) continue;
+        if (mesh.is_empty()) continue;
         Draw draw;
         draw.mesh = instance.mesh;
         draw.instance = static_cast<int>(i);
@@ -258,7 +258,8 @@ void GpuScene::list_draws(const scene::Scene& scene, std::span<const scene::Ligh
         draw.features = shading_features(scene, mesh, lit);
         require_texture_units(draw.features, scene.materials[mesh.material].name, texture_units);
         draw.mirrors = scene::mirrors(instance.world_from_object);
-        draw.is_double_sided = scene.materials[mesh.material].is_double_sided;
+        draw.is_surface = mesh.is_surface();
+        draw.is_double_sided = !draw.is_surface || scene.materials[mesh.material].is_double_sided;
         if (draw.features.is_blended || draw.features.is_transmissive) {
             draw.center = center_of(mesh, instance.world_from_object);
             blended_.push_back(draw);

@@ -22,6 +22,7 @@ struct Draw {
     vec3 center{0.0f};    // of its bounds, world space; what blended instances are sorted by
     bool mirrors = false; // its front faces come out clockwise
     bool is_double_sided = false;
+    bool is_surface = true; // false: lines or points, which have no back
 };
 
 class GpuScene {

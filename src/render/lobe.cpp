@@ -86,7 +86,8 @@ std::optional<PixelBrdf> brdf_at(const GpuScene& scene, const scene::Camera& cam
     ShaderLibrary shaders(options.shader_path, {}, options.trial);
     FrameData frame_data;
     const View view = view_of(camera, options.width, options.height, vec2(0.5f));
-    frame_data.upload({view.clip_from_world, view.eye, 0, options.seed, 0, 0});
+    frame_data.upload(
+        {view.clip_from_world, view.eye, 0, options.seed, 0, 0, vec2(options.width, options.height)});
     scene.bind_lights();
     glEnable(GL_SCISSOR_TEST);
     glScissor(column, row_from_below, 1, 1);

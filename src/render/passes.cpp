@@ -131,11 +131,11 @@ void blend_pass(const Target& frame, const GpuScene& scene, ShaderLibrary& shade
         else
             glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA); // the shader multiplies by its coverage
         shaders.mesh_program(fragment, draw.features, visibility).use();
-        if (draw.is_double_sided) {
+        if (draw.is_double_sided && draw.is_surface) {
             cull(false, GL_FRONT);
             scene.draw(draw);
         }
-        cull(false, GL_BACK);
+        cull(!draw.is_surface);
         scene.draw(draw);
     }
 }

@@ -158,7 +158,7 @@ std::size_t RayAnswers::answer_row(std::size_t first, std::size_t end) {
             ++broken;
             continue;
         }
-        queries.push_back({vec3(receiver), static_cast<std::uint32_t>(receiver.w), vec3(ray), ray.w < 0.0f,
+        queries.push_back({vec3(receiver), static_cast<int>(receiver.w), vec3(ray), ray.w < 0.0f,
                            number / rays_per_light_});
         places.push_back(place);
     }

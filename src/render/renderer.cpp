@@ -191,8 +191,8 @@ View Renderer::begin_frame() {
         view_of(camera_, options_.width, options_.height, sub_pixel(index, options_.samples, seed));
     if (depth_maps_)
         depth_maps_->draw(static_cast<std::uint32_t>(index), seed, first_light_, end_light_, *shaders_);
-    frame_data_.upload(
-        {view.clip_from_world, view.eye, static_cast<std::uint32_t>(index), seed, first_light_, end_light_});
+    frame_data_.upload({view.clip_from_world, view.eye, static_cast<std::uint32_t>(index), seed, first_light_,
+                        end_light_, vec2(options_.width, options_.height)});
     return view;
 }
 

@@ -26,6 +26,8 @@ struct Camera {
     std::string name;
     mat4 world_from_camera{1.0f}; // rotation and translation only
     std::variant<Perspective, Orthographic> projection;
+    int number = -1; // among the cameras of its file, those that are off at the moment included; negative:
+                     // its place in Scene::cameras
 
     /// Width / height of the picture that the camera asks for, if it does.
     std::optional<float> aspect_ratio() const {

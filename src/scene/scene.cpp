@@ -62,6 +62,10 @@ std::size_t triangle_count(const Scene& scene) {
     return count;
 }
 
+bool is_unlit(const Mesh& mesh, const Material& material) {
+    return material.is_unlit || (!mesh.is_surface() && mesh.normals.empty());
+}
+
 bool is_closed(const Mesh& mesh) {
     std::map<std::array<float, 3>, int> places;
     std::vector<int> place_of; // of each vertex

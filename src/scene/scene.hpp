@@ -14,18 +14,25 @@
 
 namespace sr::scene {
 
-/// Triangles of one material, in object space. Every non-empty vertex array has positions.size() elements.
+/// Triangles, lines or points of one material, in object space. Every non-empty vertex array has
+/// positions.size() elements. Lines and points have no area: they are seen, and cast no shadows.
 struct Mesh {
     std::string name;
     std::vector<vec3> positions;
-    std::vector<vec3> normals; // unit; never empty (flat where the file had none)
+    std::vector<vec3> normals; // unit; of triangles never empty (flat where the file had none); 0 where a
+                               // line or point has none that can be used
     std::vector<vec4>
         tangents; // xyz unit, w = ±1: bitangent = w * cross(normal, tangent); empty where no normal map
     std::vector<vec2> texcoords[2]; // either may be empty
     std::vector<vec4> colors;       // linear RGBA, multiplies the base colour; may be empty
     std::vector<std::uint32_t>
-        indices;      // three a triangle, counter-clockwise seen from the front; all in range
-    int material = 0; // index into Scene::materials
+        indices;                      // three a triangle, counter-clockwise seen from the front; all in range
+    std::vector<std::uint32_t> lines; // two a line; all in range; then there are no triangles
+    std::vector<std::uint32_t> points; // one a point; all in range; then there are neither
+    int material = 0;                  // index into Scene::materials
+
+    bool is_surface() const { return lines.empty() && points.empty(); }
+    bool is_empty() const { return indices.empty() && is_surface(); }
 };
 
 /// Some of the lights that go with a scene: those from `first` up to the one before `end`.
@@ -82,6 +89,10 @@ Bounds bounds_of(const Scene& scene);
 glm::dvec3 fitting_origin(const Scene& scene);
 
 std::size_t triangle_count(const Scene& scene);
+
+/// Whether no light touches the mesh: its material is unlit, or it is lines or points without normals (glTF
+/// 2.0, section 3.9.7).
+bool is_unlit(const Mesh& mesh, const Material& material);
 
 /// Whether the mesh encloses a volume: every edge of a triangle is another's in the other sense. Corners at
 /// the same place are the same.

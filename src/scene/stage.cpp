@@ -15,10 +15,16 @@
 namespace sr::scene {
 namespace {
 
+/// What the camera at this place of Scene::cameras is called, where it has no name.
+int number_of(const Scene& scene, std::size_t place) {
+    const int number = scene.cameras[place].number;
+    return number >= 0 ? number : static_cast<int>(place);
+}
+
 std::string cameras_of(const Scene& scene) {
     std::string names;
     for (std::size_t i = 0; i < scene.cameras.size(); ++i)
-        names += fmt::format("{} '{}', ", i, scene.cameras[i].name);
+        names += fmt::format("{} '{}', ", number_of(scene, i), scene.cameras[i].name);
     return names + "auto, or a view: eye=X,Y,Z;target=X,Y,Z";
 }
 
@@ -45,10 +51,11 @@ Camera chosen_camera(const Scene& scene, const std::string& file, const StageOpt
         return camera_at(parsed_look_at(wanted, scene.origin), bounds_of(scene), options.aspect_ratio);
     for (const Camera& camera : scene.cameras)
         if (camera.name == wanted) return camera;
-    std::size_t index = 0;
-    const auto [end, failure] = std::from_chars(wanted.data(), wanted.data() + wanted.size(), index);
-    if (failure == std::errc{} && end == wanted.data() + wanted.size() && index < scene.cameras.size())
-        return scene.cameras[index];
+    int number = 0;
+    const auto [end, failure] = std::from_chars(wanted.data(), wanted.data() + wanted.size(), number);
+    for (std::size_t i = 0; i < scene.cameras.size(); ++i)
+        if (failure == std::errc{} && end == wanted.data() + wanted.size() && number == number_of(scene, i))
+            return scene.cameras[i];
     throw Error({file}, fmt::format("no camera '{}'", wanted), "choose one of " + cameras_of(scene));
 }
 
@@ -63,7 +70,7 @@ bool is_dark(const Stage& stage, const Scene& scene, float aspect_ratio) {
 bool needs_light(const Scene& scene) {
     return std::ranges::any_of(scene.instances, [&](const Instance& instance) {
         const Mesh& mesh = scene.meshes[static_cast<std::size_t>(instance.mesh)];
-        return !scene.materials[static_cast<std::size_t>(mesh.material)].is_unlit;
+        return !is_unlit(mesh, scene.materials[static_cast<std::size_t>(mesh.material)]);
     });
 }
 
@@ -94,6 +101,16 @@ void remark_on_glass(const Scene& scene, const std::string& name, std::vector<st
                                       name, count, count == 1 ? "" : "s"));
 }
 
+/// Says what pictures of points and lines leave out.
+void remark_on_lines(const Scene& scene, const std::string& name, std::vector<std::string>& remarks) {
+    const auto count =
+        std::ranges::count_if(scene.meshes, [](const Mesh& mesh) { return !mesh.is_surface(); });
+    if (count > 0)
+        remarks.push_back(fmt::format("{}: {} mesh{} points or lines: they are drawn 3 pixels wide at every "
+                                      "distance, and cast no shadows",
+                                      name, count, count == 1 ? " is" : "es are"));
+}
+
 } // namespace
 
 Stage set_stage(Scene scene, const std::string& name, const StageOptions& options) {
@@ -107,6 +124,7 @@ Stage set_stage(Scene scene, const std::string& name, const StageOptions& option
         stage.lights.emplace_back(std::move(light));
     }
     remark_on_glass(scene, name, stage.remarks);
+    remark_on_lines(scene, name, stage.remarks);
     add_rig(stage, scene, name, options);
     if (options.hide_emitters)
         for (Material& material : scene.materials) material.emission = vec3(0.0f);

@@ -122,7 +122,10 @@ void Occlusion::answer(std::span<const Query> queries, std::span<vec3> V) const 
         alignas(32) std::array<int, packet> valid{};
         for (std::size_t lane = 0; lane < count; ++lane) {
             const Query& query = queries[first + lane];
-            const Ray ray = ray_of(query, casters_.triangle(query.triangle));
+            const Ray ray =
+                query.triangle < 0
+                    ? ray_from_line(query)
+                    : ray_of(query, casters_.triangle(static_cast<std::uint32_t>(query.triangle)));
             set_lane(rays, lane, ray);
             context.light[lane] = query.light;
             context.end[lane] = ray.end;

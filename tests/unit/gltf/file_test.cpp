@@ -208,6 +208,17 @@ const Test many("unit.gltf.file.many_warnings_are_summed_up", [] {
 
 const Test data_uris("unit.gltf.file.data_uris_are_decoded", [] {
     EXPECT_EQ(load(MadeGltf::triangle()).scene.meshes.at(0).positions.at(2), vec3(0, 1, 0));
+    const std::string plain = base64({0xFB, 0xEF, 0xBE, 0xFF, 0xFF, 0xFF, 0x01});
+    ASSERT_EQ(plain, "++++////AQ==");
+    for (const char* text : {"++++////AQ==", "++++////AQ", "----____AQ==", " ++++\n////\r\n\tAQ== \n",
+                             "%2B%2B%2B%2B////AQ%3D%3D", "++++////AQ=\n="}) {
+        const MadeGltf file = with_buffer({{"byteLength", 7}, {"uri", std::string("data:;base64,") + text}});
+        EXPECT_NE(error_of(file).find("of /buffers/0, which has 7"), std::string::npos)
+            << text << ": " << error_of(file);
+    }
+    EXPECT_NE(
+        error_of(with_buffer({{"byteLength", 36}, {"uri", "data:;base64,AAAAA"}})).find("not valid base64"),
+        std::string::npos);
     EXPECT_EQ(error_of(with_buffer({{"byteLength", 36}, {"uri", "data:;base64,AA!A"}})),
               "made.gltf: /buffers/0/uri is not valid base64: export the file again");
     EXPECT_NE(error_of(with_buffer({{"byteLength", 36}, {"uri", "data:;base64,AAAA"}})).find("only 3 bytes"),
@@ -221,6 +232,18 @@ const Test required("unit.gltf.file.required_extensions_are_named", [] {
     made.root["extensionsRequired"] = {"EXT_old", "KHR_mesh_quantization", "EXT_new"};
     EXPECT_EQ(error_of(made), "made.gltf: it requires what is not supported yet, \"EXT_old\", \"EXT_new\": "
                               "export it without");
+});
+
+const Test harmless("unit.gltf.file.extensions_that_change_no_picture_are_no_matter", [] {
+    for (const char* name : {"FB_ngon_encoding", "KHR_xmp_json_ld", "EXT_structural_metadata", "MSFT_lod",
+                             "KHR_physics_rigid_bodies", "KHR_interactivity", "KHR_audio_emitter",
+                             "MSFT_texture_dds", "EXT_texture_avif", "KHR_texture_basisu"}) {
+        MadeGltf made = MadeGltf::triangle();
+        made.root["extensionsUsed"] = made.root["extensionsRequired"] = {name};
+        gltf::LoadOptions strict;
+        strict.is_strict = true;
+        EXPECT_EQ(error_of(made, strict), "") << name;
+    }
 });
 
 const Test used("unit.gltf.file.used_extensions_are_warned_of_once", [] {

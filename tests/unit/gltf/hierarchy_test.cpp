@@ -168,6 +168,13 @@ const Test vanished_camera("unit.gltf.camera.one_at_a_node_that_is_scaled_to_0_i
             if (node.contains("camera")) node["scale"] = scale;
         EXPECT_NE(loss_of(made).find("is scaled to nothing"), std::string::npos);
         EXPECT_TRUE(load(made).scene.cameras.empty());
+        // Those that are left keep their numbers.
+        made.root["nodes"].push_back({{"camera", 0}, {"name", "other"}});
+        if (made.root.contains("scenes"))
+            made.root["scenes"][0]["nodes"].push_back(made.root["nodes"].size() - 1);
+        const scene::Scene scene = load(made).scene;
+        ASSERT_EQ(scene.cameras.size(), 1u);
+        EXPECT_EQ(scene.cameras[0].number, 1);
     }
 });
 

@@ -333,8 +333,18 @@ const Test ktx("unit.gltf.material.what_is_ktx2_alone_names_the_conversion", [] 
                            "without it; convert its textures to PNG: gltf-transform ktxdecompress"));
     made.root["textures"][0]["source"] = 0;
     EXPECT_EQ(load(made).scene.images.at(0).name, "first"); // what stands beside it
-    made.root["extensionsRequired"] = {"KHR_texture_basisu"};
-    EXPECT_NE(error_of(made).find("\"KHR_texture_basisu\": convert its textures to PNG"), std::string::npos);
+    // A file that requires the extension loses the texture alone.
+    made.root["textures"][0].erase("source");
+    made.root["extensionsUsed"] = made.root["extensionsRequired"] = {"KHR_texture_basisu"};
+    const std::string error = loss_of(made);
+    EXPECT_NE(error.find("/textures/0 has no image in a supported format"), std::string::npos) << error;
+    EXPECT_NE(load(made).warnings.at(0).find("gltf-transform ktxdecompress IN.glb OUT.glb"),
+              std::string::npos);
+    // KTX2 where glTF wants a PNG or JPEG.
+    const std::vector<std::uint8_t> magic{0xAB, 'K', 'T', 'X', ' ', '2', '0', 0xBB, '\r', '\n', 0x1A, '\n'};
+    made.root["textures"][0] = {{"source", 0}};
+    made.root["images"][0] = {{"uri", "data:image/ktx2;base64," + base64(magic)}, {"mimeType", "image/ktx2"}};
+    EXPECT_TRUE(loss_of(made).starts_with("made.gltf: /images/0: a KTX2 image, which is not supported"));
 });
 
 // F0 is the specular factor, at an infinite ior; shaders/surface/ has the rest.

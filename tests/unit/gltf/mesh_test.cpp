@@ -2,6 +2,7 @@
 
 #include "gltf/topology.hpp"
 
+#include <array>
 #include <limits>
 
 using namespace sr;
@@ -44,18 +45,64 @@ const Test modes("unit.gltf.mesh.strips_and_fans_become_triangles", [] {
         EXPECT_EQ(mesh.positions[mesh.indices[i]], expected[i]) << i;
 });
 
-const Test points_and_lines("unit.gltf.mesh.points_and_lines_are_skipped_with_one_warning", [] {
+const Test points_and_lines("unit.gltf.mesh.points_lines_loops_and_strips", [] {
+    EXPECT_EQ(gltf::lines({0, 1, 2, 3, 4}, 1), (Indices{0, 1, 2, 3}));
+    EXPECT_EQ(gltf::lines({0, 1, 2}, 2), (Indices{0, 1, 1, 2, 2, 0}));
+    EXPECT_EQ(gltf::lines({0, 1, 2}, 3), (Indices{0, 1, 1, 2}));
+    for (const int mode : {1, 2, 3}) EXPECT_EQ(gltf::lines({0}, mode), Indices{});
+    const std::array<Indices, 4> expected{{{0, 1, 2}, {0, 1}, {0, 1, 1, 2, 2, 0}, {0, 1, 1, 2}}};
     for (int mode = 0; mode < 4; ++mode) {
         MadeGltf made = square();
-        json other = made.primitive();
-        other["mode"] = mode;
-        made.root["meshes"][0]["primitives"].push_back(other);
-        made.root["meshes"][0]["primitives"].push_back(other);
+        made.primitive()["mode"] = mode;
+        made.primitive()["indices"] = made.shorts({1, 2, 3});
         const gltf::Loaded loaded = load(made);
-        EXPECT_EQ(loaded.scene.meshes.size(), 1u);
-        EXPECT_TRUE(
-            warns_once(loaded, "a primitive is made of points or lines (2 times): only surfaces are drawn"));
+        EXPECT_TRUE(loaded.warnings.empty());
+        const scene::Mesh& mesh = loaded.scene.meshes.at(0);
+        EXPECT_TRUE(mesh.indices.empty());
+        EXPECT_FALSE(mesh.is_surface());
+        EXPECT_EQ(mode == 0 ? mesh.points : mesh.lines, expected[static_cast<std::size_t>(mode)]);
+        EXPECT_EQ(mesh.positions.size(), mode == 1 ? 2u : 3u) << "those that are used";
+        EXPECT_EQ(mesh.positions[1], vec3(1, 1, 0));
+        EXPECT_EQ(mesh.normals.size(), mesh.positions.size());
     }
+});
+
+// glTF 2.0, section 3.9.7: what has no normals is unlit, and takes no flat ones.
+const Test bare_points("unit.gltf.mesh.points_and_lines_have_the_normals_of_the_file_alone", [] {
+    constexpr float inf = std::numeric_limits<float>::infinity();
+    for (int mode = 0; mode < 4; ++mode) {
+        MadeGltf made = square();
+        add_normal_map(made);
+        made.primitive()["mode"] = mode;
+        made.attributes().erase("NORMAL");
+        EXPECT_TRUE(mesh_of(made).normals.empty());
+        EXPECT_TRUE(mesh_of(made).tangents.empty());
+        made.attributes()["NORMAL"] = made.floats({0, 0, 1, 0, 0, 0, 0, 0, 2, 0, 0, 1}, "VEC3");
+        const gltf::Loaded loaded = load(made);
+        EXPECT_TRUE(warns_once(loaded, "a normal of a point or line is zero or not finite: the point"));
+        EXPECT_EQ(loaded.scene.meshes.at(0).normals.at(1), vec3(0));
+        EXPECT_EQ(loaded.scene.meshes.at(0).normals.at(2), vec3(0, 0, 1));
+        made.attributes()["POSITION"] = made.floats({0, 0, 0, 1, 0, 0, 1, inf, 0, 0, 1, 0}, "VEC3");
+        made.primitive()["indices"] = made.shorts({0, 1, 1, 2});
+        const scene::Mesh rest = mesh_of(made);
+        constexpr std::array<std::size_t, 4> kept{3, 2, 4, 4};
+        EXPECT_EQ(mode == 0 ? rest.points.size() : rest.lines.size(), kept[static_cast<std::size_t>(mode)]);
+        EXPECT_TRUE(warns_once(load(made), mode == 0 ? "a point has a position that is not finite"
+                                                     : "a line has a position that is not finite"));
+    }
+});
+
+const Test moved_lines("unit.gltf.mesh.lines_without_normals_follow_morph_targets", [] {
+    MadeGltf made = square();
+    made.primitive()["mode"] = 2;
+    made.attributes().erase("NORMAL");
+    made.primitive()["targets"] =
+        json::array({{{"POSITION", made.floats(std::vector<float>(12, 1.0f), "VEC3")},
+                      {"NORMAL", made.floats(std::vector<float>(12, 1.0f), "VEC3")}}});
+    made.root["meshes"][0]["weights"] = {0.5};
+    const scene::Mesh mesh = mesh_of(made);
+    EXPECT_EQ(mesh.positions.at(0), vec3(0.5f));
+    EXPECT_TRUE(mesh.normals.empty());
 });
 
 const Test generated_indices("unit.gltf.mesh.no_indices_means_vertices_in_order", [] {

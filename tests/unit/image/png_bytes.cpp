@@ -53,8 +53,16 @@ ByteVector Png::bytes() const {
     ByteVector header;
     append_number(header, width);
     append_number(header, height);
-    append(header, ByteVector{bit_depth, color_type, 0, 0, 0});
+    append(header, ByteVector{bit_depth, color_type, 0, 0, static_cast<std::uint8_t>(is_interlaced)});
     append_chunk(file, "IHDR", header);
+    for (const auto& [type, data] : chunks) {
+        ByteVector written{data};
+        if (type == "iCCP") {
+            written = {'p', 0, 0}; // its name, and that it is compressed by zlib
+            append(written, stored(data));
+        }
+        append_chunk(file, type, written);
+    }
     if (!palette.empty()) append_chunk(file, "PLTE", palette);
     if (!palette_alpha.empty()) append_chunk(file, "tRNS", palette_alpha);
     append_chunk(file, "IDAT", stored(rows));

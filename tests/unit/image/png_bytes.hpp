@@ -1,7 +1,9 @@
 #pragma once
 // PNG files made by hand, so that every kind of PNG can be asked for.
 #include <cstdint>
+#include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace sr::testing {
@@ -15,7 +17,10 @@ struct Png {
     std::uint8_t color_type = 0; // 0 grey, 2 RGB, 3 palette, 4 grey and alpha, 6 RGBA
     ByteVector rows;             // as PNG stores them: a filter byte (0) before each row
     ByteVector palette;          // RGB triples
-    ByteVector palette_alpha;
+    ByteVector palette_alpha;    // tRNS, of whatever color type
+    bool is_interlaced = false;  // then `rows` has those of Adam7's seven passes, one after the other
+    std::vector<std::pair<std::string, ByteVector>>
+        chunks{}; // before the palette; an iCCP has its profile compressed
 
     ByteVector bytes() const;
 };
