@@ -40,11 +40,11 @@ float solid_angle(Rectangle r, vec3 x) {
 // end
 
 // begin solution A5.4
+float corner_angle(float z, float s, float t) { return atan(-z * sqrt(s * s + t * t + z * z), s * t); }
+
 // A direction from x to r, uniform over the solid angle, from u in [0, 1)²              [1]
 //
 // Its density is 1/Ω. x lies before the lamp. The handout has the steps; call solid_angle if you like.
-float corner_angle(float z, float s, float t) { return atan(-z * sqrt(s * s + t * t + z * z), s * t); }
-
 vec3 direction_to(Rectangle r, vec3 x, vec2 u) {
     vec3 ex = normalize(r.edge_u), ey = normalize(r.edge_v), ez = cross(ex, ey);
     vec3 corner = r.corner - x;
