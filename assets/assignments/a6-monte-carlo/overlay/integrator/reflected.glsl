@@ -1,4 +1,6 @@
-// The renderer's L_r: the student's directions and weights, over the lamps of the renderer. The surfaces have f_lobe.
+// The renderer's L_r: the student's directions and weights, over the lamps of the renderer.
+// The f_r of the plates is f_lobe times a colour.
+#include "brdf/f_r.glsl"
 #include "estimators.glsl"
 #include "integrator/random_point.glsl"
 #include "integrator/rays.glsl"
@@ -11,7 +13,7 @@ vec3 integrand(Surface x, LightSample light, vec3 wo, int k, int ray) {
     float cos_i = dot(x.n, light.wi);
     if (!(cos_i > 0.0) || !(light.p > 0.0)) return vec3(0.0);
     vec3 L_i = light.Li_over_p * light.p * visibility(x, light.wi, light.distance, k, ray);
-    return x.specular_color * f_lobe(x.n, light.wi, wo, x.exponent) * L_i * cos_i;
+    return f_r(x, light.wi, wo) * L_i * cos_i;
 }
 
 vec3 reflected(Surface x, vec3 wo) {
