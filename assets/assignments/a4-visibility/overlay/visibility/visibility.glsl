@@ -20,5 +20,6 @@ Triangle triangle_at(int i) {
 vec3 visibility(Surface x, vec3 wi, float distance, int light, int ray) {
     Triangle own = triangle_at(texelFetch(triangle_places, x.triangle).r);
     vec3 n = normalize(cross(own.b - own.a, own.c - own.a));
-    return V_between(x.position, n, x.position + distance * wi);
+    vec3 V = V_between(x.position, n, x.position + distance * wi);
+    return not_implemented_calls > 0 ? vec3(1.0, 0.0, 1.0) : V;
 }
