@@ -98,7 +98,9 @@ ordered_json marked_by_children(const Assignment& assignment, const fs::path& su
                                             [&] { return is_stopped() || found.is_standing_still(); }});
         found.take();
         if (tasks.size() == assignment.tasks.size() || is_stopped()) break;
-        if (end.way == golden::ChildEnd::Way::exited || end.way == golden::ChildEnd::Way::not_started)
+        if (end.way == golden::ChildEnd::Way::not_started)
+            throw Error("the process that checks " + end.text(), "raise the system's limits on processes");
+        if (end.way == golden::ChildEnd::Way::exited)
             throw Error(first_line(log), "see the assignment's own files");
         const std::string why =
             end.way == golden::ChildEnd::Way::stopped

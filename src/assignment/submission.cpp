@@ -164,7 +164,7 @@ void make_folder(const Assignment& assignment, const fs::path& folder, const std
     for (const char* part : {"figures", "scenes", "overlay"})
         if (const fs::path from = assignment.folder / part; fs::is_directory(from))
             fs::copy(from, folder / part, fs::copy_options::recursive);
-    if (parameters.empty() || !fs::is_directory(folder / "scenes")) return;
+    if (!fs::is_directory(folder / "scenes")) return;
     for (const auto& entry : fs::recursive_directory_iterator(folder / "scenes"))
         if (entry.path().extension() == ".gltf")
             write_text(entry.path(),

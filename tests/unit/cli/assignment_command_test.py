@@ -60,6 +60,14 @@ class Student(unittest.TestCase):
         self.assertTrue((self.folder / "README.md").is_file())
         self.assertIn("*.glsl", (self.folder / ".vscode" / "settings.json").read_text())
 
+    def test_scenes_have_the_students_numbers(self):
+        folder = Path(self.scratch.name, "my-a5")
+        self.run_steradian("new", "a5", str(folder), "--student", "12345", status=0)
+        width = re.search(r"lamp_width = ([0-9.]+);", (folder / "parameters.glsl").read_text())[1]
+        scene = json.loads((folder / "scenes" / "lamps.gltf").read_text())
+        lamp = next(node for node in scene["nodes"] if node["name"] == "lamp")
+        self.assertEqual(lamp["extras"]["steradian"]["width"], float(width))
+
     def test_a_solution_gets_everything(self):
         self.write_solution()
         self.assertEqual(self.checked(0)["percent"], 100)
