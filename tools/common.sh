@@ -31,6 +31,7 @@ require_writable_checkout() {
 configure_and_build() { # PRESET [TARGET...]
   local preset=$1
   shift
+  require_writable_checkout
   # A warning is an error where it can be acted on; a newer compiler's new warnings must not stop a user.
   cmake --preset "$preset" -DSTERADIAN_WERROR="${CI:-OFF}" ${unity_build:+-DCMAKE_UNITY_BUILD=ON} >/dev/null &&
     cmake --build --preset "$preset" ${1:+--target "$@"}

@@ -155,8 +155,9 @@ void make_folder(const Assignment& assignment, const fs::path& folder, const std
 fs::path assignments_folder() {
     std::vector<std::string> places;
     if (const char* named = std::getenv("STERADIAN_ASSIGNMENTS")) places.emplace_back(named);
-    places.push_back((program_folder() / "../share/steradian/assignments").lexically_normal().string());
-    places.emplace_back(STERADIAN_ASSIGNMENTS_SOURCE);
+    for (const char* place :
+         {"assignments", "../share/steradian/assignments"}) // in a build folder; installed
+        places.push_back((program_folder() / place).lexically_normal().string());
     for (const std::string& place : places)
         if (fs::is_directory(place)) return place;
     throw Error(fmt::format("no folder of assignments in {}", fmt::join(places, ", ")),

@@ -40,8 +40,8 @@ Submission empty_submission(const Assignment& assignment);
 void make_folder(const Assignment& assignment, const std::filesystem::path& folder,
                  const std::string& student);
 
-/// Where assignments lie: $STERADIAN_ASSIGNMENTS, ../share/steradian/assignments beside the program, the
-/// source tree.
+/// Where assignments lie: $STERADIAN_ASSIGNMENTS, assignments beside the program (a build folder's link), or
+/// ../share/steradian/assignments from there (where they are installed).
 /// @throws Error naming the places, if none is a folder
 std::filesystem::path assignments_folder();
 

@@ -1,5 +1,6 @@
 #include "assignment/mark.hpp"
 #include "assignment/self_test.hpp"
+#include "cli/arguments.hpp"
 #include "cli/commands.hpp"
 #include "core/error.hpp"
 #include "core/output.hpp"
@@ -196,6 +197,7 @@ void add_check(CLI::App& app, const std::shared_ptr<AssignmentArguments>& argume
     CLI::App* command = app.add_subcommand("check", "check a student's folder: marks, what is wrong, hints");
     command->add_option("DIR", arguments->folder, "a folder that `new` made")->required();
     command->add_option("--time-limit", arguments->time_limit, "of one task [s]")
+        ->check(refusal_of_number)
         ->check(CLI::Range(0.1, 3600.0))
         ->capture_default_str();
     command->add_flag("--json", arguments->json,

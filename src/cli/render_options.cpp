@@ -211,8 +211,10 @@ void declare_rig(CLI::App& command, scene::Rig& rig, EnvironmentArguments& envir
         .add_option("--environment-rotation", environment.degrees,
                     "turns it around +Y, counter-clockwise seen from above")
         ->type_name("DEGREES")
+        ->check(refusal_of_number)
         ->check(CLI::Range(-36000.0, 36000.0));
     command.add_option("--environment-strength", environment.strength, "multiplies it")
+        ->check(refusal_of_number)
         ->check(CLI::Range(0.0, 1e20))
         ->type_name("FACTOR");
     command.add_flag("--hide-environment", environment.is_hidden, "it lights the scene and is not seen");

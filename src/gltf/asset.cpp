@@ -39,7 +39,8 @@ public:
         place_lights(placed_nodes(document_, scene_index_), warnings_);
         scene_.profiles = lights_.profiles();
         scene_.units = unit_system_of(document_);
-        scene_.environment = environment_of(document_, scene_index_, warnings_);
+        warnings_.attempt("it has no environment",
+                          [&] { scene_.environment = environment_of(document_, scene_index_, warnings_); });
         scene_.textures = materials_.textures().textures();
         Decoding decoding(document_, materials_.textures().image_sources());
         drawn_.read(materials_, scene_, warnings_);

@@ -26,14 +26,17 @@ void check_version(const json& root, const std::string& name) {
         return root.at(pointer).is_string()
                && root.at(pointer).get_ref<const std::string&>().starts_with(prefix);
     };
+    const auto stated = [&](const json::json_pointer& pointer) {
+        const json& value = root.at(pointer);
+        return in_quotes(value.is_string() ? value.get_ref<const std::string&>() : value.dump());
+    };
     if (!root.contains(version))
         throw Error({name}, "this is not glTF 2.0, it has no asset.version", "give a glTF 2.0 file");
     if (!is_two(version, "2."))
-        throw Error({name}, fmt::format("this is glTF {}, not 2.0", in_quotes(root.at(version).dump())),
+        throw Error({name}, fmt::format("this is glTF {}, not 2.0", stated(version)),
                     "convert it to glTF 2.0");
     if (root.contains(min_version) && !is_two(min_version, "2.0"))
-        throw Error({name},
-                    fmt::format("it needs a reader of glTF {}", in_quotes(root.at(min_version).dump())),
+        throw Error({name}, fmt::format("it needs a reader of glTF {}", stated(min_version)),
                     "export it as glTF 2.0");
 }
 

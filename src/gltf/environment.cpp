@@ -96,10 +96,9 @@ std::optional<scene::EnvironmentLight> environment_of(const Document& document, 
         if (uri.empty() || uri.starts_with("data:"))
             document.fail("the scene's environment does not name its file",
                           R"(name one beside the glTF, as in "file": "sky.hdr")");
-        read_uri(uri, document.folder,
-                 {document.name, "the scene's environment"}); // refuses what leaves the folder
         std::vector<std::string> heard;
-        light.map = read_environment(document.folder / uri, heard);
+        light.map = read_environment(
+            file_of(uri, document.folder, {document.name, "the scene's environment"}), heard);
         light.name = std::filesystem::path(uri).stem().string();
         for (const std::string& line : heard) warnings.add("environment", line);
     }

@@ -106,9 +106,11 @@ void MaterialTable::read_brdf(const tinygltf::Material& from, scene::Material& t
                     "it reflects more light than arrives");
     }
     if (to.model == Model::conductor) to.conductor = ior_in(document_, *stated, title);
-    if (to.model == Model::merl)
-        to.measured =
-            measured_.number(stated->Has("file") ? stated->Get("file").Get<std::string>() : "", title);
+    if (to.model == Model::merl && !warnings_.attempt("it has glTF's own BRDF", [&] {
+            to.measured =
+                measured_.number(stated->Has("file") ? stated->Get("file").Get<std::string>() : "", title);
+        }))
+        to.model = Model::metallic_roughness;
 }
 
 } // namespace sr::gltf

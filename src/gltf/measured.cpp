@@ -8,14 +8,13 @@
 namespace sr::gltf {
 
 int MeasuredTable::number(const std::string& uri, const std::string& title) {
-    const auto [entry, is_new] = number_of_.try_emplace(uri, static_cast<int>(brdfs_.size()));
-    if (!is_new) return entry->second;
+    if (const auto known = number_of_.find(uri); known != number_of_.end()) return known->second;
     if (uri.empty() || is_data_uri(uri))
         document_.fail(fmt::format("{} is measured, and its file is not named", title),
                        R"(name one beside the glTF, as in "file": "gold-paint.binary")");
     const std::vector<std::uint8_t> bytes = read_uri(uri, document_.folder, {document_.name, title});
     brdfs_.push_back(scene::read_merl(std::as_bytes(std::span(bytes)), (document_.folder / uri).string()));
-    return entry->second;
+    return number_of_[uri] = static_cast<int>(brdfs_.size()) - 1;
 }
 
 } // namespace sr::gltf

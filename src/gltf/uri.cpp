@@ -141,7 +141,23 @@ bool is_linked_away(const fs::path& file, const fs::path& folder) {
     return std::ranges::mismatch(root, target).in1 != root.end();
 }
 
-fs::path contained(std::string_view uri, const fs::path& folder, const UriPlace& place) {
+} // namespace
+
+bool is_data_uri(std::string_view uri) {
+    constexpr std::string_view scheme = "data:";
+    return uri.size() >= scheme.size() && is_same_but_for_case(uri.substr(0, scheme.size()), scheme);
+}
+
+std::vector<fs::path> files_named(std::string_view uri, const fs::path& folder) {
+    std::vector<fs::path> files;
+    if (has_scheme(uri)) return files;
+    for (const std::string& reading : readings_of(uri))
+        if (!reading.empty() && reading.find('\0') == std::string::npos && !leaves_folder(reading))
+            files.push_back(folder / fs::path(reading).lexically_normal()); // RFC 3986, section 5.2.4
+    return files;
+}
+
+fs::path file_of(std::string_view uri, const fs::path& folder, const UriPlace& place) {
     if (has_scheme(uri))
         fail(place, fmt::format("is {}, which is no file beside the glTF", in_quotes(uri)),
              "download the file, put it beside the glTF and name it there");
@@ -162,25 +178,9 @@ fs::path contained(std::string_view uri, const fs::path& folder, const UriPlace&
     return file;
 }
 
-} // namespace
-
-bool is_data_uri(std::string_view uri) {
-    constexpr std::string_view scheme = "data:";
-    return uri.size() >= scheme.size() && is_same_but_for_case(uri.substr(0, scheme.size()), scheme);
-}
-
-std::vector<fs::path> files_named(std::string_view uri, const fs::path& folder) {
-    std::vector<fs::path> files;
-    if (has_scheme(uri)) return files;
-    for (const std::string& reading : readings_of(uri))
-        if (!reading.empty() && reading.find('\0') == std::string::npos && !leaves_folder(reading))
-            files.push_back(folder / fs::path(reading).lexically_normal()); // RFC 3986, section 5.2.4
-    return files;
-}
-
 std::vector<std::uint8_t> read_uri(std::string_view uri, const fs::path& folder, const UriPlace& place) {
     if (is_data_uri(uri)) return read_data_uri(uri, place);
-    const fs::path file = contained(uri, folder, place);
+    const fs::path file = file_of(uri, folder, place);
     return read_file(file, place.file,
                      fmt::format("{} names {}: ", place.pointer, in_quotes(file.filename().string())));
 }

@@ -23,9 +23,14 @@ bool is_data_uri(std::string_view uri);
 /// them.
 std::vector<std::filesystem::path> files_named(std::string_view uri, const std::filesystem::path& folder);
 
-/// The bytes of a data URI (base64 or percent-encoded), or of the file that a relative URI names in `folder`.
-/// The first of files_named() that is there is read. A URI that leaves the folder or names a network address
-/// is refused, and so is a symbolic link that leads out of the folder; one within it is followed.
+/// The file in `folder` that a relative URI names: the first of files_named() that is there, else the first
+/// of them. A URI that leaves the folder or names a network address is refused, and so is a symbolic link
+/// that leads out of the folder; one within it is followed.
+/// @throws Error
+std::filesystem::path file_of(std::string_view uri, const std::filesystem::path& folder,
+                              const UriPlace& place);
+
+/// The bytes of a data URI (base64 or percent-encoded), or of file_of() a relative one.
 /// @throws Error
 std::vector<std::uint8_t> read_uri(std::string_view uri, const std::filesystem::path& folder,
                                    const UriPlace& place);

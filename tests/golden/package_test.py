@@ -23,9 +23,22 @@ def check_install(cmake, prefix, project):
     assert re.fullmatch(r"Steradian \d+\.\d+\.\d+( \(commit [0-9a-f]+\))?\n", version), version
     for file in ("share/doc/Steradian/LICENSE", "share/steradian/extras.schema.json", "share/steradian/scenes/default.gltf"):
         assert (prefix / file).is_file(), file
+    listed = subprocess.run([prefix / "bin/steradian", "assignment", "list"], check=True, capture_output=True, text=True).stdout
+    assert "a3-brdf" in listed, listed
     project.mkdir(parents=True)
     (project / "CMakeLists.txt").write_text("cmake_minimum_required(VERSION 3.22)\nproject(x NONE)\nfind_package(Steradian REQUIRED)\n")
     run(cmake, "-G", "Ninja", "-S", project, "-B", project / "build", f"-DCMAKE_PREFIX_PATH={prefix}")
+
+
+def check_paths(prefix, *folders):
+    """No installed file names a folder of the machine that built it. Debug information does, and is left out."""
+    for file in sorted(path for path in prefix.rglob("*") if path.is_file()):
+        content = file.read_bytes()
+        if b".debug_info" in content:
+            print(f"{file}: has debug information: its paths are not looked at")
+            continue
+        for folder in folders:
+            assert str(folder).encode() not in content, f"{file} names {folder}"
 
 
 def main():
@@ -34,6 +47,7 @@ def main():
     prefix, ours = scratch / "prefix", scratch / "build"
     run(cmake, "--install", build, "--prefix", prefix)
     check_install(cmake, prefix, scratch / "no_language")
+    check_paths(prefix, source, build)
     run(cmake, "-G", "Ninja", "-S", source / "examples/golden/cmake", "-B", ours, f"-DCMAKE_PREFIX_PATH={prefix}")
     run(Path(cmake).with_name("ctest"), "--test-dir", ours, "--output-on-failure", "--no-tests=error", "-L", "pictures")
     assert (ours / "golden/golden.example/report.html").is_file()

@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <iterator>
+#include <optional>
 #include <set>
 
 using namespace sr;
@@ -63,8 +65,8 @@ std::optional<image::Image> first_look(const fs::path& file) {
 /// What of a file is black by its own materials, most of the covered pixels that may be below code 8: rows of
 /// balls of black base colour and a specular factor of 0, and panels of nothing but a coat.
 double most_black(const fs::path& file) {
-    if (file.filename() == "ClearCoatTest.glb") return 0.22;
-    if (file.filename() == "SpecularTest.glb") return 0.35;
+    if (file.stem() == "ClearCoatTest") return 0.22;
+    if (file.stem() == "SpecularTest") return 0.35;
     return 0.10;
 }
 
@@ -83,12 +85,12 @@ std::vector<fs::path> files_below(const fs::path& folder) {
 }
 
 const Test look("real.first_look.is_neither_burnt_nor_black", [] {
-    const auto folder = models_folder();
-    if (!folder) GTEST_SKIP() << "no models: set STERADIAN_MODELS";
-    std::vector<fs::path> files = files_below(*folder);
     const fs::path cases = source_folder().parent_path() / "shared" / "cases";
-    if (fs::exists(cases))
-        for (const fs::path& file : files_below(cases)) files.push_back(file);
+    std::vector<fs::path> files;
+    for (const std::optional<fs::path>& folder :
+         {models_folder(), packaged_models_folder(), std::optional(cases)})
+        if (folder && fs::exists(*folder)) std::ranges::copy(files_below(*folder), std::back_inserter(files));
+    if (files.empty()) GTEST_SKIP() << "no models: set STERADIAN_MODELS or install assimp-testmodels";
     int looked_at = 0;
     for (const fs::path& file : files) {
         const auto film = first_look(file);

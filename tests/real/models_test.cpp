@@ -1,9 +1,11 @@
 // Files that nobody on this project wrote: each loads, with the warnings it deserves.
+#include "core/error.hpp"
 #include "gltf/load.hpp"
 #include "gltf/mikktspace.hpp"
 #include "support/address.hpp"
 #include "support/models.hpp"
 
+#include <algorithm>
 #include <map>
 
 using namespace sr;
@@ -63,6 +65,37 @@ const Test every_file("real.models.each_loads_with_the_warnings_it_deserves", []
         expect_loads(entry.path());
     }
     EXPECT_GT(count, 0);
+});
+
+/// Whether a file of the package is broken or too new or too old by its folder's name or its own.
+bool is_made_to_be_refused(const fs::path& file) {
+    static const std::vector<std::string> parts{"/glTF/",         "IndexOutOfRange", "MissingBin",
+                                                "NoScene",        "RecursiveNodes",  "SchemaFailures",
+                                                "techniqueWebGL", "wrongTypes"};
+    const std::string name = file.generic_string();
+    return std::ranges::any_of(parts,
+                               [&](const std::string& part) { return name.find(part) != std::string::npos; });
+}
+
+// What a package brings differs from release to release: what is not made to be broken loads, and the rest
+// may be refused, in one line that says what to do.
+const Test packaged("real.models.each_packaged_one_loads_or_is_refused_in_one_line", [] {
+    const auto folder = sr::testing::packaged_models_folder();
+    if (!folder) GTEST_SKIP() << "no packaged models: install assimp-testmodels";
+    int loaded_count = 0;
+    for (const fs::path& file : sr::testing::models_below(*folder)) {
+        SCOPED_TRACE(file.string());
+        try {
+            expect_consistent(gltf::load(file).scene);
+            ++loaded_count;
+        } catch (const Error& error) {
+            const std::string line = error.what();
+            EXPECT_TRUE(is_made_to_be_refused(file)) << line;
+            EXPECT_TRUE(line.starts_with(file.parent_path().string())) << line;
+            EXPECT_EQ(std::ranges::count(line, '\n'), 0) << line;
+        }
+    }
+    EXPECT_GE(loaded_count, 10);
 });
 
 // The names and numbers in the file, read by hand.

@@ -2,6 +2,7 @@
 
 #include "core/error.hpp"
 
+#include <algorithm>
 #include <cstdlib>
 #include <gtest/gtest.h>
 
@@ -19,6 +20,21 @@ std::optional<fs::path> models_folder() {
         variable ? fs::path(variable) : source_folder().parent_path() / "shared" / "models";
     if (!fs::is_directory(folder)) return std::nullopt;
     return folder;
+}
+
+std::optional<fs::path> packaged_models_folder() {
+    const fs::path folder = STERADIAN_PACKAGED_MODELS;
+    if (!fs::is_directory(folder)) return std::nullopt;
+    return folder;
+}
+
+std::vector<fs::path> models_below(const fs::path& folder) {
+    std::vector<fs::path> models;
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
+        if (entry.path().extension() == ".glb" || entry.path().extension() == ".gltf")
+            models.push_back(entry.path());
+    std::ranges::sort(models);
+    return models;
 }
 
 fs::path scratch_folder(const std::string& name) {

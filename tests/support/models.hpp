@@ -3,11 +3,19 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace sr::testing {
 
 /// $STERADIAN_MODELS, or ../shared/models beside the source tree; absent if there is no such folder.
 std::optional<std::filesystem::path> models_folder();
+
+/// The glTF models that a package of the system brings (Debian's assimp-testmodels), in folders below this
+/// one; absent if it is not installed.
+std::optional<std::filesystem::path> packaged_models_folder();
+
+/// The glTF files below a folder, in order.
+std::vector<std::filesystem::path> models_below(const std::filesystem::path& folder);
 
 /// The bundled assets/ folder of the source tree.
 std::filesystem::path assets_folder();

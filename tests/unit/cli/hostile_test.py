@@ -230,6 +230,7 @@ class Hostile(cli_test.CommandLine):
         for option in (["--samples", "99999999999"], ["--samples", "0"], ["--size", "0x0"], ["--size", "99999999999x1"], ["--exposure", "1e999"],
                        ["--exposure", "nan"], ["--seed", "99999999999999"], ["--seed", "-1"], ["--background", "nan"], ["--time", "1e999"],
                        ["--error", "nan%"], ["--at", "-1"], ["--at", "1e999"], ["--at", "nan"], ["--fps", "nan", "--frames", "0:1"],
+                       ["--environment-strength", "nan"], ["--environment-rotation", "nan"],
                        ["--frames", "0:99999999999"], ["--scene", "99999999999"], ["--map-size", "1e9"]):
             result = run("render", gltf, "-o", self.folder / "a.####.png", *option)
             self.assertEqual(result.returncode, 2, (option, result.stderr))

@@ -47,21 +47,4 @@ const Test names("unit.gl.backend.names", [] {
     EXPECT_EQ(gl::backend_named("vulkan"), std::nullopt);
 });
 
-// Whatever does not work says so in one line with a remedy.
-const Test reported("unit.gl.backend.each_works_or_says_why", [] {
-    const auto reports = gl::report_backends();
-    ASSERT_EQ(reports.size(), 3u);
-    bool any = false;
-    for (const auto& report : reports) {
-        if (report.info) {
-            any = true;
-            EXPECT_FALSE(report.info->renderer.empty());
-        } else {
-            EXPECT_NE(report.failure.find(": "), std::string::npos);
-            EXPECT_EQ(report.failure.find('\n'), std::string::npos);
-        }
-    }
-    EXPECT_TRUE(any);
-});
-
 } // namespace

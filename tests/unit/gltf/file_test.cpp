@@ -70,8 +70,10 @@ const Test deep_json("unit.gltf.file.deep_json_is_refused", [] {
 const Test versions("unit.gltf.file.other_versions_are_refused", [] {
     EXPECT_EQ(error_of("{}"),
               "made.gltf: this is not glTF 2.0, it has no asset.version: give a glTF 2.0 file");
-    EXPECT_NE(error_of(R"({"asset":{"version":"1.0"},"scenes":{}})").find("convert it to glTF 2.0"),
-              std::string::npos);
+    EXPECT_EQ(error_of(R"({"asset":{"version":"1.0"},"scenes":{}})"),
+              "made.gltf: this is glTF \"1.0\", not 2.0: convert it to glTF 2.0");
+    EXPECT_EQ(error_of(R"({"asset":{"version":1}})"),
+              "made.gltf: this is glTF \"1\", not 2.0: convert it to glTF 2.0");
     EXPECT_NE(error_of(R"({"asset":{"version":"2.1","minVersion":"2.1"}})").find("needs a reader"),
               std::string::npos);
     EXPECT_EQ(error_of(R"({"asset":{"version":"2.1"}})"), "");

@@ -398,14 +398,22 @@ const Test brdfs("unit.gltf.material.brdfs_of_extras", [] {
               "made.gltf: material \"m\" is a conductor that does not say of what once: give it one of "
               "metal, complex_ior and "
               "ior_spectrum");
-    EXPECT_NE(error_with(R"({"brdf": "merl", "file": "no.binary"})").find("no.binary"), std::string::npos);
+    EXPECT_NE(error_with(R"({"brdf": "plastic"})").find("brdf"), std::string::npos);
+});
+
+const Test lost_measurement("unit.gltf.material.without_its_file_a_measured_brdf_is_that_of_gltf", [] {
     const auto folder = test_folder();
     write_text(folder / "short.binary", std::string("\x5a\0\0\0\x5a\0\0\0\xb4\0\0\0cut", 15));
-    write_text(
-        folder / "made.gltf",
-        with_material(R"({"extras": {"steradian": {"brdf": "merl", "file": "short.binary"}}})").gltf());
-    EXPECT_EQ(error_at(folder / "made.gltf").find("short.binary: "), 0u) << error_at(folder / "made.gltf");
-    EXPECT_NE(error_with(R"({"brdf": "plastic"})").find("brdf"), std::string::npos);
+    for (const std::string name : {"no.binary", "short.binary"}) {
+        const std::string material =
+            R"({"extras": {"steradian": {"brdf": "merl", "file": ")" + name + R"("}}})";
+        write_text(folder / "made.gltf", with_material(material.c_str()).gltf());
+        const gltf::Loaded loaded = gltf::load(folder / "made.gltf");
+        EXPECT_TRUE(warns_once(loaded, name)) << ::testing::PrintToString(loaded.warnings);
+        EXPECT_TRUE(warns_once(loaded, "it has glTF's own BRDF"));
+        EXPECT_EQ(loaded.scene.materials.at(0).model, scene::Model::metallic_roughness);
+        EXPECT_NE(error_at(folder / "made.gltf", {.is_strict = true}).find(name), std::string::npos);
+    }
 });
 
 } // namespace
