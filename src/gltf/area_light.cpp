@@ -71,7 +71,7 @@ void LightTable::append_area(const PlacedNode& placed, Warnings& warnings) {
     std::visit(
         [&](auto& result) {
             result.name = name.empty() ? node.name : name;
-            result.map = map_of(stated);
+            result.map = map_of(stated, placed);
             state_flat(document_, result, stated, source->own, title);
             lights_.emplace_back(std::move(result));
         },

@@ -36,8 +36,9 @@ private:
     void append_shape(const PlacedNode& placed, Warnings& warnings);
     void append_ies(const PlacedNode& placed, Warnings& warnings);
 
-    /// The emission map of extras.steradian.texture; none where there is no texture.
-    scene::EmissionMap map_of(const tinygltf::Value* stated);
+    /// The emission map of extras.steradian.texture; none where there is no texture. A node that mirrors
+    /// mirrors the picture, too.
+    scene::EmissionMap map_of(const tinygltf::Value* stated, const PlacedNode& placed);
     /// An IES file of the glTF, read once; with the index of its profile.
     const std::pair<int, scene::IesLuminaire>& luminaire(int index, const std::string& title);
 
@@ -52,7 +53,7 @@ private:
 struct LightFrame {
     glm::dvec3 position{0.0}; // [m]
     glm::dvec3 front{0.0};    // the node's -Z, where the light goes
-    glm::dvec3 u{0.0};        // along the node's X, turned so that cross(u, v) is the front
+    glm::dvec3 u{0.0};        // along the node's X or against it, so that cross(u, v) is the front
     glm::dvec3 v{0.0};        // along the node's Y
     double scale = 1.0; // the largest of the node's axes: what the draft of EXT_lights_area scales sizes by
 };

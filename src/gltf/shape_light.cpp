@@ -103,10 +103,12 @@ private:
 
 } // namespace
 
-scene::EmissionMap LightTable::map_of(const Value* stated) {
+scene::EmissionMap LightTable::map_of(const Value* stated, const PlacedNode& placed) {
     scene::EmissionMap map;
     if (stated && stated->Has("texture"))
         map.texture = textures_.texture(whole_in(*stated, "texture", 0), scene::ColorSpace::srgb);
+    if (glm::determinant(glm::dmat3(placed.world_from_node)) < 0.0)
+        map.along_u = -map.along_u; // the frame's u does not follow the node's X there
     return map;
 }
 
@@ -129,7 +131,7 @@ void LightTable::append_shape(const PlacedNode& placed, Warnings& warnings) {
         lights_.emplace_back(std::move(light));
     };
     const auto finish_mapped = [&](auto light) {
-        light.map = map_of(stated);
+        light.map = map_of(stated, placed);
         finish_flat(std::move(light));
     };
     const auto finish_round = [&](auto light) {

@@ -4,6 +4,10 @@
 
 namespace sr::render {
 
+// Triangles of equal areas make shares of 1 but for rounding. They all count as full, so that the table, and
+// with it every sample, stays the same when a scene is moved or scaled.
+constexpr double full_share = 1.0 - 1e-6;
+
 std::vector<AliasEntry> alias_table(std::span<const double> weights) {
     const std::size_t count = weights.size();
     const double total = std::accumulate(weights.begin(), weights.end(), 0.0);
@@ -14,7 +18,7 @@ std::vector<AliasEntry> alias_table(std::span<const double> weights) {
         if (total > 0.0) share[i] = weights[i] / total * static_cast<double>(count);
         table[i].probability = static_cast<float>(share[i] / static_cast<double>(count));
         table[i].alias = static_cast<int>(i);
-        (share[i] < 1.0 ? small : large).push_back(i);
+        (share[i] < full_share ? small : large).push_back(i);
     }
     while (!small.empty() && !large.empty()) {
         const std::size_t needy = small.back(), rich = large.back();
@@ -22,12 +26,12 @@ std::vector<AliasEntry> alias_table(std::span<const double> weights) {
         table[needy].keep = static_cast<float>(share[needy]);
         table[needy].alias = static_cast<int>(rich);
         share[rich] -= 1.0 - share[needy];
-        if (share[rich] < 1.0) {
+        if (share[rich] < full_share) {
             large.pop_back();
             small.push_back(rich);
         }
     }
-    return table; // what is left over has a share of 1 but for rounding, and keeps it
+    return table; // what is left over is full but for rounding, and keeps its share
 }
 
 } // namespace sr::render

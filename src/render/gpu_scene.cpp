@@ -109,10 +109,14 @@ ReadyImage make_ready(const scene::TextureImage& image, const ImageUse& use) {
     return {format, mip_chain(image, use.color_space, format)};
 }
 
+/// The mean of the triangles' corners: it goes with the vertices wherever an affine transform takes them, so
+/// that a transform worked into them leaves the order of blended instances alone. (The centre of their box does
+/// not.)
 vec3 center_of(const scene::Mesh& mesh, const mat4& world_from_object) {
-    scene::Bounds bounds;
-    for (const vec3 position : mesh.positions) bounds.extend(position);
-    return vec3(world_from_object * vec4(bounds.center(), 1.0f));
+    glm::dvec3 sum(0.0);
+    for (const std::uint32_t index : mesh.indices) sum += glm::dvec3(mesh.positions[index]);
+    const glm::dvec3 mean = sum / static_cast<double>(std::max<std::size_t>(1, mesh.indices.size()));
+    return vec3(glm::dmat4(world_from_object) * glm::dvec4(mean, 1.0));
 }
 
 } // namespace

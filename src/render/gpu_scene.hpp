@@ -19,7 +19,7 @@ struct Draw {
     int instance = 0;
     int material = 0;
     Features features;
-    vec3 center{0.0f};    // of its bounds, world space; what blended instances are sorted by
+    vec3 center{0.0f};    // mean of its corners, world space; what blended instances are sorted by
     bool mirrors = false; // its front faces come out clockwise
     bool is_double_sided = false;
     bool is_surface = true; // false: lines or points, which have no back

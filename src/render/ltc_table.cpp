@@ -3,7 +3,6 @@
 #include "core/math.hpp"
 
 #include <array>
-#include <cmath>
 #include <vector>
 
 namespace sr::render {
@@ -26,9 +25,7 @@ float mean_loss(const float* row) {
         const double s0 = i / (ltc_grid - 1.0), s1 = (i + 1) / (ltc_grid - 1.0);
         const double f0 = 1.0 - row[i * ltc_numbers + 3], f1 = 1.0 - row[(i + 1) * ltc_numbers + 3];
         const double slope = (f1 - f0) / (s1 - s0), base = f0 - slope * s0;
-        const auto integral = [&](double s) {
-            return base * std::pow(s, 4.0) + 0.8 * slope * std::pow(s, 5.0);
-        };
+        const auto integral = [&](double s) { return s * s * s * s * (base + 0.8 * slope * s); };
         sum += integral(s1) - integral(s0);
     }
     return static_cast<float>(sum);
@@ -43,10 +40,11 @@ gl::Texture upload_ltc_table() {
     std::vector<vec4> texels(width * height);
     for (std::size_t y = 0; y < ltc_grid; ++y) {
         const float* row = &ltc_values[y * ltc_grid * ltc_numbers];
+        const float loss = mean_loss(row);
         for (std::size_t x = 0; x < ltc_grid; ++x) {
             const float* entry = row + x * ltc_numbers;
             texels[y * width + x] = vec4(entry[0], entry[1], entry[2], entry[3]);
-            texels[(y + ltc_grid) * width + x] = vec4(entry[4], 0.0f, mean_loss(row), 0.0f);
+            texels[(y + ltc_grid) * width + x] = vec4(entry[4], 0.0f, loss, 0.0f);
         }
     }
     for (std::size_t i = 0; i < sheen_albedo.size(); ++i)

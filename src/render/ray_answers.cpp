@@ -132,11 +132,16 @@ void RayAnswers::read(Band band, int attachment, std::vector<vec4>& texels) {
 
 std::size_t RayAnswers::answer(Band band) {
     const auto begin = std::chrono::steady_clock::now();
+    // A thread costs about as much as some hundred rays.
+    constexpr int pixels_per_thread = 1024;
     std::atomic<std::size_t> asked = 0;
-    for_each_row(band.count, [&](int row) {
-        const std::size_t first = static_cast<std::size_t>(width_) * static_cast<std::size_t>(row);
-        asked += answer_row(first, first + static_cast<std::size_t>(width_));
-    });
+    for_each_row(
+        band.count,
+        [&](int row) {
+            const std::size_t first = static_cast<std::size_t>(width_) * static_cast<std::size_t>(row);
+            asked += answer_row(first, first + static_cast<std::size_t>(width_));
+        },
+        1 + width_ * band.count / pixels_per_thread);
     ray_count_ += asked;
     seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return asked;

@@ -1,6 +1,8 @@
 // What must not change a picture, on generated scenes: tests that know no reference find mistakes that a
 // reference shares.
 #include "image/file.hpp"
+#include "file_changes.hpp"
+#include "picture_difference.hpp"
 #include "scene_changes.hpp"
 #include "support/address.hpp"
 #include "support/generated.hpp"
@@ -9,7 +11,8 @@
 #include <array>
 #include <cstdlib>
 #include <fmt/format.h>
-#include <functional>
+#include <optional>
+#include <variant>
 
 namespace {
 
@@ -17,73 +20,8 @@ using namespace sr;
 using namespace sr::testing;
 using sr::testing::Test;
 
-/// Scenes of each recipe; every law sees them all.
-constexpr int usual_scenes = 20;
-
-/// How far two pictures may be apart: what rounding makes of values, and of edges that it moves across a
-/// pixel's centre.
-constexpr float most_relative = 0.02f;
-constexpr int most_strange = 3; // pixels that differ from all around them in the other picture
-constexpr int most_moved = 40;  // pixels that differ
-
-struct Window {
-    float low = INFINITY, high = -INFINITY;
-};
-
-/// What the pixels around one are worth.
-Window around(const image::Image& picture, int column, int row, int channel) {
-    Window window;
-    for (int y = std::max(row - 1, 0); y <= std::min(row + 1, picture.height - 1); ++y)
-        for (int x = std::max(column - 1, 0); x <= std::min(column + 1, picture.width - 1); ++x) {
-            window.low = std::min(window.low, picture.at(x, y)[channel]);
-            window.high = std::max(window.high, picture.at(x, y)[channel]);
-        }
-    return window;
-}
-
-bool is_within(float value, const Window& window, float floor) {
-    const float slack = most_relative * std::abs(window.high) + floor;
-    return value >= window.low - slack && value <= window.high + slack;
-}
-
-struct Difference {
-    int moved = 0;   // pixels that an edge may have crossed
-    int strange = 0; // others
-    std::string first;
-};
-
-Difference difference_of(const image::Image& a, const image::Image& b) {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < a.pixels.size(); ++i) sum += i % 4 == 3 ? 0.0 : std::abs(a.pixels[i]);
-    const auto floor = static_cast<float>(1e-3 * sum / static_cast<double>(a.pixels.size()) + 1e-30);
-    Difference difference;
-    for (int y = 0; y < a.height; ++y)
-        for (int x = 0; x < a.width; ++x) {
-            bool is_moved = false, is_strange = false;
-            for (int i = 0; i < 4; ++i) {
-                const float va = a.at(x, y)[i], vb = b.at(x, y)[i];
-                if (std::abs(va - vb) <= most_relative * std::max(std::abs(va), std::abs(vb)) + floor)
-                    continue;
-                is_moved = true;
-                if (is_within(va, around(b, x, y, i), floor) && is_within(vb, around(a, x, y, i), floor))
-                    continue;
-                if (!is_strange && difference.first.empty())
-                    difference.first = fmt::format("({}, {})[{}]: {} and {}", x, y, i, va, vb);
-                is_strange = true;
-            }
-            difference.moved += is_moved;
-            difference.strange += is_strange;
-        }
-    return difference;
-}
-
-image::Image in_a_mirror(const image::Image& picture) {
-    image::Image result = picture;
-    for (int y = 0; y < picture.height; ++y)
-        for (int x = 0; x < picture.width; ++x)
-            for (int i = 0; i < 4; ++i) result.at(x, y)[i] = picture.at(picture.width - 1 - x, y)[i];
-    return result;
-}
+/// Scenes of each of the 14 recipes, which the laws take in turn. $STERADIAN_SCENES asks for more.
+constexpr int usual_scenes = 80;
 
 void keep(const image::Image& a, const image::Image& b, const std::string& name) {
     if (!std::getenv("STERADIAN_KEEP")) return;
@@ -92,7 +30,13 @@ void keep(const image::Image& a, const image::Image& b, const std::string& name)
     image::write(b, folder / (name + ".b.exr"), image::SampleType::floating);
 }
 
-using Change = scene::Scene (*)(const scene::Scene&, Random&);
+/// Two scenes whose pictures must be the same.
+struct ScenePair {
+    scene::Scene a;
+    scene::Scene b;
+};
+
+using Change = ScenePair (*)(const MadeGltf&, Random&);
 
 struct Law {
     const char* name;
@@ -101,102 +45,185 @@ struct Law {
     bool is_mirrored = false;
 };
 
-scene::Scene in_vertices(const scene::Scene& scene, Random&) { return baked(scene); }
-
-scene::Scene moved_and_scaled(const scene::Scene& scene, Random& random) {
-    const double s = random.scale_within(1e-3, 1e3);
-    return placed(scene, {s, glm::dmat3(1.0), s * random.in_cube(3.0)});
+ScenePair in_vertices(const MadeGltf& made, Random&) {
+    scene::Scene scene = loaded(made);
+    return {scene, baked(scene)};
 }
 
-scene::Scene turned(const scene::Scene& scene, Random& random) {
-    return placed(scene, {1.0, glm::mat3_cast(random.turn()), random.in_cube(3.0)});
+ScenePair moved_and_scaled(const MadeGltf& made, Random& random) {
+    const double s = random.scale_within(1e-3, 1e3);
+    scene::Scene scene = loaded(made);
+    return {scene, placed(scene, {s, glm::dmat3(1.0), s * random.in_cube(3.0)})};
+}
+
+ScenePair split_in_two(const MadeGltf& made, Random& random) {
+    scene::Scene scene = loaded(made);
+    return {scene, split(scene, random)};
+}
+
+ScenePair turned(const MadeGltf& made, Random& random) {
+    scene::Scene scene = loaded(made);
+    return {scene, placed(scene, {1.0, glm::mat3_cast(random.turn()), random.in_cube(3.0)})};
+}
+
+glm::dmat3 flip() {
+    glm::dmat3 flip(1.0);
+    flip[0][0] = -1.0;
+    return flip;
 }
 
 /// By nodes of negative scale, or by vertices whose triangles wind the other way.
-scene::Scene mirrored(const scene::Scene& scene, Random& random) {
-    glm::dmat3 flip(1.0);
-    flip[0][0] = -1.0;
-    const scene::Scene result = placed(scene, {1.0, flip, glm::dvec3(0.0)});
-    return random.has_chance(0.5) ? result : baked(result);
+ScenePair mirrored(const MadeGltf& made, Random& random) {
+    const scene::Scene scene = without_minification(loaded(made));
+    const scene::Scene result = placed(scene, {1.0, flip(), glm::dvec3(0.0)});
+    return {scene, random.has_chance(0.5) ? result : baked(result)};
+}
+
+ScenePair reordered(const MadeGltf& made, Random& random) {
+    scene::Scene scene = loaded(made);
+    return {scene, shuffled(scene, random)};
+}
+
+ScenePair in_other_units_of_light(const MadeGltf& made, Random& random) {
+    return {loaded(made), loaded(in_other_units(made, random))};
+}
+
+ScenePair in_another_file_order(const MadeGltf& made, Random& random) {
+    return {loaded(made), loaded(in_other_order(made, random))};
+}
+
+ScenePair under_a_root(const MadeGltf& made, Random& random, const glm::dmat3& flip) {
+    const double s = random.scale_within(1e-3, 1e3);
+    const Similarity similarity{s, glm::mat3_cast(random.turn()) * flip, s * random.in_cube(3.0)};
+    return {without_minification(loaded(made)), without_minification(loaded(under_root(made, similarity)))};
+}
+
+ScenePair under_a_placing_root(const MadeGltf& made, Random& random) {
+    return under_a_root(made, random, glm::dmat3(1.0));
+}
+
+ScenePair under_a_mirroring_root(const MadeGltf& made, Random& random) {
+    return under_a_root(made, random, flip());
 }
 
 const std::array laws{Law{"in vertices", in_vertices, true},
                       Law{"moved and scaled", moved_and_scaled, true},
-                      Law{"split", split, true},
+                      Law{"split", split_in_two, true},
+                      Law{"in other units", in_other_units_of_light, true},
                       Law{"turned", turned},
                       Law{"mirrored", mirrored, false, true},
-                      Law{"reordered", shuffled}};
+                      Law{"reordered", reordered},
+                      Law{"in another file order", in_another_file_order},
+                      Law{"under a root", under_a_placing_root},
+                      Law{"under a root that mirrors", under_a_mirroring_root, false, true}};
 
-bool has_meshes_that_emit(const Recipe& recipe) {
-    return std::ranges::any_of(
-        recipe.surfaces, [](Surface s) { return s == Surface::glowing || s == Surface::textured_glowing; });
+/// Whether a picture by the analytic estimator has no noise: all emitters have closed forms but meshes of many
+/// triangles.
+bool is_noiseless(const scene::Stage& stage) {
+    return std::ranges::all_of(stage.lights, [](const scene::Light& light) {
+        const auto* mesh = std::get_if<scene::MeshLight>(&light);
+        return !mesh || mesh->triangles.size() <= render::most_outlined_triangles;
+    });
 }
 
 bool has_surfaces_that_emit(const Recipe& recipe) {
-    return has_meshes_that_emit(recipe)
-           || std::ranges::any_of(recipe.surfaces, [](Surface s) { return s == Surface::glowing_quad; });
+    return std::ranges::any_of(recipe.surfaces, [](Surface s) {
+        return s == Surface::glowing || s == Surface::textured_glowing || s == Surface::glowing_quad;
+    });
 }
 
-/// Holds scenes of one recipe to laws that need no noise to be told apart.
+Look noiseless_look() {
+    Look look;
+    look.estimator = render::Estimator::analytic;
+    look.visibility = render::Visibility::none;
+    return look;
+}
+
+/// Holds each scene of a recipe to one of the laws in turn.
 class Trial {
 public:
     explicit Trial(const Recipe& recipe) : recipe_(recipe) {}
 
-    /// Pictures of `look` must follow these laws.
-    void expect(const Look& look, const std::function<bool(const Law&)>& holds) {
-        Pictures pictures(look);
-        for (int i = 0; i < scenes_of_a_recipe(usual_scenes); ++i) {
+    void run(int scenes) {
+        for (int i = 0; i < scenes; ++i) {
             const std::uint64_t seed = first_seed() + static_cast<std::uint64_t>(i);
-            const scene::Scene scene = loaded(random_scene(recipe_, seed));
-            const image::Image picture = pictures.of(staged(scene));
-            ++scenes_;
-            for (const Law& law : laws) {
-                if (!holds(law)) continue;
-                Random random(~seed);
-                const image::Image changed = pictures.of(staged(law.change(scene, random)));
-                compare(law, seed, picture, law.is_mirrored ? in_a_mirror(changed) : changed);
-            }
+            const MadeGltf made = random_scene(recipe_, seed);
+            // The first law that pictures without noise can tell of this scene.
+            std::size_t law = seed % laws.size();
+            while (!has_held(laws[law], made, seed)) law = (law + 1) % laws.size();
         }
     }
 
     ~Trial() {
-        ::testing::Test::RecordProperty("scenes", scenes_);
-        ::testing::Test::RecordProperty("pictures", pictures_);
+        ::testing::Test::RecordProperty("pairs", pairs_);
         ::testing::Test::RecordProperty("moved_pixels", moved_);
-        EXPECT_EQ(failed_, 0) << "of " << pictures_ << " pictures";
+        EXPECT_EQ(failed_, 0) << "of " << pairs_ << " pairs of pictures";
     }
 
 private:
-    void compare(const Law& law, std::uint64_t seed, const image::Image& a, const image::Image& b) {
-        const Difference difference = difference_of(a, b);
-        ++pictures_;
+    /// False if the law would need many samples.
+    bool has_held(const Law& law, const MadeGltf& made, std::uint64_t seed) {
+        Random random(~seed);
+        const ScenePair scenes = law.change(made, random);
+        const scene::Stage a = staged(scenes.a), b = staged(scenes.b);
+        // Surfaces that emit are other emitters to a picture's random numbers when their vertices change.
+        const bool keeps_samples =
+            recipe_.is_without_extent()
+            || (law.keeps_samples && (law.change != in_vertices || !has_surfaces_that_emit(recipe_)));
+        if (!keeps_samples && !is_noiseless(a)) return false;
+        compare({law, seed, keeps_samples ? sampled_ : noiseless_}, a, b);
+        return true;
+    }
+
+    /// One comparison, and what makes its pictures.
+    struct Case {
+        const Law& law;
+        std::uint64_t seed;
+        Pictures& pictures;
+    };
+
+    static image::Image changed_picture(const Case& c, const scene::Stage& b) {
+        const image::Image picture = c.pictures.of(b);
+        return c.law.is_mirrored ? in_a_mirror(picture) : picture;
+    }
+
+    void compare(const Case& c, const scene::Stage& a, const scene::Stage& b) {
+        const image::Image picture = c.pictures.of(a), changed = changed_picture(c, b);
+        Difference difference = difference_of(picture, changed);
+        if (!difference.is_small()) difference = difference_of(picture, changed, unstable(c, b, changed));
+        ++pairs_;
         moved_ += difference.moved;
-        if (difference.strange <= most_strange && difference.moved <= most_moved) return;
-        keep(a, b, fmt::format("{}.{}.{}", law.name, recipe_.name, seed));
+        if (difference.is_small()) return;
+        keep(picture, changed, fmt::format("{}.{}.{}", c.law.name, recipe_.name, c.seed));
         if (++failed_ > 8) return;
         ADD_FAILURE() << fmt::format(
-            "{}, recipe {}, seed {}: {} pixels differ, {} of them from all around: {}", law.name,
-            recipe_.name, seed, difference.moved, difference.strange, difference.first);
+            "{}, recipe {}, seed {}: {} pixels differ, {} of them from all around: {}", c.law.name,
+            recipe_.name, c.seed, difference.moved, difference.strange, difference.first);
+    }
+
+    /// The pixels that change when instances move by no more than rounding: where a surface is seen edge-on or
+    /// ends at the pixel's centre.
+    static std::vector<bool> unstable(const Case& c, const scene::Stage& b, const image::Image& picture) {
+        std::vector<bool> result(picture.pixels.size() / 4, false);
+        Random random(c.seed);
+        for (int i = 0; i < 6; ++i) {
+            scene::Stage stage = b;
+            nudge(stage.scene, random);
+            const std::vector<bool> changed = unlike(picture, changed_picture(c, stage));
+            for (std::size_t k = 0; k < result.size(); ++k) result[k] = result[k] || changed[k];
+        }
+        return result;
     }
 
     const Recipe& recipe_;
-    int scenes_ = 0, pictures_ = 0, moved_ = 0, failed_ = 0;
+    Pictures sampled_{Look{}};
+    Pictures noiseless_{noiseless_look()};
+    int pairs_ = 0, moved_ = 0, failed_ = 0;
 };
 
 void expect_laws(const char* name) {
-    const Recipe& recipe = *std::ranges::find(recipes(), std::string_view(name), &Recipe::name);
-    Trial trial(recipe);
-    // Surfaces that emit are other emitters to a picture's random numbers when their triangles change.
-    trial.expect({}, [&](const Law& law) {
-        const bool keeps_samples =
-            law.keeps_samples && (law.change != in_vertices || !has_surfaces_that_emit(recipe));
-        return recipe.is_without_extent() || keeps_samples;
-    });
-    if (recipe.is_without_extent() || has_meshes_that_emit(recipe)) return;
-    Look noiseless;
-    noiseless.estimator = render::Estimator::analytic;
-    noiseless.visibility = render::Visibility::none;
-    trial.expect(noiseless, [&](const Law& law) { return !law.keeps_samples || law.change == in_vertices; });
+    Trial(*std::ranges::find(recipes(), std::string_view(name), &Recipe::name))
+        .run(scenes_of_a_recipe(usual_scenes));
 }
 
 const Test punctual("law.metamorphic.punctual", [] { expect_laws("punctual"); });
@@ -211,5 +238,7 @@ const Test panels("law.metamorphic.panels", [] { expect_laws("panels"); });
 const Test pictures("law.metamorphic.pictures", [] { expect_laws("pictures"); });
 const Test rounds("law.metamorphic.rounds", [] { expect_laws("rounds"); });
 const Test lamps("law.metamorphic.lamps", [] { expect_laws("lamps"); });
+const Test polygons("law.metamorphic.polygons", [] { expect_laws("polygons"); });
+const Test glows("law.metamorphic.glows", [] { expect_laws("glows"); });
 
 } // namespace

@@ -1,7 +1,6 @@
 #include "scene_changes.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 namespace sr::testing {
 namespace {
@@ -112,18 +111,10 @@ bool keeps_its_triangles(const scene::Material& material) {
     return material.is_emissive() || material.alpha_mode == scene::AlphaMode::blend;
 }
 
-std::vector<int> any_order(std::size_t count, Random& random) {
-    std::vector<int> order(count);
-    std::iota(order.begin(), order.end(), 0);
-    for (std::size_t i = count; i > 1; --i)
-        std::swap(order[i - 1], order[static_cast<std::size_t>(random.below(static_cast<int>(i)))]);
-    return order;
-}
-
 void shuffle_triangles(scene::Mesh& mesh, Random& random) {
     const std::vector<std::uint32_t> before = mesh.indices;
     mesh.indices.clear();
-    for (const int t : any_order(before.size() / 3, random)) {
+    for (const int t : random.order(before.size() / 3)) {
         const int first = random.below(3);
         for (int i = 0; i < 3; ++i)
             mesh.indices.push_back(before[static_cast<std::size_t>(3 * t + (first + i) % 3)]);
@@ -139,6 +130,22 @@ scene::Scene placed(scene::Scene scene, const Similarity& s) {
         instance.world_from_object = mat4(move * dmat4(instance.world_from_object));
     for (scene::Light& light : scene.lights) std::visit(LightMover(s), light);
     for (scene::Camera& camera : scene.cameras) move_camera(camera, s);
+    return scene;
+}
+
+void nudge(scene::Scene& scene, Random& random) {
+    const scene::Bounds box = scene::bounds_of(scene);
+    const vec3 farthest = glm::max(glm::abs(box.min), glm::abs(box.max));
+    const double step = 0x1p-19 * std::max({farthest.x, farthest.y, farthest.z});
+    for (scene::Instance& instance : scene.instances)
+        instance.world_from_object[3] += vec4(vec3(random.in_cube(step)), 0.0f);
+}
+
+scene::Scene without_minification(scene::Scene scene) {
+    for (scene::Texture& texture : scene.textures) {
+        texture.sampler.minification = texture.sampler.magnification;
+        texture.sampler.mipmap = scene::Mipmap::none;
+    }
     return scene;
 }
 
@@ -180,22 +187,25 @@ scene::Scene split(const scene::Scene& scene, Random& random) {
 
 scene::Scene shuffled(const scene::Scene& scene, Random& random) {
     scene::Scene result = scene;
-    const std::vector<int> materials = any_order(scene.materials.size(), random);
+    const std::vector<int> materials = random.order(scene.materials.size());
     for (std::size_t i = 0; i < materials.size(); ++i)
         result.materials[static_cast<std::size_t>(materials[i])] = scene.materials[i];
-    const std::vector<int> meshes = any_order(scene.meshes.size(), random);
+    const std::vector<int> meshes = random.order(scene.meshes.size());
     for (std::size_t i = 0; i < meshes.size(); ++i) {
         scene::Mesh& mesh = result.meshes[static_cast<std::size_t>(meshes[i])];
         mesh = scene.meshes[i];
         if (!keeps_its_triangles(material_of(scene, mesh))) shuffle_triangles(mesh, random);
         mesh.material = materials[static_cast<std::size_t>(mesh.material)];
     }
-    const std::vector<int> instances = any_order(scene.instances.size(), random);
+    const std::vector<int> instances = random.order(scene.instances.size());
     for (std::size_t i = 0; i < instances.size(); ++i) {
         scene::Instance& instance = result.instances[static_cast<std::size_t>(instances[i])];
         instance = scene.instances[i];
         instance.mesh = meshes[static_cast<std::size_t>(instance.mesh)];
     }
+    const std::vector<int> lights = random.order(scene.lights.size());
+    for (std::size_t i = 0; i < lights.size(); ++i)
+        result.lights[static_cast<std::size_t>(lights[i])] = scene.lights[i];
     return result;
 }
 

@@ -43,11 +43,13 @@ image::Image Pictures::of(const scene::Stage& stage, int samples, std::uint32_t 
     return renderer.film();
 }
 
-scene::Scene loaded(const MadeGltf& made) {
+scene::Scene loaded(const MadeGltf& made, bool is_strict) {
     static const std::filesystem::path folder = scratch_folder("generated");
     const auto file = folder / "scene.gltf";
     write_text(file, made.gltf());
-    return gltf::load(file).scene;
+    gltf::LoadOptions options;
+    options.is_strict = is_strict;
+    return gltf::load(file, options).scene;
 }
 
 scene::Stage staged(scene::Scene scene) {

@@ -34,8 +34,8 @@ private:
     std::shared_ptr<render::ShaderLibrary> shaders_;
 };
 
-/// The scene of a file made in memory. @throws Error
-scene::Scene loaded(const MadeGltf& made);
+/// The scene of a file made in memory, from which nothing may be missing if `is_strict`. @throws Error
+scene::Scene loaded(const MadeGltf& made, bool is_strict = true);
 
 /// Its stage, by its own camera, without a rig. @throws Error
 scene::Stage staged(scene::Scene scene);

@@ -4,7 +4,10 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <glm/gtc/quaternion.hpp>
+#include <numeric>
 #include <random>
+#include <utility>
+#include <vector>
 
 namespace sr::testing {
 
@@ -29,6 +32,14 @@ public:
         glm::dvec3 v = in_cube(1.0);
         while (!(glm::length(v) > 0.1 && glm::length(v) <= 1.0)) v = in_cube(1.0);
         return glm::normalize(v);
+    }
+    /// 0 … count - 1 in any order.
+    std::vector<int> order(std::size_t count) {
+        std::vector<int> order(count);
+        std::iota(order.begin(), order.end(), 0);
+        for (std::size_t i = count; i > 1; --i)
+            std::swap(order[i - 1], order[static_cast<std::size_t>(below(static_cast<int>(i)))]);
+        return order;
     }
     glm::dquat turn() { return glm::angleAxis(within(0.0, 6.28), direction()); }
 

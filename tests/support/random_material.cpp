@@ -24,13 +24,23 @@ void append_picture(MadeGltf& made, int edge, Random& random, const Texel& texel
         }
     }
     made.root["images"].push_back({{"uri", "data:image/png;base64," + base64(png.bytes())}});
+}
+
+/// One texture an image, with mipmaps or all without. Software GL compiles every shader anew for other samplers,
+/// so the scenes of a recipe have few of them, and the recipes together all.
+void append_textures(MadeGltf& made, int first_wrap, bool has_mipmaps) {
     constexpr std::array wraps{10497, 33071, 33648};
-    made.root["samplers"].push_back({{"wrapS", wraps[static_cast<std::size_t>(random.below(3))]},
-                                     {"wrapT", wraps[static_cast<std::size_t>(random.below(3))]},
-                                     {"magFilter", random.has_chance(0.7) ? 9729 : 9728},
-                                     {"minFilter", random.has_chance(0.7) ? 9987 : 9729}});
-    const int index = static_cast<int>(made.root["images"].size()) - 1;
-    made.root["textures"].push_back({{"source", index}, {"sampler", index}});
+    constexpr std::array minifications{9987, 9986, 9985, 9984, 9987};
+    for (int i = 0; i < picture_count; ++i) {
+        const int pair = first_wrap + 2 * i;
+        const int magnification = i % 3 == 1 ? 9728 : 9729;
+        made.root["samplers"].push_back(
+            {{"wrapS", wraps[static_cast<std::size_t>(pair % 3)]},
+             {"wrapT", wraps[static_cast<std::size_t>(pair / 3 % 3)]},
+             {"magFilter", magnification},
+             {"minFilter", has_mipmaps ? minifications[static_cast<std::size_t>(i)] : magnification}});
+        made.root["textures"].push_back({{"source", i}, {"sampler", i}});
+    }
 }
 
 json color(Random& random, double low = 0.1, double high = 0.9) {
@@ -183,7 +193,7 @@ private:
 
 } // namespace
 
-void append_pictures(MadeGltf& made, Random& random) {
+void append_pictures(MadeGltf& made, int first_wrap, Random& random) {
     const auto middling = [](Random& r) { return r.within(0.3, 0.9); };
     append_picture(made, 4, random,
                    [&](Random& r) { return glm::dvec4(middling(r), middling(r), middling(r), 1.0); });
@@ -200,6 +210,7 @@ void append_pictures(MadeGltf& made, Random& random) {
     });
     append_picture(made, 4, random,
                    [&](Random& r) { return glm::dvec4(middling(r), middling(r), middling(r), 1.0); });
+    append_textures(made, first_wrap, random.has_chance(0.5));
 }
 
 int append_material(MadeGltf& made, Surface surface, Random& random, const Extremes& extremes) {

@@ -16,7 +16,8 @@ enum Picture : int {
     picture_count
 };
 
-void append_pictures(MadeGltf& made, Random& random);
+/// `first_wrap`: which of the nine ways to wrap the first texture has; the next ones follow.
+void append_pictures(MadeGltf& made, int first_wrap, Random& random);
 
 /// @return the material's index
 int append_material(MadeGltf& made, Surface surface, Random& random, const Extremes& extremes);

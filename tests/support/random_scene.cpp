@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <glm/gtc/matrix_transform.hpp>
+#include <string_view>
 
 namespace sr::testing {
 namespace {
@@ -23,7 +24,7 @@ public:
         : recipe_(recipe), extremes_(extremes), random_(seed) {}
 
     MadeGltf made() {
-        append_pictures(made_, random_);
+        append_pictures(made_, static_cast<int>(std::string_view(recipe_.name).size()), random_);
         for (const Surface surface : recipe_.surfaces) append_material(made_, surface, random_, extremes_);
         append_ground();
         for (int i = 0; i < static_cast<int>(recipe_.surfaces.size()); ++i) append_object(i);

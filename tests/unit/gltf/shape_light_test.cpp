@@ -79,6 +79,30 @@ const Test polygon("unit.gltf.shape.polygon_keeps_its_front", [] {
     EXPECT_LT(glm::length(light_of<scene::PolygonLight>(made).normal() - vec3(0, 1, 0)), 1e-6f);
 });
 
+/// Where in the world an emitter shows the point `uv` of its texture.
+vec3 place_of(const scene::RectangleLight& light, vec2 uv) {
+    const glm::mat2 along(light.map.along_u, light.map.along_v);
+    const vec2 st = glm::inverse(along) * (uv - light.map.origin);
+    return light.center + st.x * light.half_u + st.y * light.half_v;
+}
+
+const Test mirrored_texture("unit.gltf.shape.a_node_that_mirrors_mirrors_the_texture", [] {
+    MadeGltf made = shaped(with(R"("shape": "rectangle", "width": 1, "height": 3, "texture": 0)"));
+    made.root["images"] = json::array({{{"uri", png_uri()}}});
+    made.root["textures"] = json::parse(R"([{"source": 0}])");
+    made.root["nodes"][1].erase("rotation");
+    made.root["nodes"][1].erase("translation");
+    for (const vec3 scale : {vec3(1), vec3(-1, 1, 1), vec3(1, -1, 1), vec3(1, 1, -1), vec3(-1)}) {
+        made.root["nodes"][1]["scale"] = {scale.x, scale.y, scale.z};
+        const auto light = light_of<scene::RectangleLight>(made);
+        // Seen from the front, along the node's +Z, its left is +X and its top +Y.
+        for (const vec2 uv : {vec2(0.0f), vec2(1.0f, 0.0f), vec2(0.25f, 0.75f)}) {
+            const vec3 expected = scale * vec3(0.5f - uv.x, 1.5f - 3.0f * uv.y, 0.0f);
+            EXPECT_LT(glm::distance(place_of(light, uv), expected), 1e-6f) << scale.x << scale.y << scale.z;
+        }
+    }
+});
+
 const Test texture("unit.gltf.shape.a_texture_is_srgb", [] {
     MadeGltf made = shaped(with(R"("shape": "rectangle", "width": 1, "height": 1, "texture": 0)"));
     made.root["images"] = json::array({{{"uri", png_uri()}}});

@@ -1,4 +1,6 @@
 #include "render/sampling.hpp"
+
+#include "render/alias_table.hpp"
 #include "support/address.hpp"
 #include "support/glsl_table.hpp"
 
@@ -33,6 +35,32 @@ const Test seeds("unit.render.sampling.seeds_give_other_points", [] {
     int same = 0;
     for (std::uint32_t i = 0; i < 256; ++i) same += render::sobol_2d(i, 1) == render::sobol_2d(i, 2);
     EXPECT_EQ(same, 0);
+});
+
+const Test alias_ties("unit.render.sampling.rounding_leaves_an_alias_table_as_it_is", [] {
+    std::vector<double> weights(80, 1.0);
+    for (std::size_t i = 0; i < weights.size(); i += 2) weights[i] = i % 4 == 0 ? 0.5 : 1.5;
+    const std::vector<render::AliasEntry> exact = render::alias_table(weights);
+    for (std::size_t i = 0; i < weights.size(); ++i) weights[i] *= 1.0 + 1e-7 * std::sin(7.0 * static_cast<double>(i));
+    const std::vector<render::AliasEntry> rounded = render::alias_table(weights);
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+        EXPECT_EQ(rounded[i].alias, exact[i].alias) << i;
+        EXPECT_NEAR(rounded[i].keep, exact[i].keep, 1e-5f) << i;
+    }
+});
+
+const Test alias_weights("unit.render.sampling.an_alias_table_has_the_weights", [] {
+    const std::vector<double> weights{0.0, 3.0, 1.0, 1.0, 7.0, 0.5, 2.0};
+    const std::vector<render::AliasEntry> table = render::alias_table(weights);
+    std::vector<double> chosen(weights.size(), 0.0); // times their number
+    for (std::size_t i = 0; i < table.size(); ++i) {
+        chosen[i] += table[i].keep;
+        chosen[static_cast<std::size_t>(table[i].alias)] += 1.0 - table[i].keep;
+    }
+    for (std::size_t i = 0; i < table.size(); ++i) {
+        EXPECT_NEAR(chosen[i] / 7.0, weights[i] / 14.5, 1e-6) << i;
+        EXPECT_NEAR(table[i].probability, weights[i] / 14.5, 1e-6) << i;
+    }
 });
 
 const Test center("unit.render.sampling.one_sample_looks_at_the_centre", [] {
