@@ -7,6 +7,7 @@
 #include "golden/child.hpp"
 
 #include <chrono>
+#include <cstdlib>
 #include <fmt/format.h>
 #include <fstream>
 #include <nlohmann/json.hpp>

@@ -8,6 +8,7 @@
 #include "cli/version.hpp"
 #include "core/error.hpp"
 #include "core/output.hpp"
+#include "core/text.hpp"
 #include "gl/context.hpp"
 #include "golden/bytes_of_file.hpp"
 #include "viewer/watch.hpp"
@@ -71,8 +72,10 @@ assignment::CheckOptions options_of(const AssignmentArguments& arguments) {
 /// Prints a result and writes the report. Whether every task that is not extra has all its points.
 bool show(const ordered_json& result, const AssignmentArguments& arguments) {
     const ordered_json bare = assignment::without_pictures(result);
-    print_data("{}", arguments.json ? bare.dump(arguments.watch ? -1 : 2, ' ', false, replace) + "\n"
-                                    : assignment::table_of(bare));
+    if (arguments.json)
+        print_data("{}\n", shown_json(bare.dump(arguments.watch ? -1 : 2, ' ', false, replace)));
+    else
+        print_data("{}", shown_lines(assignment::table_of(bare))); // it quotes the student's lines
     flush_output();
     if (!arguments.report.empty()) golden::write_text(arguments.report, assignment::report_html(result));
     return std::ranges::all_of(result["tasks"], [](const ordered_json& task) {

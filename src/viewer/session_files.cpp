@@ -154,7 +154,12 @@ void Session::save_scene(const std::string& file) {
 /// A saved scene or shader shows at once.
 void Session::watch_files() {
     if (!show_) return;
-    if (shader_watch_.has_changed()) marks_ ? marks_->begin() : reload_shaders();
+    if (shader_watch_.has_changed()) {
+        if (marks_)
+            marks_->begin(); // take_marks() reloads
+        else
+            reload_shaders();
+    }
     if (!loading_ && scene_watch_.has_changed()) reload();
 }
 

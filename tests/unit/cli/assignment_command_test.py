@@ -97,6 +97,13 @@ class Student(unittest.TestCase):
         self.assertIn("not declared", problem["hint"])
         self.assertEqual(result["A3.3"]["status"], "passed")
 
+    def test_a_terminal_gets_no_commands_from_a_students_line(self):
+        self.write_solution()
+        self.edit("microfacets.glsl", "float a2 = alpha * alpha;", "float a2 = alpha * alpa; // \x1b[2J")
+        text = self.run_steradian("check", str(self.folder), status=1).stdout
+        self.assertIn("alpa; // \\x1b[2J", text)
+        self.assertNotIn("\x1b", text)
+
     def test_a_bracket_that_is_open_is_found(self):
         self.write_solution()
         self.edit("microfacets.glsl", "    return a2 / (pi * d * d);\n}", "    if (d > 0.0) {\n    return a2 / (pi * d * d);\n}")
