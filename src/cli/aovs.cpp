@@ -144,8 +144,9 @@ std::vector<std::string> aov_names() {
 }
 
 std::string aov_help() {
-    return fmt::format("further channels of .exr files, separated by commas; src/cli/README.md describes them: {}",
-                       fmt::join(aov_names(), ", "));
+    return fmt::format(
+        "further channels of .exr files, separated by commas; src/cli/README.md describes them: {}",
+        fmt::join(aov_names(), ", "));
 }
 
 std::optional<std::vector<Aov>> parsed_aovs(const std::string& text) {

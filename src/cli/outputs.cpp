@@ -2,8 +2,8 @@
 
 #include "core/output.hpp"
 #include "image/half.hpp"
-#include "render/provenance.hpp"
 #include "image/whole_file.hpp"
+#include "render/provenance.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -169,8 +169,8 @@ void declare_output(CLI::App& command, RenderCommand& o) {
             "lights: .exr files get a layer for each light and one for emission, whose sum is the picture")
         ->check(CLI::IsMember({"lights"}))
         ->type_name("lights");
-    parsed(command, "--aov", aov_help().c_str(),
-           "NAME,NAME...", parsed_aovs, [&o](std::vector<Aov> aovs) { o.aovs = std::move(aovs); });
+    parsed(command, "--aov", aov_help().c_str(), "NAME,NAME...", parsed_aovs,
+           [&o](std::vector<Aov> aovs) { o.aovs = std::move(aovs); });
     parsed(
         command, "--view", view_help().c_str(), "NAME",
         [](const std::string& name) -> std::optional<const View*> {

@@ -38,9 +38,7 @@ public:
 
     const std::string& label() const { return label_; }
     /// Whether somebody else wrote it: a folder or a file of the user's.
-    bool is_foreign() const {
-        return is_single_ || std::holds_alternative<std::filesystem::path>(place_);
-    }
+    bool is_foreign() const { return is_single_ || std::holds_alternative<std::filesystem::path>(place_); }
 
 private:
     Root(std::string label, std::variant<std::filesystem::path, Files> place);

@@ -93,11 +93,9 @@ void Session::change_visibility(render::Visibility visibility) {
 void Session::keep_picture() {
     const Picture& picture = show_->picture();
     if (picture.sample_count() == 0) return;
-    reference_.emplace(
-        fmt::format("{} samples, {}, {}", picture.sample_count(),
-                    render::name_of(options_.rendering.estimator),
-                    eye_->argument()),
-        picture.film());
+    reference_.emplace(fmt::format("{} samples, {}, {}", picture.sample_count(),
+                                   render::name_of(options_.rendering.estimator), eye_->argument()),
+                       picture.film());
     if (look_.comparison == Comparison::none) look_.comparison = Comparison::wipe;
     say("kept: B goes through the ways to compare with it");
 }

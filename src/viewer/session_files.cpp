@@ -77,17 +77,17 @@ void Session::write_exr() {
     image::Image film = picture.film();
     film.channel_names = {"R", "G", "B", "A"};
     const render::RenderOptions& rendering = options_.rendering;
-    film.attributes = render::attributes_of(
-        {.unit = std::string(scene::radiance_unit(show_->scene().stage.scene.units)),
-         .camera = eye_->argument(),
-         .estimator = rendering.estimator,
-         .analytic_points = rendering.analytic_points,
-         .visibility = options_.visibility,
-         .samples = picture.sample_count(),
-         .seed = rendering.seed,
-         .error = picture.error(),
-         .seconds = playback_.seconds},
-        window_.info());
+    film.attributes =
+        render::attributes_of({.unit = std::string(scene::radiance_unit(show_->scene().stage.scene.units)),
+                               .camera = eye_->argument(),
+                               .estimator = rendering.estimator,
+                               .analytic_points = rendering.analytic_points,
+                               .visibility = options_.visibility,
+                               .samples = picture.sample_count(),
+                               .seed = rendering.seed,
+                               .error = picture.error(),
+                               .seconds = playback_.seconds},
+                              window_.info());
     try {
         image::write(film, name, image::SampleType::floating);
         say("wrote " + name);
