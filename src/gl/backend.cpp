@@ -1,14 +1,10 @@
 #include "gl/backend.hpp"
 
 #include "core/error.hpp"
+#include "core/threads.hpp"
 
-#include <algorithm>
 #include <array>
-#include <condition_variable>
 #include <fmt/format.h>
-#include <mutex>
-#include <thread>
-#include <vector>
 
 namespace sr::gl {
 namespace {
@@ -25,19 +21,6 @@ constexpr std::array<Entry, 3> entries{{
     {Backend::osmesa, "osmesa", open_osmesa},
     {Backend::window, "window", open_window},
 }};
-
-/// Software drivers start a thread for each core and wait for ever for those that the system refuses.
-/// @throws std::system_error if it refuses as many
-void require_threads() {
-    constexpr unsigned others = 4, most = 36;
-    std::vector<std::jthread> threads; // which end when their stop tokens say so, at the latest here
-    for (unsigned i = 0; i < std::min(std::thread::hardware_concurrency() + others, most); ++i)
-        threads.emplace_back([](const std::stop_token& stop) {
-            std::mutex mutex;
-            std::unique_lock lock(mutex);
-            std::condition_variable_any().wait(lock, stop, [] { return false; });
-        });
-}
 
 } // namespace
 

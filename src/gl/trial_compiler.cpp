@@ -20,25 +20,6 @@ namespace {
 
 constexpr const char* own_program = "/proc/self/exe";
 
-/// A pipe whose ends close by themselves.
-struct Pipe {
-    std::array<int, 2> ends{-1, -1};
-
-    Pipe() {
-        if (pipe2(ends.data(), O_CLOEXEC) != 0)
-            throw Error(fmt::format("no pipe can be opened ({})", std::strerror(errno)),
-                        "close other programs");
-    }
-    ~Pipe() {
-        for (const int end : ends)
-            if (end >= 0) close(end);
-    }
-    Pipe(const Pipe&) = delete;
-    Pipe& operator=(const Pipe&) = delete;
-
-    void close_end(int which) { close(std::exchange(ends[static_cast<std::size_t>(which)], -1)); }
-};
-
 /// How the process ended, as a clause whose subject is the driver's compiler.
 std::string end_of(int status) {
     if (!WIFSIGNALED(status)) return fmt::format("ends the program (exit status {})", WEXITSTATUS(status));
@@ -78,6 +59,25 @@ public:
     }
 
 private:
+    /// A pipe whose ends close by themselves.
+    struct Pipe {
+        std::array<int, 2> ends{-1, -1};
+
+        Pipe() {
+            if (pipe2(ends.data(), O_CLOEXEC) != 0)
+                throw Error(fmt::format("no pipe can be opened ({})", std::strerror(errno)),
+                            "close other programs");
+        }
+        ~Pipe() {
+            for (const int end : ends)
+                if (end >= 0) close(end);
+        }
+        Pipe(const Pipe&) = delete;
+        Pipe& operator=(const Pipe&) = delete;
+
+        void close_end(int which) { close(std::exchange(ends[static_cast<std::size_t>(which)], -1)); }
+    };
+
     void start(Backend backend);
 
     Pipe to_, from_;

@@ -1,6 +1,7 @@
 #include "image/codec.hpp"
 
 #include "core/error.hpp"
+#include "core/threads.hpp"
 
 #include <dlfcn.h>
 #ifdef __APPLE__
@@ -34,6 +35,7 @@ fs::path module_file() {
 }
 
 const Codec& open_module() {
+    require_threads();
     const fs::path file = module_file();
     // Lazy and local: most of the symbols behind it are never used, and none is anybody else's business.
     void* module = dlopen(file.c_str(), RTLD_LAZY | RTLD_LOCAL);

@@ -122,6 +122,20 @@ class Hostile(cli_test.CommandLine):
                 self.assertEqual(len(result.stderr.strip().splitlines()), 1, (kilobytes, result.stderr))
             (self.folder / "a.exr").unlink(missing_ok=True)
 
+    def test_a_system_without_threads_is_one_line(self):
+        if is_sanitized():
+            self.skipTest("sanitizers start threads of their own")
+        somebody = {"user": 65534} if os.geteuid() == 0 else {}  # the limit does not hold for root
+        try:
+            run("--version", **somebody)
+        except OSError:
+            self.skipTest("the program is where others may not run it")
+        picture = self.write(png(4, 4), "good.PNG")
+        self.folder.chmod(0o755)
+        for command in (["brdf", "lambert"], ["compare", picture, picture]):
+            limited = run(*command, preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_NPROC, (1, 1)), **somebody)
+            self.assert_refused(limited, "the system refuses what is needed")
+
     def test_only_regular_files_are_read(self):
         fifo, link = self.folder / "fifo.exr", self.folder / "zero.png"
         os.mkfifo(fifo)

@@ -1,0 +1,22 @@
+#include "core/threads.hpp"
+
+#include <algorithm>
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace sr {
+
+void require_threads() {
+    constexpr unsigned others = 4, most = 36;
+    std::vector<std::jthread> threads; // each waits until it is asked to end, at the latest here
+    for (unsigned i = 0; i < std::min(std::thread::hardware_concurrency() + others, most); ++i)
+        threads.emplace_back([](const std::stop_token& stop) {
+            std::mutex mutex;
+            std::unique_lock lock(mutex);
+            std::condition_variable_any().wait(lock, stop, [] { return false; });
+        });
+}
+
+} // namespace sr
