@@ -110,8 +110,8 @@ ReadyImage make_ready(const scene::TextureImage& image, const ImageUse& use) {
 }
 
 /// The mean of the triangles' corners: it goes with the vertices wherever an affine transform takes them, so
-/// that a transform worked into them leaves the order of blended instances alone. (The centre of their box does
-/// not.)
+/// that a transform worked into them leaves the order of blended instances alone. (The centre of their box
+/// does not.)
 vec3 center_of(const scene::Mesh& mesh, const mat4& world_from_object) {
     glm::dvec3 sum(0.0);
     for (const std::uint32_t index : mesh.indices) sum += glm::dvec3(mesh.positions[index]);

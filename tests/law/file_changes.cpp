@@ -120,12 +120,12 @@ void restate_area(json& node, const json& light, Random& random) {
     const double k = node["scale"][0];
     const double height = k * light["size"].get<double>();
     const double area = height * height * light["rect"]["aspect"].get<double>();
-    state(node, of_radiance(light["intensity"].get<double>() * luminance(light["color"]), {area, area}), random);
+    state(node, of_radiance(light["intensity"].get<double>() * luminance(light["color"]), {area, area}),
+          random);
 }
 
 void restate_material(json& material, Random& random) {
-    const json* strength =
-        found(material, "/extensions/KHR_materials_emissive_strength/emissiveStrength");
+    const json* strength = found(material, "/extensions/KHR_materials_emissive_strength/emissiveStrength");
     if (strength)
         state(material, {radiance(strength->get<double>() * luminance(material["emissiveFactor"]))}, random);
 }
@@ -152,7 +152,8 @@ MadeGltf under_root(MadeGltf made, const Similarity& similarity) {
             multiply(light, "range", s);
         }
     for (json& node : root["nodes"]) {
-        if (json* profile = found(node, "/extensions/EXT_lights_ies")) multiply(*profile, "multiplier", s * s);
+        if (json* profile = found(node, "/extensions/EXT_lights_ies"))
+            multiply(*profile, "multiplier", s * s);
         json* quantity = found(node, "/extras/steradian/quantity");
         if (quantity && (*quantity)["unit"] != "cd/m^2") multiply(*quantity, "value", s * s);
     }
@@ -175,8 +176,9 @@ MadeGltf in_other_units(MadeGltf made, Random& random) {
     json& root = made.root;
     for (json& node : root["nodes"]) {
         if (const json* reference = found(node, "/extensions/KHR_lights_punctual/light"))
-            restate_punctual(root["extensions"]["KHR_lights_punctual"]["lights"][reference->get<std::size_t>()],
-                             node, random);
+            restate_punctual(
+                root["extensions"]["KHR_lights_punctual"]["lights"][reference->get<std::size_t>()], node,
+                random);
         if (const json* reference = found(node, "/extensions/EXT_lights_area/light"))
             restate_area(node, root["extensions"]["EXT_lights_area"]["lights"][reference->get<std::size_t>()],
                          random);

@@ -1,7 +1,7 @@
 // What must not change a picture, on generated scenes: tests that know no reference find mistakes that a
 // reference shares.
-#include "image/file.hpp"
 #include "file_changes.hpp"
+#include "image/file.hpp"
 #include "picture_difference.hpp"
 #include "scene_changes.hpp"
 #include "support/address.hpp"
@@ -117,8 +117,8 @@ const std::array laws{Law{"in vertices", in_vertices, true},
                       Law{"under a root", under_a_placing_root},
                       Law{"under a root that mirrors", under_a_mirroring_root, false, true}};
 
-/// Whether a picture by the analytic estimator has no noise: all emitters have closed forms but meshes of many
-/// triangles.
+/// Whether a picture by the analytic estimator has no noise: all emitters have closed forms but meshes of
+/// many triangles.
 bool is_noiseless(const scene::Stage& stage) {
     return std::ranges::all_of(stage.lights, [](const scene::Light& light) {
         const auto* mesh = std::get_if<scene::MeshLight>(&light);
@@ -201,8 +201,8 @@ private:
             recipe_.name, c.seed, difference.moved, difference.strange, difference.first);
     }
 
-    /// The pixels that change when instances move by no more than rounding: where a surface is seen edge-on or
-    /// ends at the pixel's centre.
+    /// The pixels that change when instances move by no more than rounding: where a surface is seen edge-on
+    /// or ends at the pixel's centre.
     static std::vector<bool> unstable(const Case& c, const scene::Stage& b, const image::Image& picture) {
         std::vector<bool> result(picture.pixels.size() / 4, false);
         Random random(c.seed);

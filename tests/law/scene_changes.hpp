@@ -17,8 +17,8 @@ struct Similarity {
 /// their own X, and the picture is the former one seen in a mirror.
 scene::Scene placed(scene::Scene scene, const Similarity& similarity);
 
-/// Moves every instance by about what rounding does to its vertices: 2^-19, some units in the last place, of the
-/// farthest coordinate.
+/// Moves every instance by about what rounding does to its vertices: 2^-19, some units in the last place, of
+/// the farthest coordinate.
 void nudge(scene::Scene& scene, Random& random);
 
 /// The same surfaces with the transforms of their instances worked into their vertices.
@@ -28,12 +28,13 @@ scene::Scene baked(const scene::Scene& scene);
 scene::Scene split(const scene::Scene& scene, Random& random);
 
 /// Textures are read at full resolution with one filter. A driver chooses the mip level, and between
-/// magnification and minification, by differences to the pixel's neighbours on one side, which are on the other
-/// side in a mirrored picture.
+/// magnification and minification, by differences to the pixel's neighbours on one side, which are on the
+/// other side in a mirrored picture.
 scene::Scene without_minification(scene::Scene scene);
 
-/// Triangles that begin with another corner, triangles, meshes, instances, materials and lights in another order. The
-/// triangles of what emits or is blended stay as they are; instances of one distance from the viewer too.
+/// Triangles that begin with another corner, triangles, meshes, instances, materials and lights in another
+/// order. The triangles of what emits or is blended stay as they are; instances of one distance from the
+/// viewer too.
 scene::Scene shuffled(const scene::Scene& scene, Random& random);
 
 } // namespace sr::testing

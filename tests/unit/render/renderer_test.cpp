@@ -14,24 +14,25 @@ using namespace sr::testing;
 namespace {
 
 // Blended instances are drawn back to front of a point that does not depend on how a file tells their place.
-const Test blended_center("unit.render.renderer.transforms_worked_into_vertices_leave_the_order_of_blended_instances", [] {
-    context();
-    scene::Scene scene;
-    scene::Material material = lambert();
-    material.alpha_mode = scene::AlphaMode::blend;
-    add_quad(scene, vec3(0.0f), {1, 0, 0}, {0, 1, 0}, material);
-    scene.meshes[0].positions[0] = {-3, -4, 0}; // a kite: the middle of its box depends on its turn
-    scene.instances[0].world_from_object =
-        mat4(0.8f, 0.6f, 0.0f, 0.0f, -1.2f, 1.6f, 0.0f, 0.0f, 0.0f, 0.0f, 1.0f, 0.0f, 5.0f, 6.0f, 7.0f, 1.0f);
-    const render::GpuScene placed(scene, {});
-    for (vec3& p : scene.meshes[0].positions)
-        p = vec3(scene.instances[0].world_from_object * vec4(p, 1.0f));
-    scene.instances[0].world_from_object = mat4(1.0f);
-    const render::GpuScene baked(scene, {});
-    ASSERT_EQ(placed.blended_draws().size(), 1u);
-    ASSERT_EQ(baked.blended_draws().size(), 1u);
-    EXPECT_LT(glm::distance(placed.blended_draws()[0].center, baked.blended_draws()[0].center), 1e-5f);
-});
+const Test blended_center(
+    "unit.render.renderer.transforms_worked_into_vertices_leave_the_order_of_blended_instances", [] {
+        context();
+        scene::Scene scene;
+        scene::Material material = lambert();
+        material.alpha_mode = scene::AlphaMode::blend;
+        add_quad(scene, vec3(0.0f), {1, 0, 0}, {0, 1, 0}, material);
+        scene.meshes[0].positions[0] = {-3, -4, 0}; // a kite: the middle of its box depends on its turn
+        scene.instances[0].world_from_object = mat4(0.8f, 0.6f, 0.0f, 0.0f, -1.2f, 1.6f, 0.0f, 0.0f, 0.0f,
+                                                    0.0f, 1.0f, 0.0f, 5.0f, 6.0f, 7.0f, 1.0f);
+        const render::GpuScene placed(scene, {});
+        for (vec3& p : scene.meshes[0].positions)
+            p = vec3(scene.instances[0].world_from_object * vec4(p, 1.0f));
+        scene.instances[0].world_from_object = mat4(1.0f);
+        const render::GpuScene baked(scene, {});
+        ASSERT_EQ(placed.blended_draws().size(), 1u);
+        ASSERT_EQ(baked.blended_draws().size(), 1u);
+        EXPECT_LT(glm::distance(placed.blended_draws()[0].center, baked.blended_draws()[0].center), 1e-5f);
+    });
 
 const std::vector<scene::Light> lamps{
     scene::PointLight{"", {0.5f, 1.0f, 0.2f}, vec3(2.0f)},

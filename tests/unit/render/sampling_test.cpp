@@ -41,7 +41,8 @@ const Test alias_ties("unit.render.sampling.rounding_leaves_an_alias_table_as_it
     std::vector<double> weights(80, 1.0);
     for (std::size_t i = 0; i < weights.size(); i += 2) weights[i] = i % 4 == 0 ? 0.5 : 1.5;
     const std::vector<render::AliasEntry> exact = render::alias_table(weights);
-    for (std::size_t i = 0; i < weights.size(); ++i) weights[i] *= 1.0 + 1e-7 * std::sin(7.0 * static_cast<double>(i));
+    for (std::size_t i = 0; i < weights.size(); ++i)
+        weights[i] *= 1.0 + 1e-7 * std::sin(7.0 * static_cast<double>(i));
     const std::vector<render::AliasEntry> rounded = render::alias_table(weights);
     for (std::size_t i = 0; i < weights.size(); ++i) {
         EXPECT_EQ(rounded[i].alias, exact[i].alias) << i;
