@@ -28,7 +28,7 @@ struct Specimen {
     std::vector<scene::MeasuredBrdf> measured; // what material.measured counts in
     bool has_energy_compensation = false;
     std::optional<UserShader> user;
-    std::shared_ptr<gl::TrialCompiler> trial; // of the user's shader; null: it is compiled at once
+    std::shared_ptr<gl::TrialCompiler> trial = nullptr; // of the user's shader; null: it is compiled at once
 
     /// Whether f_r is a delta, which has no values to look at.
     bool is_delta() const { return !user && material.model == scene::Model::mirror; }
