@@ -4,8 +4,7 @@
 #include "interface/frame.glsl"
 #include "light/environment.glsl"
 
-uniform int environment;          // its number among the lights
-uniform vec2 frame_size;          // [pixels]
+uniform int environment; // its number among the lights
 
 out vec4 frame;
 

@@ -77,8 +77,6 @@ void background_pass(const Target& frame, const GpuScene& scene, ShaderLibrary& 
     scene.bind_lights();
     const gl::Program& program = shaders.fullscreen_program("background.frag");
     program.use();
-    glUniform2f(program.uniform("frame_size"), static_cast<float>(frame.width()),
-                static_cast<float>(frame.height()));
     for (const int environment : scene.visible_environments()) {
         glUniform1i(program.uniform("environment"), environment);
         glDrawArrays(GL_TRIANGLES, 0, 3);
