@@ -186,7 +186,7 @@ class Student(unittest.TestCase):
         self.write_solution()
         archive = self.packed()
         with zipfile.ZipFile(archive) as packed:
-            self.assertEqual(set(packed.namelist()), {"assignment.json", "phong.glsl", "microfacets.glsl", "result.json"})
+            self.assertEqual(set(packed.namelist()), {"assignment.json", "phong.glsl", "microfacets.glsl", "extra.glsl", "result.json"})
             self.assertEqual(json.loads(packed.read("result.json"))["points"], 17)
         again = archive.read_bytes()
         self.assertEqual(self.packed().read_bytes(), again)

@@ -87,7 +87,10 @@ const Test zeros("unit.gltf.accessor.no_buffer_view_means_zeros", [] {
     EXPECT_NE(error_of(made), "");
     made.attributes()["POSITION"] = 1;
     made.root["accessors"][1]["type"] = "VEC3";
-    EXPECT_NE(error_of(made).find("has 4000000000 elements and no bufferView"), std::string::npos);
+    EXPECT_NE(error_of(made).find("asks for 4000000000 vertices"), std::string::npos) << error_of(made);
+    made.root["accessors"][1]["count"] = 1000000u;
+    EXPECT_NE(error_of(made).find("has 1000000 elements and no bufferView"), std::string::npos)
+        << error_of(made);
 });
 
 const Test zero_indices("unit.gltf.accessor.indices_may_be_sparse_over_zeros", [] {
