@@ -81,7 +81,7 @@ std::vector<glsl::Root> shader_path(const std::vector<std::string>& folders) {
     for (const std::string& folder : folders) path.push_back(glsl::Root::folder(folder));
     path.push_back(glsl::embedded());
     for (const std::string& folder : folders)
-        if (const auto remark = glsl::remark_on_overlay(folder, path.back())) write_remark(*remark);
+        if (const auto remark = glsl::remark_on_overlay(folder, path.back(), folders)) write_remark(*remark);
     return path;
 }
 

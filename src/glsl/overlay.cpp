@@ -1,6 +1,9 @@
 #include "glsl/overlay.hpp"
 
+#include "core/file.hpp"
+
 #include <algorithm>
+#include <cstdint>
 #include <fmt/format.h>
 #include <numeric>
 #include <string_view>
@@ -49,9 +52,30 @@ std::vector<std::string> names_in(const fs::path& folder) {
     return names;
 }
 
+/// Whether a file in another of the folders includes one of these files of `folder`.
+bool is_included(const fs::path& folder, const std::vector<std::string>& names,
+                 const std::vector<std::string>& all) {
+    constexpr std::uintmax_t longest = 1 << 20;
+    for (const std::string& other : all) {
+        if (fs::path(other) == folder) continue;
+        for (const std::string& includer : names_in(other)) {
+            const fs::path file = fs::path(other) / includer;
+            std::error_code failure;
+            if (!fs::is_regular_file(file, failure) || fs::file_size(file, failure) > longest) continue;
+            const std::string text = read_text(file);
+            if (std::ranges::any_of(names, [&](const std::string& name) {
+                    return text.find('"' + name + '"') != std::string::npos;
+                }))
+                return true;
+        }
+    }
+    return false;
+}
+
 } // namespace
 
-std::optional<std::string> remark_on_overlay(const fs::path& folder, const Root& ours) {
+std::optional<std::string> remark_on_overlay(const fs::path& folder, const Root& ours,
+                                             const std::vector<std::string>& all) {
     const std::vector<std::string> known = ours.names();
     std::error_code ignored;
     for (const std::string& name : known)
@@ -63,6 +87,7 @@ std::optional<std::string> remark_on_overlay(const fs::path& folder, const Root&
             "{}: the folder holds no files, so no shader is replaced: a file brdf/f_r.glsl in it "
             "would replace the BRDF",
             folder.string());
+    if (is_included(folder, names, all)) return std::nullopt;
     std::size_t least = std::string::npos;
     const std::string *nearest = nullptr, *meant = nullptr;
     for (const std::string& name : names)

@@ -200,6 +200,10 @@ class Hostile(cli_test.CommandLine):
             self.assertEqual(result.returncode, 0, result.stderr)
             self.assertEqual(len(result.stderr.strip().splitlines()), 1, result.stderr)
             self.assertIn(words, result.stderr)
+        self.overlay("float mine() { return 0.5; }\n", "mine.glsl", "helpers")
+        self.overlay('#include "surface/surface.glsl"\n#include "mine.glsl"\nvec3 f_r(Surface x, vec3 wi, vec3 wo) { return vec3(mine()); }\n',
+                     folder="real")
+        self.assertEqual(self.rendered_with("helpers", "--shaders", self.folder / "real").stderr, "")
         (self.folder / "a.exr").unlink()
         self.linked("nowhere", self.overlay("", folder="dangling"))
         self.assert_refused(self.rendered_with("dangling"), "brdf/f_r.glsl: no such file")
