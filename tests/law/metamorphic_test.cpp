@@ -182,15 +182,11 @@ private:
         Pictures& pictures;
     };
 
-    static image::Image changed_picture(const Case& c, const scene::Stage& b) {
-        const image::Image picture = c.pictures.of(b);
-        return c.law.is_mirrored ? in_a_mirror(picture) : picture;
-    }
-
     void compare(const Case& c, const scene::Stage& a, const scene::Stage& b) {
-        const image::Image picture = c.pictures.of(a), changed = changed_picture(c, b);
-        Difference difference = difference_of(picture, changed);
-        if (!difference.is_small()) difference = difference_of(picture, changed, unstable(c, b, changed));
+        const image::Image picture = c.pictures.of(a);
+        image::Image changed = c.pictures.of(b);
+        if (c.law.is_mirrored) changed = in_a_mirror(changed);
+        const Difference difference = difference_of(picture, changed);
         ++pairs_;
         moved_ += difference.moved;
         if (difference.is_small()) return;
@@ -199,20 +195,6 @@ private:
         ADD_FAILURE() << fmt::format(
             "{}, recipe {}, seed {}: {} pixels differ, {} of them from all around: {}", c.law.name,
             recipe_.name, c.seed, difference.moved, difference.strange, difference.first);
-    }
-
-    /// The pixels that change when instances move by no more than rounding: where a surface is seen edge-on
-    /// or ends at the pixel's centre.
-    static std::vector<bool> unstable(const Case& c, const scene::Stage& b, const image::Image& picture) {
-        std::vector<bool> result(picture.pixels.size() / 4, false);
-        Random random(c.seed);
-        for (int i = 0; i < 6; ++i) {
-            scene::Stage stage = b;
-            nudge(stage.scene, random);
-            const std::vector<bool> changed = unlike(picture, changed_picture(c, stage));
-            for (std::size_t k = 0; k < result.size(); ++k) result[k] = result[k] || changed[k];
-        }
-        return result;
     }
 
     const Recipe& recipe_;

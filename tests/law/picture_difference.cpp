@@ -43,12 +43,11 @@ bool are_alike(float a, float b, float floor) {
 
 } // namespace
 
-Difference difference_of(const image::Image& a, const image::Image& b, const std::vector<bool>& left_out) {
+Difference difference_of(const image::Image& a, const image::Image& b) {
     const float floor = floor_of(a);
     Difference difference;
     for (int y = 0; y < a.height; ++y)
         for (int x = 0; x < a.width; ++x) {
-            if (!left_out.empty() && left_out[static_cast<std::size_t>(y * a.width + x)]) continue;
             bool is_moved = false, is_strange = false;
             for (int i = 0; i < 4; ++i) {
                 const float va = a.at(x, y)[i], vb = b.at(x, y)[i];
@@ -65,14 +64,6 @@ Difference difference_of(const image::Image& a, const image::Image& b, const std
             difference.strange += is_strange;
         }
     return difference;
-}
-
-std::vector<bool> unlike(const image::Image& a, const image::Image& b) {
-    const float floor = floor_of(a);
-    std::vector<bool> result(a.pixels.size() / 4, false);
-    for (std::size_t i = 0; i < a.pixels.size(); ++i)
-        if (!are_alike(a.pixels[i], b.pixels[i], floor)) result[i / 4] = true;
-    return result;
 }
 
 image::Image in_a_mirror(const image::Image& picture) {

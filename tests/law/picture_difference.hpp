@@ -3,7 +3,6 @@
 #include "image/image.hpp"
 
 #include <string>
-#include <vector>
 
 namespace sr::testing {
 
@@ -17,12 +16,7 @@ struct Difference {
     bool is_small() const { return strange <= 3 && moved <= 40; }
 };
 
-/// Compares the pixels that are not left out.
-Difference difference_of(const image::Image& a, const image::Image& b,
-                         const std::vector<bool>& left_out = {});
-
-/// Which pixels differ.
-std::vector<bool> unlike(const image::Image& a, const image::Image& b);
+Difference difference_of(const image::Image& a, const image::Image& b);
 
 image::Image in_a_mirror(const image::Image& picture);
 

@@ -133,14 +133,6 @@ scene::Scene placed(scene::Scene scene, const Similarity& s) {
     return scene;
 }
 
-void nudge(scene::Scene& scene, Random& random) {
-    const scene::Bounds box = scene::bounds_of(scene);
-    const vec3 farthest = glm::max(glm::abs(box.min), glm::abs(box.max));
-    const double step = 0x1p-19 * std::max({farthest.x, farthest.y, farthest.z});
-    for (scene::Instance& instance : scene.instances)
-        instance.world_from_object[3] += vec4(vec3(random.in_cube(step)), 0.0f);
-}
-
 scene::Scene without_minification(scene::Scene scene) {
     for (scene::Texture& texture : scene.textures) {
         texture.sampler.minification = texture.sampler.magnification;

@@ -17,10 +17,6 @@ struct Similarity {
 /// their own X, and the picture is the former one seen in a mirror.
 scene::Scene placed(scene::Scene scene, const Similarity& similarity);
 
-/// Moves every instance by about what rounding does to its vertices: 2^-19, some units in the last place, of
-/// the farthest coordinate.
-void nudge(scene::Scene& scene, Random& random);
-
 /// The same surfaces with the transforms of their instances worked into their vertices.
 scene::Scene baked(const scene::Scene& scene);
 
