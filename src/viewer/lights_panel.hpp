@@ -1,8 +1,8 @@
 #pragma once
 // The list of lights, and the one that is selected.
+#include "viewer/document/light_edits.hpp"
 #include "viewer/focus.hpp"
 #include "viewer/gizmo.hpp"
-#include "viewer/document/light_edits.hpp"
 
 #include <array>
 #include <string>
@@ -25,7 +25,8 @@ public:
     bool wants_focus() const { return focus_.is_open(); }
 
     /// Draws the panel. @return what changed; `message` is what to tell the person
-    LightChange draw(LightEditor& lighting, const LoadedScene& loaded, vec3 new_light_at, std::string& message);
+    LightChange draw(LightEditor& lighting, const LoadedScene& loaded, vec3 new_light_at,
+                     std::string& message);
 
     /// Draws marks at lights that have no surface, and at the selected one.
     void draw_marks(const LightEditor& lighting, const Projection& projection, float scale) const;

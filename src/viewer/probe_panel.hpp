@@ -1,8 +1,8 @@
 #pragma once
 // The equation at a pixel: the table of `steradian probe`, and its directions in the scene.
 #include "render/probe.hpp"
-#include "viewer/gizmo.hpp"
 #include "viewer/document/light_edits.hpp"
+#include "viewer/gizmo.hpp"
 #include "viewer/lobe_panel.hpp"
 
 namespace sr::viewer {

@@ -121,7 +121,8 @@ private:
     /// Appends a node to the roots of the scene, or puts it before them.
     void add_root(ordered_json node, bool is_first) {
         const std::size_t index = append_node(std::move(node));
-        if (!gltf_.contains("scenes") || gltf_["scenes"].empty()) return; // all nodes without a parent are shown
+        if (!gltf_.contains("scenes") || gltf_["scenes"].empty())
+            return; // all nodes without a parent are shown
         const int scene = edits_.scene_index.value_or(gltf_.value("scene", 0));
         ordered_json& roots = gltf_["scenes"][static_cast<std::size_t>(scene)]["nodes"];
         if (roots.is_null()) roots = ordered_json::array();
@@ -146,7 +147,8 @@ private:
         for (const StatedSize& size : edit.sizes) {
             ordered_json& stated = node["extras"]["steradian"][std::string(size.key)];
             const double value = size.meters / scale;
-            if (!stated.is_number() || std::abs(stated.get<double>() - value) > rounding * value) stated = value;
+            if (!stated.is_number() || std::abs(stated.get<double>() - value) > rounding * value)
+                stated = value;
         }
     }
 
@@ -197,7 +199,8 @@ private:
         ordered_json node{{"name", std::visit([](const auto& l) { return l.name; }, added.light)}};
         ordered_json steradian;
         if (const auto* flat = std::get_if<scene::RectangleLight>(&added.light)) {
-            node["matrix"] = matrix_json(file_from_scene() * frame_of(flat->center, flat->half_u, flat->half_v));
+            node["matrix"] =
+                matrix_json(file_from_scene() * frame_of(flat->center, flat->half_u, flat->half_v));
             steradian = {{"shape", "rectangle"},
                          {"width", 2.0f * glm::length(flat->half_u)},
                          {"height", 2.0f * glm::length(flat->half_v)}};
@@ -244,7 +247,8 @@ private:
 
 void check_target(const fs::path& file, const fs::path& target) {
     std::error_code ignored;
-    if (fs::weakly_canonical(target, ignored).parent_path() != fs::weakly_canonical(file, ignored).parent_path())
+    if (fs::weakly_canonical(target, ignored).parent_path()
+        != fs::weakly_canonical(file, ignored).parent_path())
         throw Error({target.string()}, "is in another folder than " + file.string(),
                     "save it in that folder, where its buffers and textures are");
     if (target.extension() != file.extension())

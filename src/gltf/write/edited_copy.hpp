@@ -29,7 +29,7 @@ struct NodeLightEdit {
     bool is_removed = false;
     std::optional<StatedEmission> emission; // absent: as the file states it
     std::vector<StatedSize> sizes;          // all of the light's, or none: as the file states them
-    mat4 motion{1.0f};                      // from the light's place in the file to its new place, in the scene
+    mat4 motion{1.0f}; // from the light's place in the file to its new place, in the scene
 };
 
 /// Edits to the emission of a material.
@@ -53,9 +53,11 @@ struct Edits {
     glm::dvec3 origin{0.0};         // of the scene in the file's world (Scene::origin)
 };
 
-/// Writes a copy of `file` with `edits` to `target`, in the same container. What is not edited keeps its JSON.
-/// @throws Error if `target` is in another folder (the file's URIs would lead nowhere), has another extension, or
-/// cannot be written
-void write_edited_copy(const std::filesystem::path& file, const Edits& edits, const std::filesystem::path& target);
+/// Writes a copy of `file` with `edits` to `target`, in the same container. What is not edited keeps its
+/// JSON.
+/// @throws Error if `target` is in another folder (the file's URIs would lead nowhere), has another
+/// extension, or cannot be written
+void write_edited_copy(const std::filesystem::path& file, const Edits& edits,
+                       const std::filesystem::path& target);
 
 } // namespace sr::gltf

@@ -112,9 +112,11 @@ std::optional<gltf::NodeLightEdit> node_edit(const LightEdit& edit, const scene:
     if (edit.is_removed) return written;
     // A flux makes another radiance of another size, so a new size restates the emission.
     const bool is_resized = edit.overrides_size || is_scaled(edit.motion);
-    if (edit.overrides_quantity || !edit.is_enabled || is_resized) written.emission = emission_of(edit, scene);
+    if (edit.overrides_quantity || !edit.is_enabled || is_resized)
+        written.emission = emission_of(edit, scene);
     if (edit.overrides_size)
-        for (const Extent& extent : extents_of(edit.light)) written.sizes.push_back({extent.name, extent.size});
+        for (const Extent& extent : extents_of(edit.light))
+            written.sizes.push_back({extent.name, extent.size});
     written.motion = edit.motion;
     if (!written.emission && written.motion == mat4(1.0f)) return std::nullopt;
     return written;
@@ -135,8 +137,8 @@ void FileLights::read(const LoadedScene& loaded) {
     }
     materials.clear();
     for (std::size_t m = 0; m < loaded.emission.size(); ++m)
-        materials.push_back({loaded.contents.material_numbers[m], loaded.emission[m],
-                             loaded.stage.scene.materials[m].name});
+        materials.push_back(
+            {loaded.contents.material_numbers[m], loaded.emission[m], loaded.stage.scene.materials[m].name});
 }
 
 bool FileLights::shares_its_node(int number) const { return std::ranges::count(nodes_, node_of(number)) > 1; }
@@ -337,7 +339,8 @@ void LightEditor::apply(LoadedScene& loaded) {
     // A disabled light keeps its place, so that all others keep their indices.
     for (const LightEntry& entry : entries_) {
         if (entry.is_enabled) continue;
-        for (const int k : entry.lights) viewer::set_quantity(lights[static_cast<std::size_t>(k)], vec3(0.0f));
+        for (const int k : entry.lights)
+            viewer::set_quantity(lights[static_cast<std::size_t>(k)], vec3(0.0f));
         if (entry.kind == Kind::material) scene.materials[edits_[entry.edit].material].emission = vec3(0.0f);
         if (entry.kind == Kind::light) // its surface goes dark, too
             viewer::set_quantity(scene.lights[static_cast<std::size_t>(entry.lights.front())], vec3(0.0f));
@@ -348,15 +351,18 @@ void LightEditor::apply(LoadedScene& loaded) {
         scene::add_light_surfaces(scene);
 }
 
-void LightEditor::save(const LoadedScene& loaded, const scene::Camera* view, const std::string& target) const {
+void LightEditor::save(const LoadedScene& loaded, const scene::Camera* view,
+                       const std::string& target) const {
     const scene::Scene& scene = loaded.stage.scene;
     gltf::Edits written;
     written.scene_index = loaded.scene_index;
     written.origin = scene.origin;
     if (view) written.first_camera = *view;
-    // A file with lights of its own gets no softboxes, so they are written once a light or one of them was edited.
+    // A file with lights of its own gets no softboxes, so they are written once a light or one of them was
+    // edited.
     const bool has_softboxes = std::ranges::any_of(edits_, [](const LightEdit& edit) {
-        return edit.kind == Kind::softbox ? edit.is_edited() || !edit.is_enabled : edit.is_added() != edit.is_removed;
+        return edit.kind == Kind::softbox ? edit.is_edited() || !edit.is_enabled
+                                          : edit.is_added() != edit.is_removed;
     });
     Edits ordered = edits_; // softboxes last
     std::ranges::stable_sort(ordered, {}, [](const LightEdit& edit) { return edit.kind == Kind::softbox; });
@@ -373,9 +379,10 @@ void LightEditor::save(const LoadedScene& loaded, const scene::Camera* view, con
         } else if (auto edited = node_edit(edit, scene)) {
             edited->node = file_.node_of(edit.source);
             if (file_.shares_its_node(edit.source))
-                throw Error({loaded.file},
-                            fmt::format("/nodes/{} has several lights, and one of them was edited", edited->node),
-                            "give each light a node of its own");
+                throw Error(
+                    {loaded.file},
+                    fmt::format("/nodes/{} has several lights, and one of them was edited", edited->node),
+                    "give each light a node of its own");
             written.lights.push_back(*std::move(edited));
         }
     }

@@ -1,6 +1,6 @@
 #pragma once
-// Light editor with undo and redo: the lights of a file, what a person changed, and the Stage that follows. Plain
-// data: no GL.
+// Light editor with undo and redo: the lights of a file, what a person changed, and the Stage that follows.
+// Plain data: no GL.
 #include "viewer/light_value.hpp"
 #include "viewer/loaded_scene.hpp"
 
@@ -17,13 +17,13 @@ struct LightEdit {
     /// Number that stays at every time: FileLights::Light::number, or negative for an added light; the file's
     /// number of the material; index of the softbox in the rig.
     int source = 0;
-    scene::Light light;            // current value, of lights and softboxes
-    vec3 emission{0.0f};           // current value, of materials
-    std::size_t material = 0;      // index in the scene, of materials
-    std::string name{};            // of materials
-    bool is_enabled = true;        // a disabled light emits nothing and stays where it is
-    bool is_present = true;        // the file shows it at this time, in this variant
-    bool is_removed = false;       // by a person
+    scene::Light light;              // current value, of lights and softboxes
+    vec3 emission{0.0f};             // current value, of materials
+    std::size_t material = 0;        // index in the scene, of materials
+    std::string name{};              // of materials
+    bool is_enabled = true;          // a disabled light emits nothing and stays where it is
+    bool is_present = true;          // the file shows it at this time, in this variant
+    bool is_removed = false;         // by a person
     bool overrides_quantity = false; // the quantity is a person's, at every time
     bool overrides_size = false;     // likewise a size
     mat4 motion{1.0f};               // from the place in the file to the current place, in the world
@@ -76,8 +76,8 @@ class LightEditor {
 public:
     explicit LightEditor(const LoadedScene& loaded, bool hides_emitters);
 
-    /// Lights, emissive materials and softboxes, in this order. Indices stay until a light is added or removed, or
-    /// another time shows more or fewer.
+    /// Lights, emissive materials and softboxes, in this order. Indices stay until a light is added or
+    /// removed, or another time shows more or fewer.
     const std::vector<LightEntry>& entries() const { return entries_; }
     /// The entry of the same light; absent if it is not present now.
     std::optional<std::size_t> entry_like(const LightEntry& entry) const;
@@ -115,12 +115,12 @@ public:
     /// Rebuilds everything of `loaded` that depends on lights. Images, textures and meshes of the file stay.
     void apply(LoadedScene& loaded);
 
-    /// Carries the edits over to another time or another variant. `loaded` has no edits yet; apply() brings them to
-    /// its Stage.
+    /// Carries the edits over to another time or another variant. `loaded` has no edits yet; apply() brings
+    /// them to its Stage.
     void rebase(const LoadedScene& loaded);
 
-    /// Writes a copy of the file with the edits and, if `view` is given, a new first camera. What is edited is
-    /// stated in extras.steradian.
+    /// Writes a copy of the file with the edits and, if `view` is given, a new first camera. What is edited
+    /// is stated in extras.steradian.
     /// @throws Error as gltf::write_edited_copy(), and for an edited light that shares its node with another
     void save(const LoadedScene& loaded, const scene::Camera* view, const std::string& target) const;
 

@@ -1,8 +1,8 @@
 // Editing lights: what a person types, and that a saved file has the lights that were seen.
 #include "core/error.hpp"
 #include "support/address.hpp"
-#include "viewer/extents.hpp"
 #include "viewer/document/light_edits.hpp"
+#include "viewer/extents.hpp"
 
 #include <algorithm>
 #include <filesystem>
