@@ -1,9 +1,9 @@
 #include "viewer/compare_panel.hpp"
 
+#include "compare/compare.hpp"
+#include "compare/flip.hpp"
+#include "compare/planes.hpp"
 #include "core/error.hpp"
-#include "golden/compare.hpp"
-#include "golden/flip.hpp"
-#include "golden/screen.hpp"
 #include "image/file.hpp"
 
 #include <algorithm>
@@ -76,7 +76,7 @@ Reference read_reference(const std::string& file) {
     const bool is_displayed = !image::is_scene_referred(file);
     image::Image film = with_colors(image::read(file));
     if (is_displayed)
-        for (float& value : film.pixels) value = golden::srgb_decoded(value);
+        for (float& value : film.pixels) value = compare::srgb_decoded(value);
     return {std::filesystem::path(file).filename().string(), std::move(film), is_displayed};
 }
 
@@ -89,8 +89,8 @@ void require_same_size(const image::Image& film, const image::Image& reference) 
                     "give the window the size of the other picture: --size");
 }
 
-FlipMap map_of(const golden::Plane& plane, const image::Image& film) {
-    FlipMap map{image::Image(film.width, film.height, 1), golden::mean(plane)};
+FlipMap map_of(const compare::Plane& plane, const image::Image& film) {
+    FlipMap map{image::Image(film.width, film.height, 1), compare::mean(plane)};
     for (std::size_t i = 0; i < map.film.pixels.size(); ++i) map.film.pixels[i] = plane.values[i];
     return map;
 }
@@ -99,16 +99,16 @@ FlipMap map_of(const golden::Plane& plane, const image::Image& film) {
 
 FlipMap flip_of(const image::Image& film, const image::Image& reference) {
     require_same_size(film, reference);
-    return map_of(golden::hdr_flip(film, reference, golden::exposures_for(reference),
-                                   golden::CompareOptions{}.pixels_per_degree),
+    return map_of(compare::hdr_flip(film, reference, compare::exposures_for(reference),
+                                    compare::CompareOptions{}.pixels_per_degree),
                   film);
 }
 
 FlipMap flip_of_displayed(const image::Image& film, const Look& look, const image::Image& reference) {
     require_same_size(film, reference);
     image::Image shown = image::displayed(film, look.ev100, look.curve);
-    for (float& value : shown.pixels) value = golden::srgb_decoded(value);
-    return map_of(golden::flip(shown, reference, golden::CompareOptions{}.pixels_per_degree), film);
+    for (float& value : shown.pixels) value = compare::srgb_decoded(value);
+    return map_of(compare::flip(shown, reference, compare::CompareOptions{}.pixels_per_degree), film);
 }
 
 CompareWish compare_panel(Look& look, const Reference* reference, const std::string& flip_result,
