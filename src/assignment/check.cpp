@@ -4,7 +4,7 @@
 #include "core/error.hpp"
 #include "core/memory_watch.hpp"
 #include "gl/context.hpp"
-#include "golden/child.hpp"
+#include "golden/process.hpp"
 
 #include <chrono>
 #include <cstdlib>
@@ -95,16 +95,16 @@ ordered_json marked_by_children(const Assignment& assignment, const fs::path& su
             words.push_back(assignment.tasks[i].id);
         if (options.keeps_pictures) words.emplace_back("--pictures");
         Results found(results, options, tasks);
-        const auto end = golden::run_child({words, fs::current_path(), log, 3600.0,
-                                            [&] { return is_stopped() || found.is_standing_still(); }});
+        const auto end = golden::run_process({words, fs::current_path(), log, 3600.0,
+                                              [&] { return is_stopped() || found.is_standing_still(); }});
         found.take();
         if (tasks.size() == assignment.tasks.size() || is_stopped()) break;
-        if (end.way == golden::ChildEnd::Way::not_started)
+        if (end.way == golden::ProcessEnd::Way::not_started)
             throw Error("the process that checks " + end.text(), "raise the system's limits on processes");
-        if (end.way == golden::ChildEnd::Way::exited)
+        if (end.way == golden::ProcessEnd::Way::exited)
             throw Error(first_line(log), "see the assignment's own files");
         const std::string why =
-            end.way == golden::ChildEnd::Way::stopped
+            end.way == golden::ProcessEnd::Way::stopped
                 ? fmt::format("its checks took longer than {:g} s and were ended", options.time_limit)
                 : "its checks " + end.text();
         tasks.push_back(ended_early(assignment.tasks[tasks.size()], why));

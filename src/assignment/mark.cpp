@@ -3,7 +3,7 @@
 #include "assignment/compile_problem.hpp"
 #include "assignment/sampling_check.hpp"
 #include "assignment/value_check.hpp"
-#include "golden/report_pixels.hpp"
+#include "golden/page.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -40,8 +40,8 @@ ordered_json broken(const Task& task, const std::vector<Problem>& problems) {
 
 /// Yours and the reference's, as reports carry them.
 ordered_json packed(const Finding& finding) {
-    ordered_json yours = golden::packed_pixels(*finding.picture),
-                 reference = golden::packed_pixels(*finding.reference);
+    ordered_json yours = golden::pack_pixels(*finding.picture),
+                 reference = golden::pack_pixels(*finding.reference);
     if (reference == yours) reference = "equal";
     return {{"yours", std::move(yours)}, {"reference", std::move(reference)}};
 }

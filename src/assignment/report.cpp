@@ -1,6 +1,6 @@
 #include "assignment/report.hpp"
 
-#include "golden/escape.hpp"
+#include "golden/page.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -12,7 +12,7 @@ using nlohmann::ordered_json;
 
 std::string cells(std::initializer_list<std::string> texts) {
     std::string row = "<tr>";
-    for (const std::string& text : texts) row += "<td>" + golden::escaped_markup(text);
+    for (const std::string& text : texts) row += "<td>" + golden::escape_markup(text);
     return row + "\n";
 }
 

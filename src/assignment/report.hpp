@@ -1,6 +1,6 @@
 #pragma once
 // The page on which a student sees the marks of a check.
-#include "golden/report_page.hpp"
+#include "golden/page.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 
