@@ -9,7 +9,7 @@ namespace sr::assignment {
 /// The style and script of report/.
 golden::ReportPage marks_page();
 
-/// One HTML file that needs nothing else (golden/report_page.hpp), of a result with its pictures. Where no
+/// One HTML file that needs nothing else (golden/page.hpp), of a result with its pictures. Where no
 /// script may run it still shows a table.
 std::string report_html(const nlohmann::ordered_json& result);
 
