@@ -1,6 +1,6 @@
 #include "assignment/manifest.hpp"
 
-#include "assignment/stub.hpp"
+#include "assignment/regions.hpp"
 #include "core/error.hpp"
 #include "core/json.hpp"
 

@@ -1,7 +1,7 @@
 #include "assignment/submission.hpp"
 
 #include "assignment/archive.hpp"
-#include "assignment/stub.hpp"
+#include "assignment/regions.hpp"
 #include "core/error.hpp"
 #include "core/file.hpp"
 #include "core/json.hpp"

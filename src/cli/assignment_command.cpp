@@ -1,7 +1,5 @@
 #include "assignment/check.hpp"
 #include "assignment/mark.hpp"
-#include "assignment/report.hpp"
-#include "assignment/self_test.hpp"
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
 #include "cli/interruption.hpp"
