@@ -1,9 +1,9 @@
 #include "viewer/tools/compare.hpp"
 
+#include "compare/compare.hpp"
+#include "compare/flip.hpp"
+#include "compare/planes.hpp"
 #include "core/error.hpp"
-#include "golden/compare.hpp"
-#include "golden/flip.hpp"
-#include "golden/screen.hpp"
 #include "image/file.hpp"
 #include "render/provenance.hpp"
 
@@ -45,7 +45,7 @@ Reference read_reference(const std::string& file) {
     const bool is_display_referred = !image::is_scene_referred(file);
     image::Image film = with_colors(image::read(file));
     if (is_display_referred)
-        for (float& value : film.pixels) value = golden::srgb_decoded(value);
+        for (float& value : film.pixels) value = compare::srgb_decoded(value);
     return {std::filesystem::path(file).filename().string(), std::move(film), is_display_referred};
 }
 
@@ -57,16 +57,16 @@ FlipMap flip_map(const image::Image& film, const DisplaySettings& display, const
         throw Error(fmt::format("the pictures have {}x{} and {}x{} pixels", film.width, film.height,
                                 reference.width, reference.height),
                     "give the window the size of the reference: --size");
-    const float pixels_per_degree = golden::CompareOptions{}.pixels_per_degree;
-    golden::Plane plane;
+    const float pixels_per_degree = compare::CompareOptions{}.pixels_per_degree;
+    compare::Plane plane;
     if (is_display_referred) {
         image::Image shown = image::displayed(film, display.ev100, display.curve);
-        for (float& value : shown.pixels) value = golden::srgb_decoded(value);
-        plane = golden::flip(shown, reference, pixels_per_degree);
+        for (float& value : shown.pixels) value = compare::srgb_decoded(value);
+        plane = compare::flip(shown, reference, pixels_per_degree);
     } else {
-        plane = golden::hdr_flip(film, reference, golden::exposures_for(reference), pixels_per_degree);
+        plane = compare::hdr_flip(film, reference, compare::exposures_for(reference), pixels_per_degree);
     }
-    FlipMap map{image::Image(film.width, film.height, 1), golden::mean(plane)};
+    FlipMap map{image::Image(film.width, film.height, 1), compare::mean(plane)};
     std::copy(plane.values.begin(), plane.values.end(), map.film.pixels.begin());
     map.film = with_colors(std::move(map.film));
     return map;
