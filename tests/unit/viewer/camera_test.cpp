@@ -5,6 +5,7 @@
 #include "viewer/bindings.hpp"
 #include "viewer/tools/navigate.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <set>
