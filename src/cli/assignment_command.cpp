@@ -9,7 +9,7 @@
 #include "core/text.hpp"
 #include "gl/context.hpp"
 #include "image/whole_file.hpp"
-#include "viewer/watch.hpp"
+#include "viewer/document/watch.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
