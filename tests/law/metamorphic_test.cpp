@@ -225,8 +225,9 @@ const Test lamps("law.metamorphic.lamps", [] { expect_laws("lamps"); });
 const Test polygons("law.metamorphic.polygons", [] { expect_laws("polygons"); });
 const Test glows("law.metamorphic.glows", [] { expect_laws("glows"); });
 
-// Scenes in which rounding puts the two ends of an emitter's edge, which lies on the receiver's horizon, on either side
-// of it: the emitter's face is below, and its irradiance must not become that of the edge's angle.
+// Scenes in which rounding puts the two ends of an emitter's edge, which lies on the receiver's horizon, on
+// either side of it: the emitter's face is below, and its irradiance must not become that of the edge's
+// angle.
 const Test edges("law.metamorphic.an_edge_on_the_horizon", [] {
     Trial trial(recipe_named("glows"));
     for (const std::uint64_t seed : {100798, 101105, 102968, 103338}) trial.try_scene(seed);
