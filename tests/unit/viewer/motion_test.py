@@ -41,7 +41,7 @@ def playing(viewer: Viewer, scene: Path):
     first_color = viewer.screen(150, 250)
     viewer.wait(lambda: viewer.screen(150, 250) != first_color, "another picture while it plays", 10)
     viewer.key("k")  # on a slow machine a picture may converge between two frames of what still plays
-    viewer.wait(lambda: re.search(r"paused.*converged:", viewer.errors(), re.DOTALL), "a paused picture that converged", 20)
+    viewer.wait(lambda: re.search(r"Paused.*converged:", viewer.errors(), re.DOTALL), "a paused picture that converged", 20)
     camera, *moment = arguments_of(viewer)
     paused = viewer.shot()
     assert same(paused, rendered(scene, camera, *moment, OPTIONS)), f"render {moment} is another picture"
