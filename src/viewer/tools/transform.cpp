@@ -396,4 +396,6 @@ Changes Transform::draw(const Overlay& overlay) {
     return {};
 }
 
+std::unique_ptr<Tool> make_transform(Workspace& workspace) { return std::make_unique<Transform>(workspace); }
+
 } // namespace sr::viewer
