@@ -106,9 +106,9 @@ void App::run(const std::function<bool()>& is_interrupted) {
 
 Activity App::activity() const {
     if (!workspace_.scene) return workspace_.loading ? Activity::waiting : Activity::idle;
-    Activity most = Activity::idle;
-    for (const auto& tool : tools_) most = std::max(most, tool->activity());
-    return most;
+    Activity activity = Activity::idle;
+    for (const auto& tool : tools_) activity = std::max(activity, tool->activity());
+    return activity;
 }
 
 bool App::draws_again() const {

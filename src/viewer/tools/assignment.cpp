@@ -254,8 +254,8 @@ void Checker::draw() const {
 void Checker::draw_task(const TaskMark& task) const {
     const bool is_empty = task.problems.empty() && task.findings.empty();
     const std::string label =
-        in_plain_letters(fmt::format("{} {}  {:g}/{:g}  {}{}###{}", task.id, task.title, task.points, task.of,
-                                     task.status, task.is_extra ? " (extra)" : "", task.id));
+        in_plain_letters(fmt::format("{}  {:g}/{:g}  {}{}  {}###{}", task.id, task.points, task.of,
+                                     task.status, task.is_extra ? " (extra)" : "", task.title, task.id));
     ImGui::PushStyleColor(ImGuiCol_Text, color_of(task));
     const bool is_open =
         ImGui::TreeNodeEx(label.c_str(), is_empty ? ImGuiTreeNodeFlags_Leaf : ImGuiTreeNodeFlags_DefaultOpen);
