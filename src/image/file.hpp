@@ -48,7 +48,8 @@ struct DecodedTexture {
 /// Counts the texels that the header of a texture claims; 0 if the head is broken or of an unknown format.
 std::uint64_t claimed_texels(std::span<const std::uint8_t> bytes);
 
-/// Returns whether it is KTX2 (its identifier: KTX 2.0 specification, section 3.1), which nothing here decodes.
+/// Returns whether it is KTX2 (its identifier: KTX 2.0 specification, section 3.1), which nothing here
+/// decodes.
 bool is_ktx2(std::span<const std::uint8_t> bytes);
 
 /// Decodes a PNG or JPEG, the two formats of glTF. Grey becomes RGB, missing alpha is opaque. `name` is what

@@ -66,7 +66,8 @@ private:
         return is_alone ? whole_ray : last_thousandth;
     }
 
-    /// The planes that are read from a texture: a channel, or the colours and alpha of one that is sRGB-encoded.
+    /// The planes that are read from a texture: a channel, or the colours and alpha of one that is
+    /// sRGB-encoded.
     enum class Planes { red, green, blue, alpha, colors };
 
     int map_of(int texture, Planes planes) {

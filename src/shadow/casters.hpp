@@ -60,8 +60,8 @@ struct Casters {
 /// @throws Error if there are more triangles than a float can count (2^24).
 Casters casters_of(const scene::Scene& scene, std::span<const scene::Light> lights);
 
-/// Returns whether the light does not see the triangle that a ray towards it meets: it passes back faces, and the ray
-/// arrives at the front of a single-sided triangle, which is where the light would come out.
+/// Returns whether the light does not see the triangle that a ray towards it meets: it passes back faces, and
+/// the ray arrives at the front of a single-sided triangle, which is where the light would come out.
 bool is_passed_from_behind(const Casters& casters, std::uint32_t triangle, int light, vec3 ray_direction);
 
 /// The share of the light that the triangle lets through where a ray of that direction meets it, at corner 0

@@ -16,8 +16,8 @@ struct MapStage {
 MapStage map_stage_of(const scene::Scene& scene, std::span<const scene::Light> lights,
                       const Casters& casters);
 
-/// Returns whether the caster can stand in the way of that light; the only surface of a flat or convex emitter cannot
-/// stand in its own.
+/// Returns whether the caster can stand in the way of that light; the only surface of a flat or convex
+/// emitter cannot stand in its own.
 bool stands_in_light(const Caster& caster, int light);
 
 /// Returns whether it is drawn into the maps of that light. Glass is not: it has a colour, which rays tell.

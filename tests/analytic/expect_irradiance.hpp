@@ -1,6 +1,6 @@
 #pragma once
-// Comparison of a white Lambert plane under one light, by `--estimator analytic`, with a number in doubles for each
-// pixel.
+// Comparison of a white Lambert plane under one light, by `--estimator analytic`, with a number in doubles
+// for each pixel.
 #include "scene/light.hpp"
 
 #include <functional>

@@ -78,8 +78,8 @@ bool is_made_to_be_refused(const fs::path& file) {
                                [&](const std::string& part) { return name.find(part) != std::string::npos; });
 }
 
-// The content of a package differs from release to release: files that are not made to be broken load, and the rest
-// may be refused, in one line that says what to do.
+// The content of a package differs from release to release: files that are not made to be broken load, and
+// the rest may be refused, in one line that says what to do.
 const Test packaged("real.models.each_packaged_one_loads_or_is_refused_in_one_line", [] {
     const auto folder = sr::testing::packaged_models_folder();
     if (!folder) GTEST_SKIP() << "no packaged models: install assimp-testmodels";

@@ -30,7 +30,8 @@ Image in_display_window(const Image& data, const OIIO::ImageSpec& spec) {
     return image;
 }
 
-/// Returns whether both windows are small enough to be held, and near enough to the origin to be counted with.
+/// Returns whether both windows are small enough to be held, and near enough to the origin to be counted
+/// with.
 bool is_of_sane_size(const OIIO::ImageSpec& spec, std::uint64_t max_values) {
     constexpr int farthest = 1 << 28;
     const auto is_near = [](int value) { return value > -farthest && value < farthest; };
