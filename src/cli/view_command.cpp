@@ -109,7 +109,7 @@ ordered_json summary(const viewer::Statistics& statistics) {
     return json;
 }
 
-/// What a standing picture converges to if nobody says how many samples it takes.
+/// Default stopping rule of the viewer.
 void converge_by_default(StopRule& stop) {
     stop.samples = stop.asks_for_error() ? most_samples : 256;
     if (!stop.asks_for_error()) stop.error = 0.005;
@@ -141,8 +141,8 @@ void add_view_command(CLI::App& app) {
     command->remove_option(command->get_option("--backend")); // there is but one with a window
     command->get_option("--size")->description("size of the window (default: as it was last, or 1280x720)");
     command->get_option("--samples")
-        ->description("samples a pixel that a standing picture converges to; without --error and --time its "
-                      "error is not estimated (default: 256 or an --error of 0.5%, whatever comes first)")
+        ->description("samples a pixel of the converged picture; without --error and --time its error is not "
+                      "estimated (default: 256 or an --error of 0.5%, whichever comes first)")
         ->default_str("");
     command->get_option("--at")->description("open the animation at this time (default: the rest pose)");
     command->get_option("--animation")
@@ -150,14 +150,12 @@ void add_view_command(CLI::App& app) {
     command->get_option("SCENE")->required(false);
     command->add_option(
         "--assignment", options->submission,
-        "a student's folder: its scene by its shaders, its marks, and the reference beside them");
+        "a student's folder: renders its scene with its shaders, shows marks and the reference");
     command->add_flag("--play", options->plays, "play the animation, from --at or its beginning on");
-    command->add_flag("--inertia", options->has_inertia,
-                      "a view that is let go in motion goes on for a moment");
+    command->add_flag("--inertia", options->has_inertia, "a view that is released in motion glides on");
     command->add_flag("--fullscreen", options->is_fullscreen, "fill the screen (F11)");
-    command->add_flag("-v,--verbose", options->is_verbose, "say on stderr what happens");
-    command->add_flag("--json", options->rendering.json,
-                      "print what start and frames took as JSON, at the end");
+    command->add_flag("-v,--verbose", options->is_verbose, "print messages to stderr, too");
+    command->add_flag("--json", options->rendering.json, "print timings as JSON at the end");
     command->footer(
         "F1 or ? in the window shows all keys.\n\n"
         "Examples:\n"
@@ -167,7 +165,7 @@ void add_view_command(CLI::App& app) {
         "  steradian view scene.glb --camera 1 --exposure 9 --tone-curve agx --samples 1024\n"
         "  steradian view --assignment my-a3                  (live, with marks; B compares with the "
         "reference)\n"
-        "  steradian view scene.glb --error 0.1%              (until it is that near to converged)");
+        "  steradian view scene.glb --error 0.1%              (until its error is that small)");
     command->callback([options, command] {
         if (options->rendering.scene.empty() && options->submission.empty())
             throw CLI::ValidationError("SCENE", "name a scene, or a student's folder with --assignment");

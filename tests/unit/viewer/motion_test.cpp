@@ -158,6 +158,22 @@ const Test variant_keeps("unit.viewer.lights.edits_survive_another_variant", [] 
     EXPECT_EQ(quantity_of(gilded.stage.lights[1]), quantity_of(loaded.stage.lights[1]));
 });
 
+const Test absent_material("unit.viewer.lights.edits_survive_a_variant_without_their_material", [] {
+    LoadedScene loaded = load_scene(motion, {}, 1.0f);
+    LightEditor lighting(loaded, false);
+    lighting.begin_step();
+    lighting.set_quantity(1, vec3(11.0f));
+    LoadedScene other = load_scene(motion, {}, 1.0f);
+    for (int& number : other.contents.material_numbers) number += 100;
+    lighting.rebase(other);
+    lighting.apply(other);
+    EXPECT_EQ(quantity_of(other.stage.lights[1]), quantity_of(loaded.stage.lights[1]));
+    LoadedScene again = load_scene(motion, {}, 1.0f);
+    lighting.rebase(again);
+    lighting.apply(again);
+    EXPECT_EQ(quantity_of(again.stage.lights[1]), vec3(11.0f));
+});
+
 const Test reload_is_lenient("unit.viewer.loading.what_a_saved_file_lost_is_no_error", [] {
     Options options;
     options.at = 9.0;
