@@ -1,8 +1,8 @@
 #version 410 core
 // The film on a screen: what the viewer's window shows behind its panels.
 #include "display/choice.glsl"
+#include "display/colormap.glsl"
 #include "display/displayed.glsl"
-#include "display/false_color.glsl"
 
 uniform sampler2D film_sum;  // the sum of all samples
 uniform float film_weight;   // 1 / their number
@@ -11,7 +11,7 @@ uniform sampler2D other_sum; // what it is compared with
 uniform float other_weight;
 uniform vec2 window_size;
 uniform float exposure;
-uniform vec2 false_color_range; // log2 of the luminances at its ends
+uniform vec2 decades; // powers of ten [cd/m²] at the ends of the colour map
 uniform float wipe;             // where the other picture begins, 0 to 1
 
 out vec4 screen;
@@ -43,8 +43,7 @@ vec3 other_radiance() { return radiance(other_sum, other_weight, false); }
 vec3 shown(vec3 L) {
     if (!is_false_color) return displayed(L, exposure, shown_curve);
     if (!is_finite(L)) return vec3(1.0, 0.0, 1.0);
-    float ev = log2(max(luminance(L), 1e-30));
-    return false_color((ev - false_color_range.x) / (false_color_range.y - false_color_range.x));
+    return luminance_color(luminance(L), decades);
 }
 
 vec3 shown_other() {
@@ -68,7 +67,7 @@ void main() {
         vec3 here = is_other_displayed ? clamp(toned(L * exposure, shown_curve), 0.0, 1.0) : L;
         color = difference(here, other_radiance());
     }
-    if (comparison == 3) color = false_color(other_radiance().r);
+    if (comparison == 3) color = colormap(other_radiance().r);
     if (comparison == 1) {
         float edge = gl_FragCoord.x - wipe * window_size.x;
         if (edge > 0.0) color = shown_other();

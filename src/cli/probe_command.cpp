@@ -3,7 +3,7 @@
 #include "cli/open_scene.hpp"
 #include "core/output.hpp"
 #include "core/text.hpp"
-#include "image/luminance.hpp"
+#include "core/luminance.hpp"
 #include "render/probe.hpp"
 
 #include <CLI/CLI.hpp>
@@ -127,7 +127,7 @@ std::string row_of(int k, const scene::Light& light, const render::LightTerms& t
     const std::string extent = t.solid_angle > 0.0f ? fmt::format("{:.4g}", t.solid_angle) : "-";
     return fmt::format("{:>3} {:<18}{:<12}{:>9} {:>7.3f}{:>7.3f}{:>7.3f}{:>8.4f}{:>8.4f}{:>11.4g}{:>10.4g}{}",
                        k, fitted(light_name(light)), shape_of(light), extent, t.wi.x, t.wi.y, t.wi.z, t.cos_i,
-                       t.V, image::luminance(t.f_r), image::luminance(t.E), cells(t.L_r, 11));
+                       t.V, luminance(t.f_r), luminance(t.E), cells(t.L_r, 11));
 }
 
 void print(const ProbeCommand& command, const OpenScene& open, const render::PixelTerms& terms) {

@@ -2,8 +2,8 @@
 
 #include "core/error.hpp"
 #include "image/display.hpp"
-#include "image/false_color.hpp"
-#include "image/luminance.hpp"
+#include "image/colormap.hpp"
+#include "core/luminance.hpp"
 
 #include <algorithm>
 #include <array>
@@ -73,7 +73,7 @@ image::Image numbers_of(const View& view, const image::Image& film) {
     for (std::size_t i = 0; i < numbers.pixels.size(); i += 4) {
         float* p = &numbers.pixels[i];
         if (view.is_quotient) divide(view, p);
-        if (view.kind == ViewKind::luminance) std::fill_n(p, 3, image::luminance(p[0], p[1], p[2]));
+        if (view.kind == ViewKind::luminance) std::fill_n(p, 3, luminance(p[0], p[1], p[2]));
     }
     return numbers;
 }

@@ -1,5 +1,5 @@
 #include "image/display.hpp"
-#include "image/luminance.hpp"
+#include "core/luminance.hpp"
 
 #include <algorithm>
 #include <array>

@@ -3,7 +3,7 @@
 #include "core/error.hpp"
 #include "core/parallel.hpp"
 #include "image/log_table.hpp"
-#include "image/luminance.hpp"
+#include "core/luminance.hpp"
 #include "image/srgb.hpp"
 #include "image/tone_curve.hpp"
 

@@ -146,30 +146,36 @@ void picture_panel(Exposure& exposure, Look& look, std::string_view unit) {
         look.curve = static_cast<image::ToneCurve>(curve);
     ImGui::Checkbox("false colour", &look.is_false_color);
     if (!look.is_false_color) return;
-    ImGui::DragFloatRange2("log2", &look.false_color_range.x, &look.false_color_range.y, 0.1f, -30.0f, 40.0f,
-                           "%.1f");
-    look.false_color_range.y = std::max(look.false_color_range.y, look.false_color_range.x + 0.5f);
-    legend(look, unit);
+    image::Decades& decades = look.decades;
+    ImGui::DragFloatRange2("decades", &decades.first, &decades.last, 0.05f, -12.0f, 12.0f, "1e%.1f");
+    decades.last = std::max(decades.last, decades.first + 0.5f);
+    legend(decades, unit);
 }
 
-void legend(const Look& look, std::string_view unit) {
-    // The colours of shaders/display/false_color.glsl.
-    constexpr std::array<ImU32, 9> viridis{
-        IM_COL32(68, 1, 84, 255),    IM_COL32(71, 45, 123, 255),  IM_COL32(59, 82, 139, 255),
-        IM_COL32(44, 114, 142, 255), IM_COL32(33, 145, 140, 255), IM_COL32(39, 174, 129, 255),
-        IM_COL32(92, 200, 99, 255),  IM_COL32(170, 220, 50, 255), IM_COL32(253, 231, 36, 255)};
+void legend(const image::Decades& decades, std::string_view unit) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float width = ImGui::CalcItemWidth(), height = ImGui::GetFontSize();
-    const float step = width / static_cast<float>(viridis.size() - 1);
-    for (std::size_t i = 0; i + 1 < viridis.size(); ++i) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const float step = width / static_cast<float>(image::viridis.size() - 1);
+    const auto color = [](const vec3& c) { return ImGui::ColorConvertFloat4ToU32({c.r, c.g, c.b, 1.0f}); };
+    for (std::size_t i = 0; i + 1 < image::viridis.size(); ++i) {
         const float x = at.x + step * static_cast<float>(i);
-        ImGui::GetWindowDrawList()->AddRectFilledMultiColor({x, at.y}, {x + step, at.y + height}, viridis[i],
-                                                            viridis[i + 1], viridis[i + 1], viridis[i]);
+        const ImU32 left = color(image::viridis[i]), right = color(image::viridis[i + 1]);
+        list.AddRectFilledMultiColor({x, at.y}, {x + step, at.y + height}, left, right, right, left);
     }
-    ImGui::Dummy({width, height});
-    const vec2 r = look.false_color_range;
-    text(fmt::format("{:.3g} .. {:.3g} .. {:.3g} {}", std::exp2(r.x), std::exp2(0.5f * (r.x + r.y)),
-                     std::exp2(r.y), unit));
+    const float range = decades.last - decades.first;
+    const int labelled = static_cast<int>(std::ceil(range / 4.0f)); // so many decades from label to label
+    for (int k = static_cast<int>(std::ceil(decades.first)); static_cast<float>(k) <= decades.last; ++k) {
+        const float x = at.x + width * (static_cast<float>(k) - decades.first) / range;
+        list.AddLine({x, at.y + 0.6f * height}, {x, at.y + height}, IM_COL32_WHITE);
+        if (k % labelled != 0) continue;
+        const std::string label = fmt::format("1e{}", k);
+        const float half = 0.5f * ImGui::CalcTextSize(label.c_str()).x;
+        list.AddText({x - half, at.y + height}, ImGui::GetColorU32(ImGuiCol_Text), label.c_str());
+    }
+    ImGui::Dummy({width, 2.0f * height});
+    ImGui::SameLine();
+    text(std::string(unit));
 }
 
 } // namespace sr::viewer

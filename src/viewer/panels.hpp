@@ -34,7 +34,7 @@ CameraWish camera_panel(const Eye& eye, std::span<const scene::Camera> cameras);
 /// Exposure, tone curve, false colour.
 void picture_panel(Exposure& exposure, Look& look, std::string_view unit);
 
-/// The colours of false colour and the luminances they stand for.
-void legend(const Look& look, std::string_view unit);
+/// Draws the false colours with labelled decades.
+void legend(const image::Decades& decades, std::string_view unit);
 
 } // namespace sr::viewer

@@ -12,9 +12,9 @@ std::string constants(image::ToneCurve curve, bool is_false_color, Comparison co
                       bool is_other_displayed, bool is_resting) {
     return fmt::format("const int shown_curve = {};\nconst bool is_false_color = {};\n"
                        "const int comparison = {};\nconst bool is_scaled = {};\n"
-                       "const bool is_other_displayed = {};\nconst bool is_resting = {};\n",
+                       "const bool is_other_displayed = {};\nconst bool is_resting = {};\n{}",
                        static_cast<int>(curve), is_false_color, static_cast<int>(comparison), is_scaled,
-                       is_other_displayed, is_resting);
+                       is_other_displayed, is_resting, image::colormap_glsl());
 }
 
 } // namespace
@@ -80,7 +80,7 @@ void Screen::cover(const FilmSum& film, const FilmSum& other, const Look& look, 
     glUniform1f(at("other_weight"), weight(other));
     glUniform2f(at("window_size"), static_cast<float>(width), static_cast<float>(height));
     glUniform1f(at("exposure"), image::exposure_factor(look.ev100));
-    glUniform2f(at("false_color_range"), look.false_color_range.x, look.false_color_range.y);
+    glUniform2f(at("decades"), look.decades.first, look.decades.last);
     glUniform1f(at("wipe"), look.wipe);
     glBindVertexArray(no_vertices_.id());
     glDrawArrays(GL_TRIANGLES, 0, 3);

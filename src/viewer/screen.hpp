@@ -3,6 +3,7 @@
 #include "core/math.hpp"
 #include "gl/object.hpp"
 #include "gl/program.hpp"
+#include "image/colormap.hpp"
 #include "image/display.hpp"
 
 #include <map>
@@ -18,7 +19,7 @@ struct Look {
     float ev100 = 0.0f;
     image::ToneCurve curve = image::ToneCurve::neutral;
     bool is_false_color = false;
-    vec2 false_color_range{-4.0f, 14.0f}; // log2 of the luminances [cd/m²] at its ends
+    image::Decades decades; // of the false colours
     Comparison comparison = Comparison::none;
     float wipe = 0.5f; // where the other picture begins, 0 to 1
 };

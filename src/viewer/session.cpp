@@ -3,7 +3,7 @@
 #include "core/error.hpp"
 #include "core/output.hpp"
 #include "gltf/named_files.hpp"
-#include "image/luminance.hpp"
+#include "core/luminance.hpp"
 #include "viewer/animation_bar.hpp"
 #include "viewer/config.hpp"
 #include "viewer/panels.hpp"
@@ -288,7 +288,7 @@ std::string Session::under_pointer() const {
     const int row = static_cast<int>(place.y * static_cast<float>(height_));
     const vec3 L = picture.pixel(place);
     return fmt::format("{},{}: L {:.4g} {:.4g} {:.4g}, luminance {:.4g} {}", column, row, L.r, L.g, L.b,
-                       image::luminance(L), scene::radiance_unit(show_->scene().stage.scene.units));
+                       luminance(L), scene::radiance_unit(show_->scene().stage.scene.units));
 }
 
 /// The title says how far the picture is, for those who look at the task bar.

@@ -2,7 +2,7 @@
 #include "viewer/session.hpp"
 
 #include "core/error.hpp"
-#include "image/luminance.hpp"
+#include "core/luminance.hpp"
 #include "render/lobe.hpp"
 #include "render/provenance.hpp"
 
@@ -57,7 +57,7 @@ std::optional<Lobe> Session::lobe_of(const render::PixelTerms& terms, const rend
     if (!brdf) return std::nullopt;
     lobe.is_mirror = brdf->is_mirror;
     for (std::size_t i = 0; i < asked.size(); ++i)
-        (i < lobe.wi.size() ? lobe.f_r : lobe.light_f_r).push_back(image::luminance(brdf->f_r[i]));
+        (i < lobe.wi.size() ? lobe.f_r : lobe.light_f_r).push_back(luminance(brdf->f_r[i]));
     return lobe;
 }
 

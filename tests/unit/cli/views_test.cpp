@@ -58,12 +58,14 @@ const Test terms("unit.cli.views.are_the_terms", [] {
 const Test scale("unit.cli.views.luminance_has_one_scale", [] {
     image::Image film(5, 1, 3);
     const float L[]{100.0f, 31.6228f, 0.0f, 1e9f, std::numeric_limits<float>::quiet_NaN()};
-    const float expected[][3]{{0.2f, 0.75f, 0.15f}, {0.1f, 0.775f, 0.475f}, {0, 0, 0}, {1, 1, 1}, {1, 0, 1}};
+    const vec3 expected[]{vec3(0x1f, 0x9e, 0x89), 0.5f * (vec3(0x26, 0x82, 0x8e) + vec3(0x1f, 0x9e, 0x89)),
+                          vec3(0x44, 0x01, 0x54), vec3(0xfd, 0xe7, 0x25), vec3(255, 0, 255)};
     for (int x = 0; x < 5; ++x)
         for (std::size_t c = 0; c < 3; ++c) film.at(x, 0)[c] = L[x];
     const image::Image colors = image::luminance_colors(film);
     for (int x = 0; x < 5; ++x)
-        for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(colors.at(x, 0)[c], expected[x][c], 1e-4f) << x;
+        for (int c = 0; c < 3; ++c)
+            EXPECT_NEAR(colors.at(x, 0)[static_cast<std::size_t>(c)] * 255.0f, expected[x][c], 0.03f) << x;
 });
 
 } // namespace

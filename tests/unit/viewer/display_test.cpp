@@ -1,4 +1,6 @@
 // What the window shows is what files get.
+#include "core/luminance.hpp"
+#include "image/colormap.hpp"
 #include "image/display.hpp"
 #include "support/address.hpp"
 #include "support/gl.hpp"
@@ -41,6 +43,25 @@ const Test equals_the_files("unit.viewer.display.equals_the_files", [] {
                 EXPECT_NEAR(shown[i][c], expected.at(static_cast<int>(i), 0)[static_cast<std::size_t>(c)],
                             4e-5f)
                     << "curve " << curve << ", " << table[i].r << " " << table[i].g << " " << table[i].b;
+    }
+});
+
+const Test false_colors("unit.viewer.display.false_colours_equal_the_files", [] {
+    sr::testing::context();
+    for (const image::Decades decades : {image::Decades{}, image::Decades{-1.5f, 2.25f}}) {
+        std::vector<sr::testing::Row> rows;
+        std::vector<vec3> expected;
+        for (float exponent = -6.0f; exponent < 8.0f; exponent += 0.013f) {
+            const float L = std::pow(10.0f, exponent);
+            rows.push_back({vec4(L, decades.first, decades.last, 0.0f)});
+            expected.push_back(image::luminance_color(luminance(vec3(L)), decades));
+        }
+        const auto shown = sr::testing::evaluate(
+            image::colormap_glsl() + "#include \"display/colormap.glsl\"\n",
+            "return vec4(luminance_color(luminance(vec3(a.x)), a.yz), 1.0);", rows);
+        for (std::size_t i = 0; i < rows.size(); ++i)
+            for (int c = 0; c < 3; ++c) // a hundredth of an 8-bit step
+                EXPECT_NEAR(shown[i][c], expected[i][c], 4e-5f) << rows[i][0].x << " cd/m²";
     }
 });
 
