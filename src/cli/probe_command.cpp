@@ -1,9 +1,9 @@
 #include "cli/commands.hpp"
 #include "cli/interruption.hpp"
 #include "cli/open_scene.hpp"
+#include "core/luminance.hpp"
 #include "core/output.hpp"
 #include "core/text.hpp"
-#include "core/luminance.hpp"
 #include "render/probe.hpp"
 
 #include <CLI/CLI.hpp>

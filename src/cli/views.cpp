@@ -1,9 +1,9 @@
 #include "cli/views.hpp"
 
 #include "core/error.hpp"
-#include "image/display.hpp"
-#include "image/colormap.hpp"
 #include "core/luminance.hpp"
+#include "image/colormap.hpp"
+#include "image/display.hpp"
 
 #include <algorithm>
 #include <array>

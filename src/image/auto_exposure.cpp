@@ -1,5 +1,5 @@
-#include "image/display.hpp"
 #include "core/luminance.hpp"
+#include "image/display.hpp"
 
 #include <algorithm>
 #include <array>

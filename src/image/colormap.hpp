@@ -19,11 +19,11 @@ constexpr vec3 code_values(int hex) {
 
 /// Viridis (Smith & van der Walt 2015) at ten equal steps, as sRGB code values from 0 to 1. Its lightness
 /// rises evenly, so that it also reads in grey and with colour blindness.
-inline constexpr std::array viridis{
-    detail::code_values(0x440154), detail::code_values(0x482878), detail::code_values(0x3e4a89),
-    detail::code_values(0x31688e), detail::code_values(0x26828e), detail::code_values(0x1f9e89),
-    detail::code_values(0x35b779), detail::code_values(0x6dcd59), detail::code_values(0xb4de2c),
-    detail::code_values(0xfde725)};
+inline constexpr std::array viridis{detail::code_values(0x440154), detail::code_values(0x482878),
+                                    detail::code_values(0x3e4a89), detail::code_values(0x31688e),
+                                    detail::code_values(0x26828e), detail::code_values(0x1f9e89),
+                                    detail::code_values(0x35b779), detail::code_values(0x6dcd59),
+                                    detail::code_values(0xb4de2c), detail::code_values(0xfde725)};
 
 /// The colour of what has no value on the map: magenta.
 inline constexpr vec3 nonfinite_color{1.0f, 0.0f, 1.0f};

@@ -1,6 +1,6 @@
 #include "cli/views.hpp"
 
-#include "image/false_color.hpp"
+#include "image/colormap.hpp"
 #include "render/renderer.hpp"
 #include "support/address.hpp"
 #include "support/gl.hpp"

@@ -56,9 +56,9 @@ const Test false_colors("unit.viewer.display.false_colours_equal_the_files", [] 
             rows.push_back({vec4(L, decades.first, decades.last, 0.0f)});
             expected.push_back(image::luminance_color(luminance(vec3(L)), decades));
         }
-        const auto shown = sr::testing::evaluate(
-            image::colormap_glsl() + "#include \"display/colormap.glsl\"\n",
-            "return vec4(luminance_color(luminance(vec3(a.x)), a.yz), 1.0);", rows);
+        const auto shown =
+            sr::testing::evaluate(image::colormap_glsl() + "#include \"display/colormap.glsl\"\n",
+                                  "return vec4(luminance_color(luminance(vec3(a.x)), a.yz), 1.0);", rows);
         for (std::size_t i = 0; i < rows.size(); ++i)
             for (int c = 0; c < 3; ++c) // a hundredth of an 8-bit step
                 EXPECT_NEAR(shown[i][c], expected[i][c], 4e-5f) << rows[i][0].x << " cd/m²";

@@ -1,0 +1,91 @@
+#include "viewer/tools/adjust_display.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fmt/format.h>
+#include <imgui.h>
+
+namespace sr::viewer {
+namespace {
+
+constexpr float exposure_step = 1.0f / 3.0f; // [EV]
+
+/// In the order of image::ToneCurve.
+constexpr std::array curves{"linear", "ACES", "neutral", "AgX"};
+
+/// Draws the false colours with labelled decades.
+void draw_legend(const image::Decades& decades, std::string_view unit) {
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float width = ImGui::CalcItemWidth(), height = ImGui::GetFontSize();
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const float step = width / static_cast<float>(image::viridis.size() - 1);
+    const auto color = [](const vec3& c) { return ImGui::ColorConvertFloat4ToU32({c.r, c.g, c.b, 1.0f}); };
+    for (std::size_t i = 0; i + 1 < image::viridis.size(); ++i) {
+        const float x = at.x + step * static_cast<float>(i);
+        const ImU32 left = color(image::viridis[i]), right = color(image::viridis[i + 1]);
+        list.AddRectFilledMultiColor({x, at.y}, {x + step, at.y + height}, left, right, right, left);
+    }
+    const float range = decades.last - decades.first;
+    const int stride = static_cast<int>(std::ceil(range / 4.0f)); // decades between two labels
+    for (int k = static_cast<int>(std::ceil(decades.first)); static_cast<float>(k) <= decades.last; ++k) {
+        const float x = at.x + width * (static_cast<float>(k) - decades.first) / range;
+        list.AddLine({x, at.y + 0.6f * height}, {x, at.y + height}, IM_COL32_WHITE);
+        if (k % stride != 0) continue;
+        const std::string label = fmt::format("1e{}", k);
+        const float half = 0.5f * ImGui::CalcTextSize(label.c_str()).x;
+        list.AddText({x - half, at.y + height}, ImGui::GetColorU32(ImGuiCol_Text), label.c_str());
+    }
+    ImGui::Dummy({width, 2.0f * height});
+    ImGui::SameLine();
+    ImGui::TextUnformatted(unit.data(), unit.data() + unit.size());
+}
+
+} // namespace
+
+std::optional<Changes> AdjustDisplay::handle(const Event& event) {
+    const auto command = command_in(event);
+    if (!command) return std::nullopt;
+    Exposure& exposure = ws_.exposure;
+    DisplaySettings& display = ws_.display;
+    switch (*command) {
+    case Command::darker: exposure.fix(exposure.ev100() + exposure_step); break;
+    case Command::brighter: exposure.fix(exposure.ev100() - exposure_step); break;
+    case Command::auto_exposure: exposure.make_automatic(); break;
+    case Command::next_tone_curve:
+        display.curve =
+            static_cast<image::ToneCurve>((static_cast<std::size_t>(display.curve) + 1) % curves.size());
+        break;
+    case Command::false_color: display.is_false_color = !display.is_false_color; break;
+    default: return std::nullopt;
+    }
+    return Change::display;
+}
+
+Changes AdjustDisplay::draw_section() {
+    if (!ImGui::CollapsingHeader("Picture", ImGuiTreeNodeFlags_DefaultOpen)) return {};
+    Exposure& exposure = ws_.exposure;
+    DisplaySettings& display = ws_.display;
+    bool is_automatic = exposure.is_automatic();
+    if (ImGui::Checkbox("auto", &is_automatic)) {
+        if (is_automatic)
+            exposure.make_automatic();
+        else
+            exposure.fix(exposure.ev100());
+    }
+    ImGui::SameLine();
+    float ev = exposure.ev100();
+    if (ImGui::SliderFloat("EV100", &ev, -10.0f, 20.0f, "%.2f")) exposure.fix(ev);
+    int curve = static_cast<int>(display.curve);
+    if (ImGui::Combo("tone curve", &curve, curves.data(), static_cast<int>(curves.size())))
+        display.curve = static_cast<image::ToneCurve>(curve);
+    ImGui::Checkbox("false colour", &display.is_false_color);
+    if (!display.is_false_color) return {};
+    image::Decades& decades = display.decades;
+    ImGui::DragFloatRange2("decades", &decades.first, &decades.last, 0.05f, -12.0f, 12.0f, "1e%.1f");
+    decades.last = std::max(decades.last, decades.first + 0.5f);
+    draw_legend(decades, scene::radiance_unit(ws_.scene->stage().scene.units));
+    return {};
+}
+
+} // namespace sr::viewer
