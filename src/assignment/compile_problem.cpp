@@ -1,6 +1,6 @@
 #include "assignment/compile_problem.hpp"
 
-#include "assignment/stub.hpp"
+#include "assignment/regions.hpp"
 
 #include <algorithm>
 #include <array>

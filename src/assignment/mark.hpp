@@ -1,7 +1,8 @@
 #pragma once
-// A submission's marks, task by task.
+// Marks of a submission, task by task: as JSON, as a table, as a page.
 #include "assignment/pictures.hpp"
 #include "assignment/submission.hpp"
+#include "golden/page.hpp"
 
 #include <functional>
 #include <nlohmann/json_fwd.hpp>
@@ -47,5 +48,12 @@ nlohmann::ordered_json ended_early(const Task& task, const std::string& why);
 
 /// The table of task, check, verdict, got, expected, unit, diagnosis and hint that people read.
 std::string table_of(const nlohmann::ordered_json& result);
+
+/// The style and script of report/.
+golden::ReportPage marks_page();
+
+/// One HTML file that needs nothing else (golden/page.hpp), of a result with its pictures. Where no
+/// script may run it still shows a table.
+std::string report_html(const nlohmann::ordered_json& result);
 
 } // namespace sr::assignment

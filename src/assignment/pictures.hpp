@@ -1,7 +1,6 @@
 #pragma once
 // Pictures of an assignment's scenes, with some regions of the reference replaced.
-#include "assignment/evaluation.hpp"
-#include "assignment/finding.hpp"
+#include "assignment/value_check.hpp"
 #include "render/renderer.hpp"
 #include "scene/stage.hpp"
 

@@ -1,7 +1,5 @@
 #include "assignment/check.hpp"
 #include "assignment/mark.hpp"
-#include "assignment/report.hpp"
-#include "assignment/self_test.hpp"
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
 #include "cli/interruption.hpp"
@@ -10,7 +8,7 @@
 #include "core/output.hpp"
 #include "core/text.hpp"
 #include "gl/context.hpp"
-#include "golden/bytes_of_file.hpp"
+#include "image/whole_file.hpp"
 #include "viewer/document/watch.hpp"
 
 #include <CLI/CLI.hpp>
@@ -77,7 +75,7 @@ bool show(const ordered_json& result, const AssignmentArguments& arguments) {
     else
         print_data("{}", shown_lines(assignment::table_of(bare))); // it quotes the student's lines
     flush_output();
-    if (!arguments.report.empty()) golden::write_text(arguments.report, assignment::report_html(result));
+    if (!arguments.report.empty()) image::write_text(arguments.report, assignment::report_html(result));
     return std::ranges::all_of(result["tasks"], [](const ordered_json& task) {
         return task["extra"].get<bool>() || task["status"] == "passed";
     });

@@ -1,4 +1,5 @@
-#include "viewer/tools/adjust_display.hpp"
+// Display tool: exposure, tone curve, false colour.
+#include "viewer/tools/tool.hpp"
 
 #include <algorithm>
 #include <array>
@@ -43,6 +44,14 @@ void draw_legend(const image::Decades& decades, std::string_view unit) {
 
 } // namespace
 
+class AdjustDisplay : public Tool {
+public:
+    using Tool::Tool;
+
+    std::optional<Changes> handle(const Event& event) override;
+    Changes draw_section() override;
+};
+
 std::optional<Changes> AdjustDisplay::handle(const Event& event) {
     const auto command = command_in(event);
     if (!command) return std::nullopt;
@@ -86,6 +95,10 @@ Changes AdjustDisplay::draw_section() {
     decades.last = std::max(decades.last, decades.first + 0.5f);
     draw_legend(decades, scene::radiance_unit(ws_.scene->stage().scene.units));
     return {};
+}
+
+std::unique_ptr<Tool> make_adjust_display(Workspace& workspace) {
+    return std::make_unique<AdjustDisplay>(workspace);
 }
 
 } // namespace sr::viewer
