@@ -18,9 +18,7 @@ public:
 
 private:
     Changes reload();
-    Changes write_png();
-    Changes write_exr();
-    Changes write(const image::Image& picture, const std::string& file, image::SampleType type);
+    Changes write(const std::string& extension);
     void save(const std::string& file);
 
     FileDialog dialog_;
