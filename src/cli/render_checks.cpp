@@ -1,8 +1,8 @@
 #include "cli/render_checks.hpp"
 
 #include "cli/frame_names.hpp"
-#include "cli/outputs.hpp"
 #include "image/whole_file.hpp"
+#include "output/write.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -17,7 +17,7 @@ void check_view(const RenderCommand& command) {
     if (command.light_layers || command.asks_for_error())
         throw CLI::ValidationError(
             "--view", "only pictures of radiance have --layers, --error, --time and --aov error");
-    if (command.estimator != render::Estimator::sampled && command.view->kind != ViewKind::luminance)
+    if (command.estimator != render::Estimator::sampled && command.view->finish != output::Finish::luminance)
         throw CLI::ValidationError("--view",
                                    "this one takes points on the lights: leave --estimator at sampled");
 }
@@ -42,9 +42,9 @@ void check_outputs(const RenderCommand& command) {
                                                          output));
         image::require_writable(command.frames ? *numbered(output, 0) : output);
     }
-    if (std::ranges::find(command.aovs, Aov::error) != command.aovs.end() && command.stop.samples < 2)
+    if (output::holds(command.aovs, output::Finish::error) && command.stop.samples < 2)
         throw CLI::ValidationError("--aov", "error takes --samples 2 at least");
-    if (std::ranges::any_of(command.outputs, holds_layers)) return;
+    if (std::ranges::any_of(command.outputs, output::holds_layers)) return;
     for (const auto& [is_asked, option] :
          {std::pair(command.light_layers, "--layers"), std::pair(!command.aovs.empty(), "--aov")})
         if (is_asked) throw CLI::ValidationError(option, "only .exr files hold layers: name one with -o");

@@ -1,13 +1,12 @@
 #pragma once
 // The options of `steradian render`, one struct with the defaults.
-#include "cli/aovs.hpp"
 #include "cli/arguments.hpp"
 #include "cli/frame_names.hpp"
 #include "cli/stopping.hpp"
-#include "cli/views.hpp"
 #include "gl/context.hpp"
 #include "image/display.hpp"
 #include "image/file.hpp"
+#include "output/variables.hpp"
 #include "render/occluders.hpp"
 #include "render/renderer.hpp"
 #include "scene/stage.hpp"
@@ -53,10 +52,10 @@ struct RenderCommand {
     bool hide_emitters = false;
     std::optional<float> ev100; // absent: automatic
     image::ToneCurve tone_curve = image::ToneCurve::neutral;
-    bool light_layers = false;  // in .exr: a layer a light
-    std::vector<Aov> aovs;      // in .exr: further channels
-    bool denoises = false;      // the shadows of the analytic estimator
-    const View* view = nullptr; // one term instead of radiance
+    bool light_layers = false;              // in .exr: a layer a light
+    output::Variables aovs;                 // in .exr: further channels
+    bool denoises = false;                  // the shadows of the analytic estimator
+    const output::Variable* view = nullptr; // one term instead of radiance
 
     /// Whether the picture has to know its error, that is, takes its samples from two sequences.
     bool asks_for_error() const;

@@ -1,12 +1,13 @@
-#include "cli/views.hpp"
-
+#include "core/file.hpp"
 #include "image/colormap.hpp"
+#include "output/variables.hpp"
 #include "render/renderer.hpp"
 #include "support/address.hpp"
 #include "support/gl.hpp"
 #include "support/scenes.hpp"
 
 #include <limits>
+#include <string>
 
 using namespace sr;
 using namespace sr::testing;
@@ -23,10 +24,10 @@ std::vector<float> middle_of(const char* view, const scene::Scene& scene, vec3 l
     render::RenderOptions options;
     options.width = options.height = view_size;
     options.samples = 1;
-    options.shader = cli::view_named(view)->shader;
+    options.shader = output::view_named(view)->shader;
     render::Renderer renderer(gpu_scene, camera_from_above(1.0f), options);
     renderer.add_sample();
-    const image::Image numbers = cli::numbers_of(*cli::view_named(view), renderer.film());
+    const image::Image numbers = output::numbers_of(*output::view_named(view), renderer.film());
     const auto pixel = numbers.at(view_size / 2, view_size / 2);
     return {pixel.begin(), pixel.end()};
 }
@@ -51,7 +52,7 @@ const Test terms("unit.cli.views.are_the_terms", [] {
     EXPECT_EQ(middle_of("visibility", plane, light)[0], 1.0f);
     EXPECT_NEAR(middle_of("irradiance", plane, light)[0], 0.8f / 1.5625f, 1e-4f);
     EXPECT_NEAR(middle_of("luminance", plane, light)[1], 0.8f / 1.5625f / pi, 1e-4f);
-    EXPECT_EQ(cli::view_named("beauty"), nullptr);
+    EXPECT_EQ(output::view_named("beauty"), nullptr);
 });
 
 // The legend in src/image/README.md holds in every picture.
@@ -66,6 +67,30 @@ const Test scale("unit.cli.views.luminance_has_one_scale", [] {
     for (int x = 0; x < 5; ++x)
         for (int c = 0; c < 3; ++c)
             EXPECT_NEAR(colors.at(x, 0)[static_cast<std::size_t>(c)] * 255.0f, expected[x][c], 0.03f) << x;
+});
+
+std::string readme_row(const output::Variable& variable) {
+    using output::Display;
+    std::string channels;
+    for (const std::string& channel : output::channels_of(variable))
+        channels += (channels.empty() ? " `" : ", `") + channel + "`";
+    const char* const picture = variable.display == Display::exposed       ? " exposed"
+                                : variable.display == Display::share       ? " black to white"
+                                : variable.display == Display::leaks       ? " red: leaks, blue: kept out"
+                                : variable.display == Display::false_color ? " false colours"
+                                                                           : "";
+    return std::string("| `") + variable.name + "` |" + channels + " |" + picture + " | "
+           + (variable.unit ? variable.unit : "the film's") + " | " + variable.what + " |\n";
+}
+
+const Test readme("unit.cli.views.readme_has_the_table", [] {
+    const std::string text = read_text(STERADIAN_SOURCE "/src/output/README.md");
+    std::size_t rows = 0;
+    for (std::size_t at = text.find("\n| `"); at != std::string::npos; at = text.find("\n| `", at + 1))
+        ++rows;
+    for (const output::Variable& variable : output::all_variables())
+        EXPECT_NE(text.find(readme_row(variable)), std::string::npos) << readme_row(variable);
+    EXPECT_EQ(rows, output::all_variables().size() + 4) << "a row of each variable and of each file";
 });
 
 } // namespace
