@@ -121,12 +121,12 @@ ordered_json marked_by_children(const Assignment& assignment, const fs::path& su
 
 } // namespace
 
-std::optional<ordered_json> checked(const fs::path& submission, const CheckOptions& options) {
+std::optional<ordered_json> check_submission(const fs::path& submission, const CheckOptions& options) {
     const FolderLabel label = label_of(submission);
     const Assignment assignment = load(assignment_of(label));
     const ordered_json tasks = marked_by_children(assignment, submission, options);
     if (tasks.size() < assignment.tasks.size()) return std::nullopt;
-    return summed(assignment, label.student, tasks);
+    return sum_of(assignment, label.student, tasks);
 }
 
 void mark_tasks(const fs::path& submission, const std::vector<std::string>& tasks, const fs::path& results,

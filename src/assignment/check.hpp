@@ -22,16 +22,17 @@ struct CheckOptions {
     std::function<bool()> is_stopped; // asked often; once true, the check ends. Empty: never
 };
 
-/// The sum of all tasks (mark.hpp); absent if `is_stopped` ended the check.
+/// Checks a submission. @return the sum of all tasks (mark.hpp); absent if `is_stopped` ended the check
 /// @throws Error if the submission has no label, or the assignment itself is at fault
-std::optional<nlohmann::ordered_json> checked(const std::filesystem::path& submission,
-                                              const CheckOptions& options);
+std::optional<nlohmann::ordered_json> check_submission(const std::filesystem::path& submission,
+                                                       const CheckOptions& options);
 
-/// What a child does: each task's result becomes a line of `results` as soon as it is there. @throws Error
+/// The work of a child process: writes each task's result as a line of `results` once it is marked.
+/// @throws Error
 void mark_tasks(const std::filesystem::path& submission, const std::vector<std::string>& tasks,
                 const std::filesystem::path& results, bool keeps_pictures);
 
-/// One submission that was tried, and what came of it.
+/// One submission that was tried, and its result.
 struct Proof {
     std::string task; // empty: all tasks
     std::string name; // "reference", "empty", or the variant's
@@ -40,11 +41,10 @@ struct Proof {
     bool holds = false;
 };
 
-/// Needs a current context. @throws Error where the assignment is at fault
+/// Proves an assignment. Needs a current context. @throws Error if the assignment is at fault
 std::vector<Proof> proofs_of(const Assignment& assignment);
 
-/// Fewer mistakes or solutions than an assignment is expected to list, one line a task; empty if there are
-/// enough.
+/// The tasks that list too few mistakes or solutions, one line each.
 std::vector<std::string> shortages(const Assignment& assignment);
 
 } // namespace sr::assignment

@@ -166,7 +166,7 @@ std::string declarations(std::span<const Input> columns) {
     return text;
 }
 
-std::string described(const Inputs& inputs, std::size_t row, const std::string& without) {
+std::string describe(const Inputs& inputs, std::size_t row, const std::string& without) {
     const std::vector<int> offsets = offsets_of(inputs.columns);
     std::vector<std::string> words;
     for (std::size_t c = 0; c < inputs.columns.size(); ++c) {

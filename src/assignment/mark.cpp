@@ -84,19 +84,19 @@ Finding Marker::found(const Task& task, const Check& check, const Codes& codes) 
     if (check.kind == Check::Kind::image) {
         Finding finding = pictures_.check(check, codes);
         if (!finding.passed && finding.is_implemented && last_mistake_.empty())
-            finding.diagnosis = pictures_.diagnosed(task, check, finding);
+            finding.diagnosis = pictures_.diagnose(task, check, finding);
         return finding;
     }
     const Inputs inputs = inputs_of(check.inputs, check.rows, check.mean_over, check.mean_count);
     const Compared compared = compare_values(assignment_, parameters_, check, codes, inputs);
-    Finding finding = judged(check, compared, inputs);
+    Finding finding = judge(check, compared, inputs);
     if (!finding.passed && finding.is_implemented)
         finding.diagnosis =
-            sr::assignment::diagnosed(assignment_, parameters_, task, check, compared, inputs, last_mistake_);
+            sr::assignment::diagnose(assignment_, parameters_, task, check, compared, inputs, last_mistake_);
     return finding;
 }
 
-ordered_json Marker::marked_check(const Task& task, const Check& check, const Codes& codes) {
+ordered_json Marker::mark_check(const Task& task, const Check& check, const Codes& codes) {
     Finding finding = found(task, check, codes);
     // A mistake that an earlier check named is the likeliest cause of what this one cannot name.
     if (!finding.passed && finding.is_implemented && !finding.diagnosis && !last_mistake_.empty())
@@ -136,7 +136,7 @@ ordered_json Marker::mark(const Task& task, const Submission& submission) {
     try {
         for (const Check& check : task.checks) {
             if (!is_implemented) break;
-            result["checks"].push_back(marked_check(task, check, codes));
+            result["checks"].push_back(mark_check(task, check, codes));
             points += result["checks"].back()["points"].get<double>();
             is_implemented = result["checks"].back()["implemented"];
         }
@@ -165,7 +165,7 @@ ordered_json ended_early(const Task& task, const std::string& why) {
     return result;
 }
 
-ordered_json summed(const Assignment& assignment, const std::string& student, const ordered_json& tasks) {
+ordered_json sum_of(const Assignment& assignment, const std::string& student, const ordered_json& tasks) {
     double points = 0.0;
     for (const ordered_json& task : tasks) points += task["points"].get<double>();
     const double of = assignment.points();

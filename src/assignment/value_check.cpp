@@ -157,7 +157,7 @@ Compared compare_values(const Assignment& assignment, const Parameters& paramete
     return compared;
 }
 
-Finding judged(const Check& check, const Compared& compared, const Inputs& inputs) {
+Finding judge(const Check& check, const Compared& compared, const Inputs& inputs) {
     const int count = components_of(check.type);
     Finding finding;
     finding.is_implemented = compared.got.is_implemented;
@@ -182,15 +182,15 @@ Finding judged(const Check& check, const Compared& compared, const Inputs& input
                        : check.relation == Relation::at_least ? "≥ "
                                                               : "";
     finding.expected = sign + text_of(compared.expected[worst], check.type);
-    finding.at = described(inputs, worst * inputs.group, check.mean_over);
+    finding.at = describe(inputs, worst * inputs.group, check.mean_over);
     if (!finding.passed)
         finding.message = fmt::format("wrong for {} of {} inputs", failing, compared.expected.size());
     return finding;
 }
 
-std::optional<Named> diagnosed(const Assignment& assignment, const Parameters& parameters, const Task& task,
-                               const Check& check, const Compared& compared, const Inputs& inputs,
-                               const std::string& first) {
+std::optional<Named> diagnose(const Assignment& assignment, const Parameters& parameters, const Task& task,
+                              const Check& check, const Compared& compared, const Inputs& inputs,
+                              const std::string& first) {
     const int count = components_of(check.type);
     std::vector<const Variant*> mistakes;
     for (const Variant& variant : task.variants)
@@ -299,7 +299,7 @@ Finding check_samples(const Assignment& assignment, const Parameters& parameters
         const double statistic = row.is_unit ? chi_squared_excess(expected, row.counts).value_or(1e9) : 1e9;
         if (!(statistic <= worst)) {
             worst = statistic;
-            finding.at = described(draws, r * draws.group, "u");
+            finding.at = describe(draws, r * draws.group, "u");
             finding.got = fmt::format("{:.3g}", statistic);
             finding.message = !row.is_unit ? "some directions are not of length 1"
                               : std::abs(integral - 1.0) > 0.05

@@ -85,7 +85,7 @@ ExitStatus check_once(const AssignmentArguments& arguments) {
     const Interruption interruption;
     assignment::CheckOptions options = options_of(arguments);
     options.is_stopped = [&] { return interruption.has_come(); };
-    const auto result = assignment::checked(arguments.folder, options);
+    const auto result = assignment::check_submission(arguments.folder, options);
     if (!result) return interrupted;
     return show(*result, arguments) ? done : failed_check;
 }
@@ -108,7 +108,7 @@ ExitStatus check_and_watch(const AssignmentArguments& arguments) {
     while (!interruption.has_come()) {
         is_outdated = false;
         print_remark("checking {}", arguments.folder);
-        if (const auto result = assignment::checked(arguments.folder, options)) {
+        if (const auto result = assignment::check_submission(arguments.folder, options)) {
             show(*result, arguments);
             print_remark("saving a file checks again; Ctrl-C ends");
         }
@@ -128,7 +128,7 @@ std::string archive_name(const assignment::FolderLabel& label) {
 /// What the student's own check finds; absent, with a remark, where it cannot run.
 std::optional<ordered_json> own_result(const AssignmentArguments& arguments) {
     try {
-        return assignment::checked(arguments.folder, options_of(arguments));
+        return assignment::check_submission(arguments.folder, options_of(arguments));
     } catch (const Error& error) {
         print_remark("packed without a check: {}", error.what());
         return std::nullopt;

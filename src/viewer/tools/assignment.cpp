@@ -195,7 +195,7 @@ void Checker::begin() {
     };
     ending_ = std::async(std::launch::async, [submission = submission_, options]() -> std::string {
         try {
-            assignment::checked(submission, options);
+            assignment::check_submission(submission, options);
         } catch (const Error& error) {
             return error.what();
         }

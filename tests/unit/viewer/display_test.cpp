@@ -1,4 +1,4 @@
-// What the window shows is what files get.
+// The window shows the picture that files get.
 #include "core/luminance.hpp"
 #include "image/colormap.hpp"
 #include "image/display.hpp"
