@@ -103,7 +103,7 @@ ordered_json as_json(const ProbeCommand& command, const OpenScene& open, const r
             {"height", open.size.height},
             {"camera", open.stage.camera.name},
             {"samples", command.rendering.stop.samples},
-            {"seed", command.rendering.seed},
+            {"seed", command.rendering.rendering.seed},
             {"x [m]", place(terms.x, open.stage.scene)},
             {"n", triple(terms.n)},
             {"wo", triple(terms.wo)},
@@ -133,7 +133,7 @@ std::string row_of(int k, const scene::Light& light, const render::LightTerms& t
 void print(const ProbeCommand& command, const OpenScene& open, const render::PixelTerms& terms) {
     print_data("pixel {},{} of {}x{}, camera '{}', {} samples, seed {}\n\n", command.pixel.column,
                command.pixel.row, open.size.width, open.size.height, shown(open.stage.camera.name),
-               command.rendering.stop.samples, command.rendering.seed);
+               command.rendering.stop.samples, command.rendering.rendering.seed);
     const glm::dvec3 x = open.stage.scene.origin + glm::dvec3(terms.x);
     const bool is_far = open.stage.scene.origin != glm::dvec3(0.0); // more digits than four
     print_data("  x   {} m\n  n   {}\n  wo  {}\n\n",

@@ -17,7 +17,8 @@ void check_view(const RenderCommand& command) {
     if (command.light_layers || command.asks_for_error())
         throw CLI::ValidationError(
             "--view", "only pictures of radiance have --layers, --error, --time and --aov error");
-    if (command.estimator != render::Estimator::sampled && command.view->finish != output::Finish::luminance)
+    if (command.rendering.estimator != render::Estimator::sampled
+        && command.view->finish != output::Finish::luminance)
         throw CLI::ValidationError("--view",
                                    "this one takes points on the lights: leave --estimator at sampled");
 }
@@ -25,7 +26,8 @@ void check_view(const RenderCommand& command) {
 /// Refuses to filter what has more noise than shadows, or numbers that would no longer belong together.
 void check_denoising(const RenderCommand& command) {
     if (!command.denoises) return;
-    if (command.estimator != render::Estimator::analytic || command.visibility == render::Visibility::none)
+    if (command.rendering.estimator != render::Estimator::analytic
+        || command.visibility == render::Visibility::none)
         throw CLI::ValidationError("--denoise", "only shadows are filtered, of --estimator analytic");
     if (command.light_layers || command.view || command.stop.error)
         throw CLI::ValidationError("--denoise", "a filtered picture has no --layers, --view or --error");

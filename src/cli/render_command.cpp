@@ -33,24 +33,17 @@ struct Picture {
     Stop stop;
 };
 
-/// Returns the unit of the film, or of the view that replaces it.
-std::string unit_of(const RenderCommand& command, scene::UnitSystem units) {
-    if (!command.view || !command.view->unit) return std::string(scene::radiance_unit(units));
-    const bool is_irradiance = std::string_view(command.view->unit) == "lx";
-    return is_irradiance && units == scene::UnitSystem::radiometric ? "W/m^2" : command.view->unit;
-}
-
 /// Sets the provenance of the images.
 void describe(Picture& picture, const RenderCommand& command, const scene::Stage& stage,
               const gl::ContextInfo& gl) {
     std::vector<image::Attribute> attributes =
-        render::attributes_of({.unit = unit_of(command, stage.scene.units),
+        render::attributes_of({.unit = output::unit_of(command.view, stage.scene.units),
                                .camera = stage.camera.name,
-                               .estimator = command.estimator,
-                               .analytic_points = command.analytic_points,
+                               .estimator = command.rendering.estimator,
+                               .analytic_points = command.rendering.analytic_points,
                                .visibility = command.visibility,
                                .samples = picture.samples,
-                               .seed = command.seed,
+                               .seed = command.rendering.seed,
                                .error = picture.stop.error,
                                .error_target = command.stop.error,
                                .seconds = command.at,
@@ -91,9 +84,9 @@ ordered_json summary(const RenderCommand& command, const scene::Stage& stage, co
             {"outputs", command.outputs},
             {"width", size.width},
             {"height", size.height},
-            {"estimator", render::name_of(command.estimator)},
-            {"seed", command.seed},
-            {"unit", unit_of(command, stage.scene.units)},
+            {"estimator", render::name_of(command.rendering.estimator)},
+            {"seed", command.rendering.seed},
+            {"unit", output::unit_of(command.view, stage.scene.units)},
             {"camera", stage.camera.name},
             {"lights", stage.lights.size()},
             {"triangles", scene::triangle_count(stage.scene)},

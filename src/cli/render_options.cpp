@@ -89,7 +89,7 @@ void declare_picture(CLI::App& command, RenderCommand& o) {
                     "samples a pixel: sub-pixel positions and points on each emitter")
         ->check(CLI::Range(1, 1 << 24))
         ->capture_default_str();
-    command.add_option("--seed", o.seed, "another seed is another, equally good set of samples")
+    command.add_option("--seed", o.rendering.seed, "another seed is another, equally good set of samples")
         ->capture_default_str();
     parsed(command, "--visibility",
            "shadows: a ray to each sample, on the CPU in software GL, in GLSL elsewhere; depth maps from "
@@ -99,18 +99,18 @@ void declare_picture(CLI::App& command, RenderCommand& o) {
            [&o](render::Visibility visibility) { o.visibility = visibility; });
     command
         .add_option(
-            "--map-points", o.maps.points,
+            "--map-points", o.rendering.maps.points,
             "with --visibility map: points on each emitter that a sample has, each with its depth maps")
         ->check(CLI::Range(1, 32))
         ->capture_default_str();
     command
         .add_option(
-            "--map-size", o.maps.size,
+            "--map-size", o.rendering.maps.size,
             "with --visibility map: texels on a map's side; halved until a sample's maps fit into 256 MiB")
         ->check(CLI::Range(16, 8192))
         ->capture_default_str();
     parsed(command, "--background", "radiance where there is no surface [cd/m²] (default: 0)", "L or R,G,B",
-           parsed_color, [&o](vec3 color) { o.background = color; });
+           parsed_color, [&o](vec3 color) { o.rendering.background = color; });
     declare_rig(command, o.rig, o.environment);
     command.add_flag(
         "--hide-emitters", o.hide_emitters,
@@ -157,11 +157,11 @@ void declare_estimator(CLI::App& command, RenderCommand& o) {
            "how area lights are integrated (default: sampled, which converges to the exact value; "
            "analytic is free of noise: exact for Lambert, an approximation for gloss)",
            "sampled|analytic", estimator_named,
-           [&o](render::Estimator estimator) { o.estimator = estimator; });
+           [&o](render::Estimator estimator) { o.rendering.estimator = estimator; });
     command.add_flag("--energy-compensation", o.has_energy_compensation,
                      "compensate GGX for energy lost to multiple scattering (not part of glTF)");
     command
-        .add_option("--analytic-points", o.analytic_points,
+        .add_option("--analytic-points", o.rendering.analytic_points,
                     "points the analytic estimator takes a lobe and emitter; 0: none, the fitted lobe alone")
         ->check(CLI::Range(0, 4096))
         ->capture_default_str();

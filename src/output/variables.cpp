@@ -118,6 +118,12 @@ std::optional<Variables> parsed_aovs(const std::string& text) {
     return aovs;
 }
 
+std::string unit_of(const Variable* view, scene::UnitSystem units) {
+    if (!view || !view->unit) return std::string(scene::radiance_unit(units));
+    const bool is_irradiance = std::string_view(view->unit) == "lx";
+    return is_irradiance && units == scene::UnitSystem::radiometric ? "W/m^2" : view->unit;
+}
+
 bool holds(const Variables& variables, Finish finish) {
     return std::ranges::any_of(variables, [=](const Variable* v) { return v->finish == finish; });
 }

@@ -1,6 +1,7 @@
 #pragma once
 // The table of output variables: what a picture can hold besides radiance, for `--aov` and `--view`.
 #include "image/image.hpp"
+#include "scene/units.hpp"
 
 #include <optional>
 #include <span>
@@ -64,6 +65,9 @@ std::vector<std::string> channels_of(const Variable& variable);
 
 /// Reads "depth,normal"; absent if a name is unknown or occurs twice.
 std::optional<Variables> parsed_aovs(const std::string& text);
+
+/// Returns the unit of a view; of radiance if `view` is null.
+std::string unit_of(const Variable* view, scene::UnitSystem units);
 
 bool holds(const Variables& variables, Finish finish);
 

@@ -1,4 +1,7 @@
-// Display tool: exposure, tone curve, false colour.
+// Display tool: exposure, tone curve, views.
+#include "core/error.hpp"
+#include "gl/program.hpp"
+#include "output/variables.hpp"
 #include "viewer/tools/tool.hpp"
 
 #include <algorithm>
@@ -14,6 +17,16 @@ constexpr float exposure_step = 1.0f / 3.0f; // [EV]
 
 /// In the order of image::ToneCurve.
 constexpr std::array curves{"linear", "ACES", "neutral", "AgX"};
+
+/// Returns the view after `view` in the table; null, radiance, after the last one.
+const output::Variable* next_view(const output::Variable* view) {
+    bool is_next = !view;
+    for (const output::Variable& variable : output::all_variables()) {
+        if (is_next && output::view_named(variable.name)) return &variable;
+        is_next = is_next || &variable == view;
+    }
+    return nullptr;
+}
 
 /// Draws the false colours with labelled decades.
 void draw_legend(const image::Decades& decades, std::string_view unit) {
@@ -50,6 +63,10 @@ public:
 
     std::optional<Changes> handle(const Event& event) override;
     Changes draw_section() override;
+
+private:
+    Changes draw_views();
+    Changes set_view(const output::Variable* view);
 };
 
 std::optional<Changes> AdjustDisplay::handle(const Event& event) {
@@ -65,7 +82,11 @@ std::optional<Changes> AdjustDisplay::handle(const Event& event) {
         display.curve =
             static_cast<image::ToneCurve>((static_cast<std::size_t>(display.curve) + 1) % curves.size());
         break;
-    case Command::false_color: display.is_false_color = !display.is_false_color; break;
+    case Command::false_color: {
+        const output::Variable* luminance = output::view_named("luminance");
+        return set_view(display.view == luminance ? nullptr : luminance);
+    }
+    case Command::next_view: return set_view(next_view(display.view));
     default: return std::nullopt;
     }
     return Change::display;
@@ -88,13 +109,44 @@ Changes AdjustDisplay::draw_section() {
     int curve = static_cast<int>(display.curve);
     if (ImGui::Combo("tone curve", &curve, curves.data(), static_cast<int>(curves.size())))
         display.curve = static_cast<image::ToneCurve>(curve);
-    ImGui::Checkbox("false colour", &display.is_false_color);
-    if (!display.is_false_color) return {};
+    const Changes changes = draw_views();
+    if (!display.view || display.view->display != output::Display::false_color) return changes;
     image::Decades& decades = display.decades;
     ImGui::DragFloatRange2("decades", &decades.first, &decades.last, 0.05f, -12.0f, 12.0f, "1e%.1f");
     decades.last = std::max(decades.last, decades.first + 0.5f);
     draw_legend(decades, scene::radiance_unit(ws_.scene->stage().scene.units));
-    return {};
+    return changes;
+}
+
+Changes AdjustDisplay::draw_views() {
+    const output::Variable* const shown = ws_.display.view;
+    if (!ImGui::BeginCombo("view", shown ? shown->name : "radiance")) return {};
+    const output::Variable* chosen = shown;
+    if (ImGui::Selectable("radiance", !shown)) chosen = nullptr;
+    for (const output::Variable& variable : output::all_variables())
+        if (output::view_named(variable.name) && ImGui::Selectable(variable.name, shown == &variable))
+            chosen = &variable;
+    ImGui::EndCombo();
+    return chosen == shown ? Changes() : set_view(chosen);
+}
+
+/// Shows one term of the equation, or radiance if `view` is null. Restarts the render if its shader changes.
+Changes AdjustDisplay::set_view(const output::Variable* view) {
+    std::string& shader = ws_.options.rendering.shader;
+    const std::string before = shader;
+    shader = view ? view->shader : render::RenderOptions().shader;
+    ws_.messages.notify(view ? fmt::format("View: {}, {}.", view->name, view->what) : "View: radiance.");
+    try {
+        if (shader != before) ws_.scene->restart(ws_.options, ws_.camera->camera(), ws_.width, ws_.height);
+    } catch (const Error& error) {
+        shader = before;
+        ws_.messages.fail("Cannot show this view.", error.what());
+        return Change::redraw;
+    }
+    ws_.display.view = view;
+    if (shader == before) return Change::display;
+    ws_.display.comparison = Comparison::none;
+    return Change::materials;
 }
 
 std::unique_ptr<Tool> make_adjust_display(Workspace& workspace) {

@@ -87,25 +87,27 @@ Changes Files::write(const std::string& extension) {
     const ProgressiveRender& render = ws_.scene->render();
     const render::RenderOptions& rendering = ws_.options.rendering;
     const int samples = render.sample_count();
-    image::Image film = render.film();
+    const output::Variable* const view = ws_.display.view;
+    const scene::UnitSystem units = ws_.scene->stage().scene.units;
+    image::Image film = view ? output::numbers_of(*view, render.film()) : render.film();
     film.channel_names = {"R", "G", "B", "A"};
-    film.attributes =
-        render::attributes_of({.unit = std::string(scene::radiance_unit(ws_.scene->stage().scene.units)),
-                               .camera = ws_.camera->argument(),
-                               .estimator = rendering.estimator,
-                               .analytic_points = rendering.analytic_points,
-                               .visibility = ws_.options.visibility,
-                               .samples = {static_cast<double>(samples), samples, samples},
-                               .seed = rendering.seed,
-                               .error = render.error(),
-                               .error_target = render.rule().error,
-                               .seconds = ws_.playback.seconds,
-                               .stopped_by = render.stopped_by(),
-                               .view = {}},
-                              ws_.window.info());
+    film.attributes = render::attributes_of({.unit = output::unit_of(view, units),
+                                             .camera = ws_.camera->argument(),
+                                             .estimator = rendering.estimator,
+                                             .analytic_points = rendering.analytic_points,
+                                             .visibility = ws_.options.visibility,
+                                             .samples = {static_cast<double>(samples), samples, samples},
+                                             .seed = rendering.seed,
+                                             .error = render.error(),
+                                             .error_target = render.rule().error,
+                                             .seconds = ws_.playback.seconds,
+                                             .stopped_by = render.stopped_by(),
+                                             .view = view ? view->name : ""},
+                                            ws_.window.info());
     const std::string file = free_name(ws_.scene->loaded().file, extension);
     try {
-        output::write(film, nullptr, {file}, {.ev100 = ws_.display.ev100, .tone_curve = ws_.display.curve});
+        output::write(film, nullptr, {file},
+                      {.ev100 = ws_.display.ev100, .tone_curve = ws_.display.curve, .view = view});
         ws_.messages.notify(fmt::format("Wrote {}.", file));
     } catch (const Error& error) {
         ws_.messages.fail("Cannot write the picture.", error.what());

@@ -2,9 +2,11 @@
 #include "core/luminance.hpp"
 #include "image/colormap.hpp"
 #include "image/display.hpp"
+#include "output/variables.hpp"
 #include "support/address.hpp"
 #include "support/gl.hpp"
 #include "support/glsl_table.hpp"
+#include "viewer/view/presenter.hpp"
 
 #include <cmath>
 #include <limits>
@@ -62,6 +64,32 @@ const Test false_colors("unit.viewer.display.false_colours_equal_the_files", [] 
         for (std::size_t i = 0; i < rows.size(); ++i)
             for (int c = 0; c < 3; ++c) // a hundredth of an 8-bit step
                 EXPECT_NEAR(shown[i][c], expected[i][c], 4e-5f) << rows[i][0].x << " cd/m²";
+    }
+});
+
+const Test views("unit.viewer.display.views_equal_the_files", [] {
+    sr::testing::context();
+    image::Image film(24, 1, 4);
+    std::vector<sr::testing::Row> rows;
+    for (int i = 0; i < film.width; ++i) { // shares, with and without a divisor and coverage
+        const float divisor = i % 4 == 0 ? 0.0f : 0.2f * static_cast<float>(i);
+        const float coverage = i % 3 == 0 ? 0.0f : 1.0f;
+        const vec4 pixel(0.3f * divisor, 0.7f * divisor, divisor, coverage);
+        for (int c = 0; c < 4; ++c) film.at(i, 0)[static_cast<std::size_t>(c)] = pixel[c];
+        rows.push_back({pixel});
+    }
+    for (const output::Variable& variable : output::all_variables()) {
+        using output::Display;
+        if (variable.display != Display::share && variable.display != Display::leaks) continue;
+        const auto shown =
+            sr::testing::evaluate(viewer::view_glsl(&variable) + "#include \"display/view.glsl\"\n",
+                                  "return vec4(view_color(a), 1.0);", rows);
+        const image::Image expected = output::colors_of(variable, output::numbers_of(variable, film));
+        for (int i = 0; i < film.width; ++i)
+            for (int c = 0; c < 3; ++c)
+                EXPECT_NEAR(shown[static_cast<std::size_t>(i)][c],
+                            expected.at(i, 0)[static_cast<std::size_t>(c)], 4e-5f)
+                    << variable.name << " at " << i;
     }
 });
 
