@@ -1,5 +1,6 @@
 // Colour map of luminance: viridis on a logarithmic scale, as src/image/colormap.cpp does it for files.
-// The includer declares colormap_colors.
+// The viewer sets colormap_colors.
+#include "display/choice.glsl"
 
 // Y of linear Rec. 709 (ITU-R BT.709-6, item 3.2).
 float luminance(vec3 rgb) { return dot(rgb, vec3(0.2126, 0.7152, 0.0722)); }

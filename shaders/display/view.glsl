@@ -1,10 +1,11 @@
-// Pictures of views, as src/output/variables.cpp makes them for files. The includer declares view_kind and view_without.
+// Pictures of views, as src/output/variables.cpp makes them for files.
+#include "display/choice.glsl"
 #include "display/displayed.glsl"
 
-const int exposed_view = 0; // shown as radiance
-const int share_view = 1;   // 0 to 1 in red, green and blue
+const int exposed_view = 0;  // shown as radiance
+const int share_view = 1;    // 0 to 1 in red, green and blue
 const int quotient_view = 2; // red over green
-const int leak_view = 3;    // red and green over blue
+const int leak_view = 3;     // red and green over blue
 
 // Code values for a film's pixel; not for exposed_view.
 vec3 view_color(vec4 film) {
