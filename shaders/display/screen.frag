@@ -1,8 +1,8 @@
 #version 410 core
 // The film on a screen: what the viewer's window shows behind its panels.
 #include "display/choice.glsl"
-#include "display/displayed.glsl"
-#include "display/false_color.glsl"
+#include "display/colormap.glsl"
+#include "display/view.glsl"
 
 uniform sampler2D film_sum;  // the sum of all samples
 uniform float film_weight;   // 1 / their number
@@ -11,45 +11,46 @@ uniform sampler2D other_sum; // what it is compared with
 uniform float other_weight;
 uniform vec2 window_size;
 uniform float exposure;
-uniform vec2 false_color_range; // log2 of the luminances at its ends
+uniform vec2 decades; // powers of ten [cd/m²] at the ends of the colour map
 uniform float wipe;             // where the other picture begins, 0 to 1
 
 out vec4 screen;
 
-vec3 mean(sampler2D sum, float weight, bool has_rest, ivec2 at) {
+vec4 mean(sampler2D sum, float weight, bool has_rest, ivec2 at) {
     if (has_rest) weight = max(weight, texelFetch(rest_weights, at, 0).r);
-    return texelFetch(sum, at, 0).rgb * weight;
+    return texelFetch(sum, at, 0) * weight;
 }
 
 // Pixel by pixel where the film has the window's size, else bilinear in linear light.
-vec3 radiance(sampler2D sum, float weight, bool has_rest) {
+vec4 radiance(sampler2D sum, float weight, bool has_rest) {
     if (!is_scaled) return mean(sum, weight, has_rest, ivec2(gl_FragCoord.xy));
     vec2 size = vec2(textureSize(sum, 0));
     vec2 at = gl_FragCoord.xy * size / window_size - 0.5;
     ivec2 low = ivec2(floor(at + 1e-3)); // a pixel's centre must not fall below itself by rounding
     vec2 between = clamp(at - vec2(low), 0.0, 1.0);
     ivec2 last = ivec2(size) - 1;
-    vec3 rows[2];
+    vec4 rows[2];
     for (int y = 0; y < 2; ++y) {
-        vec3 left = mean(sum, weight, has_rest, clamp(low + ivec2(0, y), ivec2(0), last));
-        vec3 right = mean(sum, weight, has_rest, clamp(low + ivec2(1, y), ivec2(0), last));
+        vec4 left = mean(sum, weight, has_rest, clamp(low + ivec2(0, y), ivec2(0), last));
+        vec4 right = mean(sum, weight, has_rest, clamp(low + ivec2(1, y), ivec2(0), last));
         rows[y] = mix(left, right, between.x);
     }
     return mix(rows[0], rows[1], between.y);
 }
 
-vec3 other_radiance() { return radiance(other_sum, other_weight, false); }
+vec4 other_radiance() { return radiance(other_sum, other_weight, false); }
 
-vec3 shown(vec3 L) {
+vec3 shown(vec4 film) {
+    if (view_kind != exposed_view) return view_color(film);
+    vec3 L = film.rgb;
     if (!is_false_color) return displayed(L, exposure, shown_curve);
     if (!is_finite(L)) return vec3(1.0, 0.0, 1.0);
-    float ev = log2(max(luminance(L), 1e-30));
-    return false_color((ev - false_color_range.x) / (false_color_range.y - false_color_range.x));
+    return luminance_color(luminance(L), decades);
 }
 
 vec3 shown_other() {
-    vec3 light = other_radiance();
-    return is_other_displayed ? srgb_encoded(light) : shown(light);
+    vec4 other = other_radiance();
+    return is_other_displayed ? srgb_encoded(other.rgb) : shown(other);
 }
 
 // Blue where the film is darker than the other, orange where it is brighter, grey where they agree; full at one half.
@@ -62,13 +63,14 @@ vec3 difference(vec3 L, vec3 other) {
 }
 
 void main() {
-    vec3 L = radiance(film_sum, film_weight, is_resting);
-    vec3 color = shown(L);
+    vec4 film = radiance(film_sum, film_weight, is_resting);
+    vec3 L = film.rgb;
+    vec3 color = shown(film);
     if (comparison == 2) {
         vec3 here = is_other_displayed ? clamp(toned(L * exposure, shown_curve), 0.0, 1.0) : L;
-        color = difference(here, other_radiance());
+        color = difference(here, other_radiance().rgb);
     }
-    if (comparison == 3) color = false_color(other_radiance().r);
+    if (comparison == 3) color = colormap(other_radiance().r);
     if (comparison == 1) {
         float edge = gl_FragCoord.x - wipe * window_size.x;
         if (edge > 0.0) color = shown_other();

@@ -1,6 +1,6 @@
 #include "brdf/pictures.hpp"
 
-#include "image/luminance.hpp"
+#include "core/luminance.hpp"
 #include "render/renderer.hpp"
 
 #include <algorithm>
@@ -69,7 +69,7 @@ std::string curve(BrdfEvaluator& evaluator, const View& view, std::size_t row) {
     const std::vector<vec3> f = evaluator.values(pairs);
     std::vector<double> lobe;
     for (std::size_t i = 0; i < f.size(); ++i)
-        lobe.push_back(std::max(0.0, static_cast<double>(image::luminance(f[i]) * pairs[i].wi.z)));
+        lobe.push_back(std::max(0.0, static_cast<double>(luminance(f[i]) * pairs[i].wi.z)));
     const double most = *std::max_element(lobe.begin(), lobe.end());
     std::string path;
     for (std::size_t i = 0; i < lobe.size(); ++i)

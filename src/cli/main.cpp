@@ -89,6 +89,7 @@ void declare_commands(CLI::App& app) {
     add_export_command(app);
     add_brdf_command(app);
     add_assignment_command(app);
+    add_completion_command(app);
     add_trial_command(app);
 }
 

@@ -91,7 +91,7 @@ scene::StageOptions stage_options(const RenderCommand& command, const Opened& op
 
 /// Says which lights the analytic estimator cannot do without noise.
 void remark_on_estimator(const RenderCommand& command, const scene::Stage& stage) {
-    if (command.estimator != render::Estimator::analytic) return;
+    if (command.rendering.estimator != render::Estimator::analytic) return;
     for (const scene::Light& light : stage.lights) {
         if (const auto* environment = std::get_if<scene::EnvironmentLight>(&light))
             print_remark("{}: '{}' surrounds the scene: it is sampled{}", command.scene, environment->name,
@@ -157,19 +157,14 @@ render::GpuScene uploaded(const OpenScene& open, const RenderCommand& command) {
 }
 
 render::RenderOptions render_options(const RenderCommand& command, Size size) {
-    render::RenderOptions options;
+    render::RenderOptions options = command.rendering;
     options.width = size.width;
     options.height = size.height;
     options.samples = command.stop.samples;
     options.knows_error = command.asks_for_error();
-    options.seed = command.seed;
-    options.background = command.background;
     options.shader_path = shader_path(command.shaders);
     if (!command.shaders.empty()) options.trial = std::make_shared<gl::TrialCompiler>(command.backend);
-    options.estimator = command.estimator;
-    options.analytic_points = command.analytic_points;
     if (command.view) options.shader = command.view->shader;
-    options.maps = command.maps;
     return options;
 }
 

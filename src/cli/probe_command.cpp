@@ -1,9 +1,9 @@
 #include "cli/commands.hpp"
 #include "cli/interruption.hpp"
 #include "cli/open_scene.hpp"
+#include "core/luminance.hpp"
 #include "core/output.hpp"
 #include "core/text.hpp"
-#include "image/luminance.hpp"
 #include "render/probe.hpp"
 
 #include <CLI/CLI.hpp>
@@ -103,7 +103,7 @@ ordered_json as_json(const ProbeCommand& command, const OpenScene& open, const r
             {"height", open.size.height},
             {"camera", open.stage.camera.name},
             {"samples", command.rendering.stop.samples},
-            {"seed", command.rendering.seed},
+            {"seed", command.rendering.rendering.seed},
             {"x [m]", place(terms.x, open.stage.scene)},
             {"n", triple(terms.n)},
             {"wo", triple(terms.wo)},
@@ -127,13 +127,13 @@ std::string row_of(int k, const scene::Light& light, const render::LightTerms& t
     const std::string extent = t.solid_angle > 0.0f ? fmt::format("{:.4g}", t.solid_angle) : "-";
     return fmt::format("{:>3} {:<18}{:<12}{:>9} {:>7.3f}{:>7.3f}{:>7.3f}{:>8.4f}{:>8.4f}{:>11.4g}{:>10.4g}{}",
                        k, fitted(light_name(light)), shape_of(light), extent, t.wi.x, t.wi.y, t.wi.z, t.cos_i,
-                       t.V, image::luminance(t.f_r), image::luminance(t.E), cells(t.L_r, 11));
+                       t.V, luminance(t.f_r), luminance(t.E), cells(t.L_r, 11));
 }
 
 void print(const ProbeCommand& command, const OpenScene& open, const render::PixelTerms& terms) {
     print_data("pixel {},{} of {}x{}, camera '{}', {} samples, seed {}\n\n", command.pixel.column,
                command.pixel.row, open.size.width, open.size.height, shown(open.stage.camera.name),
-               command.rendering.stop.samples, command.rendering.seed);
+               command.rendering.stop.samples, command.rendering.rendering.seed);
     const glm::dvec3 x = open.stage.scene.origin + glm::dvec3(terms.x);
     const bool is_far = open.stage.scene.origin != glm::dvec3(0.0); // more digits than four
     print_data("  x   {} m\n  n   {}\n  wo  {}\n\n",

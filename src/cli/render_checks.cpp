@@ -1,8 +1,8 @@
 #include "cli/render_checks.hpp"
 
 #include "cli/frame_names.hpp"
-#include "cli/outputs.hpp"
 #include "image/whole_file.hpp"
+#include "output/write.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -17,7 +17,8 @@ void check_view(const RenderCommand& command) {
     if (command.light_layers || command.asks_for_error())
         throw CLI::ValidationError(
             "--view", "only pictures of radiance have --layers, --error, --time and --aov error");
-    if (command.estimator != render::Estimator::sampled && command.view->kind != ViewKind::luminance)
+    if (command.rendering.estimator != render::Estimator::sampled
+        && command.view->finish != output::Finish::luminance)
         throw CLI::ValidationError("--view",
                                    "this one takes points on the lights: leave --estimator at sampled");
 }
@@ -25,7 +26,8 @@ void check_view(const RenderCommand& command) {
 /// Refuses to filter what has more noise than shadows, or numbers that would no longer belong together.
 void check_denoising(const RenderCommand& command) {
     if (!command.denoises) return;
-    if (command.estimator != render::Estimator::analytic || command.visibility == render::Visibility::none)
+    if (command.rendering.estimator != render::Estimator::analytic
+        || command.visibility == render::Visibility::none)
         throw CLI::ValidationError("--denoise", "only shadows are filtered, of --estimator analytic");
     if (command.light_layers || command.view || command.stop.error)
         throw CLI::ValidationError("--denoise", "a filtered picture has no --layers, --view or --error");
@@ -42,9 +44,9 @@ void check_outputs(const RenderCommand& command) {
                                                          output));
         image::require_writable(command.frames ? *numbered(output, 0) : output);
     }
-    if (std::ranges::find(command.aovs, Aov::error) != command.aovs.end() && command.stop.samples < 2)
+    if (output::holds(command.aovs, output::Finish::error) && command.stop.samples < 2)
         throw CLI::ValidationError("--aov", "error takes --samples 2 at least");
-    if (std::ranges::any_of(command.outputs, holds_layers)) return;
+    if (std::ranges::any_of(command.outputs, output::holds_layers)) return;
     for (const auto& [is_asked, option] :
          {std::pair(command.light_layers, "--layers"), std::pair(!command.aovs.empty(), "--aov")})
         if (is_asked) throw CLI::ValidationError(option, "only .exr files hold layers: name one with -o");

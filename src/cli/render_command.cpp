@@ -1,13 +1,13 @@
 #include "cli/commands.hpp"
-#include "cli/denoising.hpp"
-#include "cli/layers.hpp"
 #include "cli/open_scene.hpp"
-#include "cli/outputs.hpp"
 #include "cli/render_checks.hpp"
 #include "cli/render_options.hpp"
 #include "cli/summary.hpp"
 #include "core/error.hpp"
 #include "core/output.hpp"
+#include "output/denoise.hpp"
+#include "output/planes.hpp"
+#include "output/write.hpp"
 #include "render/provenance.hpp"
 #include "render/renderer.hpp"
 
@@ -25,15 +25,68 @@ namespace {
 
 using nlohmann::ordered_json;
 
+/// Result of a rendering.
+struct Picture {
+    image::Image film;                  // R, G, B, A
+    std::optional<image::Image> layers; // the film and further channels
+    render::SampleCounts samples;
+    Stop stop;
+};
+
+/// Sets the provenance of the images.
+void describe(Picture& picture, const RenderCommand& command, const scene::Stage& stage,
+              const gl::ContextInfo& gl) {
+    std::vector<image::Attribute> attributes =
+        render::attributes_of({.unit = output::unit_of(command.view, stage.scene.units),
+                               .camera = stage.camera.name,
+                               .estimator = command.rendering.estimator,
+                               .analytic_points = command.rendering.analytic_points,
+                               .visibility = command.visibility,
+                               .samples = picture.samples,
+                               .seed = command.rendering.seed,
+                               .error = picture.stop.error,
+                               .error_target = command.stop.error,
+                               .seconds = command.at,
+                               .stopped_by = picture.stop.by,
+                               .view = command.view ? command.view->name : "",
+                               .is_denoised = command.denoises},
+                              gl);
+    std::ranges::move(output::name_tables(command.aovs, stage.scene), std::back_inserter(attributes));
+    picture.film.channel_names = {"R", "G", "B", "A"};
+    picture.film.attributes = attributes;
+    if (picture.layers) picture.layers->attributes = std::move(attributes);
+}
+
+/// Explains black pictures and non-finite pixels on stderr.
+void remark_on(const image::Image& film, const RenderCommand& command, const scene::Stage& stage) {
+    std::size_t covered = 0, lit = 0, broken = 0;
+    for (std::size_t i = 0; i < film.pixels.size(); i += 4) {
+        const vec3 L(film.pixels[i], film.pixels[i + 1], film.pixels[i + 2]);
+        covered += film.pixels[i + 3] > 0.0f;
+        lit += L.r > 0.0f || L.g > 0.0f || L.b > 0.0f;
+        broken += !std::isfinite(L.r + L.g + L.b);
+    }
+    const auto& file = command.scene;
+    if (broken > 0)
+        print_remark("{}: {} pixels are not finite: they are magenta in .png and .jpg", file, broken);
+    if (stage.scene.instances.empty()) return; // the loader has said so
+    if (covered == 0)
+        print_remark("{}: camera '{}' sees no surface: --camera auto frames the scene", file,
+                     stage.camera.name);
+    else if (lit == 0)
+        print_remark("{}: no light reaches what camera '{}' sees: the picture is black", file,
+                     stage.camera.name);
+}
+
 ordered_json summary(const RenderCommand& command, const scene::Stage& stage, const gl::Context& context,
                      Size size) {
     return {{"scene", command.scene},
             {"outputs", command.outputs},
             {"width", size.width},
             {"height", size.height},
-            {"estimator", render::name_of(command.estimator)},
-            {"seed", command.seed},
-            {"unit", unit_of(command, stage.scene.units)},
+            {"estimator", render::name_of(command.rendering.estimator)},
+            {"seed", command.rendering.seed},
+            {"unit", output::unit_of(command.view, stage.scene.units)},
             {"camera", stage.camera.name},
             {"lights", stage.lights.size()},
             {"triangles", scene::triangle_count(stage.scene)},
@@ -43,9 +96,9 @@ ordered_json summary(const RenderCommand& command, const scene::Stage& stage, co
 }
 
 ordered_json stopping(const Picture& picture) {
-    ordered_json json{{"samples", picture.samples.most},
+    ordered_json json{{"samples", picture.samples.max},
                       {"samples_mean", picture.samples.mean},
-                      {"samples_min", picture.samples.least},
+                      {"samples_min", picture.samples.min},
                       {"stopped_by", name_of(picture.stop.by)}};
     if (picture.stop.error) json["error"] = *picture.stop.error;
     return json;
@@ -89,19 +142,22 @@ struct Work {
 };
 
 /// The channels beside the film that were asked for; those of an interrupted step are left out.
-std::vector<Plane> further_planes(const Work& work, const Picture& picture, const std::vector<int>& samples) {
-    std::vector<Plane> planes;
+std::vector<output::Plane> further_planes(const Work& work, const Picture& picture,
+                                          const std::vector<int>& samples) {
+    std::vector<output::Plane> planes;
     const auto goes_on = [&] { return !work.interruption.has_come(); };
     if (work.command.light_layers && goes_on()) {
-        planes = light_layers(
-            layer_names(work.stage.lights, aov_names()), work.renderer, [&](const std::string& layer) {
-                return add_again(work.renderer, picture.samples.most, work.interruption, layer);
-            });
+        planes = output::light_layers(output::layer_names(work.stage.lights, output::aov_names()),
+                                      work.renderer, [&](const std::string& layer) {
+                                          return add_again(work.renderer, picture.samples.max,
+                                                           work.interruption, layer);
+                                      });
         work.times.end("layers");
     }
     if (!work.command.aovs.empty() && goes_on()) {
-        const AovSource source{work.scene, work.stage.camera, work.options, samples, picture.stop.estimate};
-        std::ranges::move(aov_planes(work.command.aovs, source, goes_on), std::back_inserter(planes));
+        const output::AovSource source{work.scene, work.stage.camera, work.options, samples,
+                                       picture.stop.estimate};
+        std::ranges::move(output::aov_planes(work.command.aovs, source, goes_on), std::back_inserter(planes));
         work.times.end("aovs");
     }
     return planes;
@@ -112,25 +168,25 @@ Picture draw(const Work& work) {
     Picture picture;
     picture.stop = add_samples(work.renderer, work.command.stop, work.interruption, work.what);
     const std::vector<int> samples = work.renderer.pixel_samples();
-    picture.samples = counted(samples);
+    picture.samples = render::counted(samples);
     work.times.end("draw");
     picture.film = work.renderer.film();
-    if (work.command.view) picture.film = numbers_of(*work.command.view, picture.film);
+    if (work.command.view) picture.film = output::numbers_of(*work.command.view, picture.film);
     work.times.end("read");
     if (work.command.denoises && !work.interruption.has_come()) {
-        const AovSource source{work.scene, work.stage.camera, work.options, samples, {}};
-        picture.film = denoised(work.renderer, source, [&] { return !work.interruption.has_come(); });
+        const output::AovSource source{work.scene, work.stage.camera, work.options, samples, {}};
+        picture.film = output::denoised(work.renderer, source, [&] { return !work.interruption.has_come(); });
         work.times.end("denoise");
     }
-    const std::vector<Plane> planes = further_planes(work, picture, samples);
-    if (!planes.empty()) picture.layers = with_planes(picture.film, planes);
+    const std::vector<output::Plane> planes = further_planes(work, picture, samples);
+    if (!planes.empty()) picture.layers = output::with_planes(picture.film, planes);
     if (work.interruption.has_come()) picture.stop.by = StoppedBy::interruption;
     return picture;
 }
 
 /// Says why a picture is not what was asked for.
 void remark_on_stop(const Picture& picture, const RenderCommand& command) {
-    const int samples = picture.samples.most;
+    const int samples = picture.samples.max;
     if (picture.stop.by == StoppedBy::interruption)
         print_remark("interrupted after {} of {} samples: what there is was written{}", samples,
                      command.stop.samples,
@@ -156,7 +212,12 @@ std::optional<std::pair<Picture, std::optional<float>>> make_picture(const Work&
     context.require_silence();
     remark_on(picture.film, work.command, work.stage);
     describe(picture, work.command, work.stage, context.info());
-    const auto ev100 = write_outputs(picture, work.command);
+    const auto ev100 =
+        output::write(picture.film, picture.layers ? &*picture.layers : nullptr, work.command.outputs,
+                      {.ev100 = work.command.ev100,
+                       .tone_curve = work.command.tone_curve,
+                       .exr_type = work.command.exr_type,
+                       .view = work.command.view});
     work.times.end("write");
     remark_on_stop(picture, work.command);
     return std::pair(std::move(picture), ev100);

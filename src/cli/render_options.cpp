@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace sr::cli {
 namespace {
@@ -59,9 +60,16 @@ std::optional<std::optional<float>> parsed_exposure(const std::string& text) {
     return value;
 }
 
+std::string aov_help() {
+    return fmt::format(
+        "further channels of .exr files, separated by commas; src/output/README.md describes them: {}",
+        fmt::join(output::aov_names(), ", "));
+}
+
 std::string view_help() {
     std::string text = "one term of the equation instead of radiance, as numbers in .exr and .hdr:";
-    for (const View& view : all_views()) text += std::string(" ") + view.name + " (" + view.what + "),";
+    for (const output::Variable& variable : output::all_variables())
+        if (output::view_named(variable.name)) text += fmt::format(" {} ({}),", variable.name, variable.what);
     text.back() = '.';
     return text;
 }
@@ -81,7 +89,7 @@ void declare_picture(CLI::App& command, RenderCommand& o) {
                     "samples a pixel: sub-pixel positions and points on each emitter")
         ->check(CLI::Range(1, 1 << 24))
         ->capture_default_str();
-    command.add_option("--seed", o.seed, "another seed is another, equally good set of samples")
+    command.add_option("--seed", o.rendering.seed, "another seed is another, equally good set of samples")
         ->capture_default_str();
     parsed(command, "--visibility",
            "shadows: a ray to each sample, on the CPU in software GL, in GLSL elsewhere; depth maps from "
@@ -91,18 +99,18 @@ void declare_picture(CLI::App& command, RenderCommand& o) {
            [&o](render::Visibility visibility) { o.visibility = visibility; });
     command
         .add_option(
-            "--map-points", o.maps.points,
+            "--map-points", o.rendering.maps.points,
             "with --visibility map: points on each emitter that a sample has, each with its depth maps")
         ->check(CLI::Range(1, 32))
         ->capture_default_str();
     command
         .add_option(
-            "--map-size", o.maps.size,
+            "--map-size", o.rendering.maps.size,
             "with --visibility map: texels on a map's side; halved until a sample's maps fit into 256 MiB")
         ->check(CLI::Range(16, 8192))
         ->capture_default_str();
     parsed(command, "--background", "radiance where there is no surface [cd/m²] (default: 0)", "L or R,G,B",
-           parsed_color, [&o](vec3 color) { o.background = color; });
+           parsed_color, [&o](vec3 color) { o.rendering.background = color; });
     declare_rig(command, o.rig, o.environment);
     command.add_flag(
         "--hide-emitters", o.hide_emitters,
@@ -145,15 +153,15 @@ void declare_denoising(CLI::App& command, RenderCommand& o) {
 }
 
 void declare_estimator(CLI::App& command, RenderCommand& o) {
-    parsed(
-        command, "--estimator",
-        "how light from emitters of finite size is added up (default: sampled, which converges to the truth; "
-        "analytic is noiseless: exact for Lambert, near it for gloss)",
-        "sampled|analytic", estimator_named, [&o](render::Estimator estimator) { o.estimator = estimator; });
+    parsed(command, "--estimator",
+           "how area lights are integrated (default: sampled, which converges to the exact value; "
+           "analytic is free of noise: exact for Lambert, an approximation for gloss)",
+           "sampled|analytic", estimator_named,
+           [&o](render::Estimator estimator) { o.rendering.estimator = estimator; });
     command.add_flag("--energy-compensation", o.has_energy_compensation,
-                     "rough GGX gives back what bounces twice between its microfacets (glTF has it not)");
+                     "compensate GGX for energy lost to multiple scattering (not part of glTF)");
     command
-        .add_option("--analytic-points", o.analytic_points,
+        .add_option("--analytic-points", o.rendering.analytic_points,
                     "points the analytic estimator takes a lobe and emitter; 0: none, the fitted lobe alone")
         ->check(CLI::Range(0, 4096))
         ->capture_default_str();
@@ -169,15 +177,15 @@ void declare_output(CLI::App& command, RenderCommand& o) {
             "lights: .exr files get a layer for each light and one for emission, whose sum is the picture")
         ->check(CLI::IsMember({"lights"}))
         ->type_name("lights");
-    parsed(command, "--aov", aov_help().c_str(), "NAME,NAME...", parsed_aovs,
-           [&o](std::vector<Aov> aovs) { o.aovs = std::move(aovs); });
+    parsed(command, "--aov", aov_help().c_str(), "NAME,NAME...", output::parsed_aovs,
+           [&o](output::Variables aovs) { o.aovs = std::move(aovs); });
     parsed(
         command, "--view", view_help().c_str(), "NAME",
-        [](const std::string& name) -> std::optional<const View*> {
-            const View* view = view_named(name);
+        [](const std::string& name) -> std::optional<const output::Variable*> {
+            const output::Variable* view = output::view_named(name);
             return view ? std::optional(view) : std::nullopt;
         },
-        [&o](const View* view) { o.view = view; });
+        [&o](const output::Variable* view) { o.view = view; });
     command.add_flag("--json", o.json, "print a summary as JSON: times by phase, triangles, samples, …");
 }
 
@@ -238,7 +246,7 @@ std::optional<scene::EnvironmentLight> EnvironmentArguments::light() const {
 }
 
 bool RenderCommand::asks_for_error() const {
-    return stop.asks_for_error() || denoises || std::ranges::find(aovs, Aov::error) != aovs.end();
+    return stop.asks_for_error() || denoises || output::holds(aovs, output::Finish::error);
 }
 
 void declare_rendering(CLI::App& command, RenderCommand& options) {

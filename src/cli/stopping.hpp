@@ -1,8 +1,7 @@
 #pragma once
-// Samples until a picture has enough of them.
+// Sampling loops of `steradian render`, with a progress bar.
 #include "cli/interruption.hpp"
 #include "render/convergence.hpp"
-#include "render/stop_rule.hpp"
 
 #include <optional>
 #include <string>
@@ -10,25 +9,21 @@
 namespace sr::cli {
 
 using render::most_samples;
+using render::StoppedBy;
 using render::StopRule;
-
-enum class StoppedBy { samples, time, error, interruption };
-const char* name_of(StoppedBy reason);
 
 struct Stop {
     StoppedBy by = StoppedBy::samples;
-    std::optional<double>
-        error; // what counted in the end; absent if the renderer does not know or cannot tell
-    std::optional<render::ErrorEstimate> estimate; // in the end, whatever was seen before
+    std::optional<double> error;                   // √relMSE; absent if the renderer does not know it
+    std::optional<render::ErrorEstimate> estimate; // of the final samples
 };
 
-/// Adds samples until the rule or the interruption ends it, with a bar on stderr. At least one is taken. The
-/// renderer knows its error if the rule asks for it.
+/// Adds samples, at least one, until the rule or the interruption ends it. The renderer knows its error if
+/// the rule needs it.
 Stop add_samples(render::Renderer& renderer, const StopRule& rule, const Interruption& interruption,
                  const std::string& what);
 
-/// Adds the samples again that the renderer had before repeat(): `count` of them. @return whether all were
-/// added, and no interruption came.
+/// Repeats the `count` samples that the renderer had before repeat(). @return false after an interruption
 bool add_again(render::Renderer& renderer, int count, const Interruption& interruption,
                const std::string& what);
 

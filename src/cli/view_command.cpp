@@ -34,38 +34,19 @@ struct ViewCommand {
 viewer::Options viewer_options(const ViewCommand& command) {
     const RenderCommand& r = command.rendering;
     viewer::Options options;
-    options.scene = r.scene;
-    options.scene_index = r.scene_index;
-    options.camera = r.camera;
-    options.rig = r.rig;
+    static_cast<output::RenderSettings&>(options) = r;
     options.environment = r.environment.light();
-    options.hide_emitters = r.hide_emitters;
-    options.at = r.at;
-    options.animation = r.animation;
     options.plays = command.plays;
-    options.variant = r.variant;
-    options.has_energy_compensation = r.has_energy_compensation;
-    options.visibility = r.visibility;
-    options.stop = r.stop;
-    options.rendering.seed = r.seed;
-    options.rendering.background = r.background;
-    options.rendering.estimator = r.estimator;
-    options.rendering.analytic_points = r.analytic_points;
-    options.shaders = r.shaders;
     options.rendering.shader_path = shader_path(r.shaders); // says now what is wrong with the folders
     if (!r.shaders.empty())
         options.rendering.trial = std::make_shared<gl::TrialCompiler>(gl::Backend::window);
-    options.ev100 = r.ev100;
-    options.tone_curve = r.tone_curve;
     if (r.size) {
         options.width = r.size->width;
         options.height = r.size->height;
     }
-    options.is_strict = r.is_strict;
     options.is_fullscreen = command.is_fullscreen;
     options.has_inertia = command.has_inertia;
     options.is_verbose = command.is_verbose;
-    options.gl_debug = r.gl_debug;
     return options;
 }
 

@@ -1,7 +1,7 @@
 #include "compare/flip.hpp"
 
+#include "core/luminance.hpp"
 #include "core/math.hpp"
-#include "image/luminance.hpp"
 #include "image/tone_curve.hpp"
 
 #include <algorithm>
@@ -258,7 +258,7 @@ Plane hdr_flip(const Image& test, const Image& reference, const Exposures& expos
 Exposures exposures_for(const Image& reference) {
     std::vector<float> lit;
     for (std::size_t i = 0; i < reference.pixels.size() / static_cast<std::size_t>(reference.channels); ++i) {
-        const float Y = image::luminance(color_at(reference, i));
+        const float Y = luminance(color_at(reference, i));
         if (Y > 0.0f && std::isfinite(Y)) lit.push_back(Y);
     }
     if (lit.empty()) return {0.0, 0.0, 1};

@@ -2,6 +2,7 @@
 
 #include "compare/align.hpp"
 #include "core/math.hpp"
+#include "image/colormap.hpp"
 #include "image/display.hpp"
 
 #include <algorithm>
@@ -11,26 +12,15 @@ namespace sr::compare {
 namespace {
 
 using image::Image;
+using image::nonfinite_color;
 
-constexpr vec3 nonfinite_color{1.0f, 0.0f, 1.0f};
 constexpr vec3 excluded_color{0.13f, 0.15f, 0.2f};
-
-/// Green 2011, "A colour scheme for the display of astronomical intensity images", Eq. 2 with its default
-/// parameters (start 0.5, rotations -1.5, hue 1): lightness rises from black to white, also in print.
-vec3 cubehelix(float lightness) {
-    const float angle = 2.0f * pi * (0.5f / 3.0f + 1.0f - 1.5f * lightness);
-    const float amplitude = 0.5f * lightness * (1.0f - lightness);
-    const float c = amplitude * std::cos(angle), s = amplitude * std::sin(angle);
-    const vec3 color(lightness - 0.14861f * c + 1.78277f * s, lightness - 0.29227f * c - 0.90649f * s,
-                     lightness + 1.97294f * c);
-    return glm::clamp(color, vec3(0.0f), vec3(1.0f));
-}
 
 vec3 error_color(float error) {
     if (std::isnan(error)) return nonfinite_color;
     if (error < 0.0f) return excluded_color;
     constexpr float decades = 2.0f; // to each side of the limit
-    return cubehelix(std::clamp(0.5f + std::log10(std::max(error, 1e-30f)) / (2.0f * decades), 0.0f, 1.0f));
+    return image::colormap(0.5f + std::log10(std::max(error, 1e-30f)) / (2.0f * decades));
 }
 
 /// The layer in question, for a screen.

@@ -1,7 +1,7 @@
 #include "compare/planes.hpp"
 
+#include "core/luminance.hpp"
 #include "image/display.hpp"
-#include "image/luminance.hpp"
 #include "image/srgb.hpp"
 
 #include <algorithm>
@@ -95,8 +95,7 @@ Image screen_light(const Image& codes) {
 Plane luma(const Image& codes) {
     Plane plane(codes.width, codes.height);
     for (std::size_t i = 0; i < plane.values.size(); ++i)
-        plane.values[i] =
-            image::luminance(codes.pixels[3 * i], codes.pixels[3 * i + 1], codes.pixels[3 * i + 2]);
+        plane.values[i] = luminance(codes.pixels[3 * i], codes.pixels[3 * i + 1], codes.pixels[3 * i + 2]);
     return plane;
 }
 

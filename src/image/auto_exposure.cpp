@@ -1,5 +1,5 @@
+#include "core/luminance.hpp"
 #include "image/display.hpp"
-#include "image/luminance.hpp"
 
 #include <algorithm>
 #include <array>

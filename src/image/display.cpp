@@ -1,9 +1,9 @@
 #include "image/display.hpp"
 
 #include "core/error.hpp"
+#include "core/luminance.hpp"
 #include "core/parallel.hpp"
 #include "image/log_table.hpp"
-#include "image/luminance.hpp"
 #include "image/srgb.hpp"
 #include "image/tone_curve.hpp"
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <chrono>
 #include <cmath>
 
 namespace sr::render {
@@ -110,6 +111,48 @@ PixelMask Convergence::enough() const {
         for (int x = 0; x < seen_->width; ++x)
             mask.push_back(largest.at(x / block_side, y / block_side) <= most ? 1 : 0);
     return mask;
+}
+
+const char* name_of(StoppedBy reason) {
+    switch (reason) {
+    case StoppedBy::samples: return "samples";
+    case StoppedBy::time: return "time";
+    case StoppedBy::error: return "error";
+    case StoppedBy::interruption: return "interruption";
+    }
+    return "";
+}
+
+void StopMonitor::restart() { *this = StopMonitor(StopRule(rule_)); }
+
+bool StopMonitor::took_sample(Renderer& renderer, double seconds) {
+    using Clock = std::chrono::steady_clock;
+    const Clock::time_point begin = Clock::now();
+    if (is_time_to_look(renderer.sample_count())) update_error(renderer);
+    seconds += std::chrono::duration<double>(Clock::now() - begin).count();
+    seconds_ += seconds;
+    stopped_by_ = condition_met(renderer, seconds);
+    if (stopped_by_) update_error(renderer);
+    return estimated_at_ == renderer.sample_count() && renderer.resting().any(renderer.sample_count());
+}
+
+void StopMonitor::update_error(Renderer& renderer) {
+    const int samples = renderer.sample_count();
+    if (!renderer.knows_error() || samples < 2 || estimated_at_ == samples) return;
+    convergence_.look(renderer);
+    estimated_at_ = samples;
+}
+
+std::optional<double> StopMonitor::error() const {
+    return estimate() ? std::optional(estimate()->error) : std::nullopt;
+}
+
+std::optional<StoppedBy> StopMonitor::condition_met(const Renderer& renderer, double last_seconds) const {
+    if (rule_.error && convergence_.is_reached()) return StoppedBy::error;
+    if (renderer.sample_count() >= rule_.samples) return StoppedBy::samples;
+    if (rule_.error && renderer.all_rest()) return StoppedBy::error;
+    if (rule_.seconds && seconds_ + last_seconds > *rule_.seconds) return StoppedBy::time;
+    return std::nullopt;
 }
 
 } // namespace sr::render

@@ -1,6 +1,7 @@
 #pragma once
 // Samples where they are needed: looks at the error of a growing picture now and then, and lets pixels rest.
 #include "render/renderer.hpp"
+#include "render/stop_rule.hpp"
 
 #include <limits>
 
@@ -37,6 +38,42 @@ private:
     bool is_confirmed_ = false;  // there was a look before
     std::vector<float> squares_; // at the look before: of each pixel
     std::vector<int> samples_;
+};
+
+enum class StoppedBy { samples, time, error, interruption };
+const char* name_of(StoppedBy reason);
+
+/// Progress of a rendering towards its stop rule, sample by sample.
+class StopMonitor {
+public:
+    explicit StopMonitor(const StopRule& rule) : rule_(rule), convergence_(rule.error.value_or(0.0)) {}
+
+    const StopRule& rule() const { return rule_; }
+    /// Restarts for a rendering without samples.
+    void restart();
+    /// Takes note of a complete sample of `renderer`, which took `seconds`. Estimates the error when that is
+    /// due, and freezes converged pixels. @return true if pixels may have been frozen
+    bool took_sample(Renderer& renderer, double seconds);
+    /// Estimates the error of the present samples, unless that is done or the renderer does not know it.
+    void update_error(Renderer& renderer);
+
+    /// The condition of the rule that is met; absent if the rendering goes on.
+    std::optional<StoppedBy> stopped_by() const { return stopped_by_; }
+    /// Time of all samples and estimates [s].
+    double seconds() const { return seconds_; }
+    /// The last estimate; absent before the first one.
+    const std::optional<ErrorEstimate>& estimate() const { return convergence_.seen(); }
+    /// √relMSE of the last estimate; absent before the first one.
+    std::optional<double> error() const;
+
+private:
+    std::optional<StoppedBy> condition_met(const Renderer& renderer, double last_seconds) const;
+
+    StopRule rule_;
+    Convergence convergence_;
+    double seconds_ = 0.0;
+    int estimated_at_ = 0; // samples
+    std::optional<StoppedBy> stopped_by_;
 };
 
 } // namespace sr::render

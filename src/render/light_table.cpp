@@ -1,6 +1,6 @@
 #include "render/light_table.hpp"
 
-#include "image/luminance.hpp"
+#include "core/luminance.hpp"
 #include "render/alias_table.hpp"
 #include "render/emission_maps.hpp"
 
@@ -161,8 +161,8 @@ private:
         for (const auto& triangle : light.triangles) {
             const vec3 color =
                 light.texture >= 0 ? maps_.mean(scene_, light.texture, triangle.uv) : vec3(1.0f);
-            power.push_back(image::luminance(color));
-            brightest = std::max(brightest, image::luminance(color));
+            power.push_back(luminance(color));
+            brightest = std::max(brightest, luminance(color));
         }
         // 64 points may miss what shines in a dark triangle: none may be left out altogether.
         for (std::size_t i = 0; i < power.size(); ++i) {

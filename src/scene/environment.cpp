@@ -1,14 +1,13 @@
 #include "scene/environment.hpp"
 
 #include "core/error.hpp"
+#include "core/luminance.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace sr::scene {
 namespace {
-
-double luminance64(glm::dvec3 c) { return 0.2126 * c.r + 0.7152 * c.g + 0.0722 * c.b; }
 
 /// The cumulative sums of `weights` over their total, the last of which with a weight and all behind it are
 /// exactly 1; all zero without weights.
@@ -64,8 +63,8 @@ void EnvironmentMap::build_tables() {
                 for (int di = -1; di <= 1; ++di)
                     mean += (di == 0 ? 0.75 : 0.125) * (dj == 0 ? 0.75 : 0.125)
                             * glm::dvec3(texel(i + di, j + dj));
-            row[static_cast<std::size_t>(i)] = luminance64(mean);
-            total += luminance64(mean);
+            row[static_cast<std::size_t>(i)] = sr::luminance(mean);
+            total += sr::luminance(mean);
             sum += mean * solid_angle(j);
         }
         append_cdf(row, texel_cdf_);

@@ -46,8 +46,6 @@ dvec3 rgb_of_xyz(dvec3 xyz) { // the rows of the matrix
             glm::dot(dvec3(0.0556434, -0.2040259, 1.0572252), xyz)};
 }
 
-double luminance(vec3 rgb) { return 0.2126 * rgb.r + 0.7152 * rgb.g + 0.0722 * rgb.b; }
-
 dvec3 xyz_of(const Spectrum& spectrum) {
     dvec3 sum(0.0);
     const std::vector<double> places = corners(spectrum);
@@ -61,7 +59,7 @@ dvec3 xyz_of(const Spectrum& spectrum) {
 
 vec3 with_unit_luminance(dvec3 rgb) {
     rgb = glm::max(rgb, dvec3(0.0));
-    const double Y = glm::dot(rgb, dvec3(0.2126, 0.7152, 0.0722));
+    const double Y = sr::luminance(rgb);
     return Y > 0.0 ? vec3(rgb / Y) : vec3(1.0f);
 }
 

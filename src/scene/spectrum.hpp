@@ -1,6 +1,6 @@
 #pragma once
 // Spectra, their colour and how bright a watt of them is.
-#include "core/math.hpp"
+#include "core/luminance.hpp"
 
 #include <vector>
 
@@ -27,8 +27,8 @@ inline constexpr double lumens_per_watt = 683.0;
 /// XYZ to linear Rec. 709 with D65: IEC 61966-2-1.
 glm::dvec3 rgb_of_xyz(glm::dvec3 xyz);
 
-/// Y of linear Rec. 709 (ITU-R BT.709-6, section 3.2).
-double luminance(vec3 rgb);
+/// Returns the luminance in double precision.
+inline double luminance(vec3 rgb) { return sr::luminance(glm::dvec3(rgb)); }
 
 /// ∫ S(λ) (x̄, ȳ, z̄) dλ, exact for what is linear between points.
 glm::dvec3 xyz_of(const Spectrum& spectrum);

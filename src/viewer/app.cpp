@@ -1,7 +1,7 @@
 #include "viewer/app.hpp"
 
 #include "core/error.hpp"
-#include "image/luminance.hpp"
+#include "core/luminance.hpp"
 #include "viewer/config.hpp"
 #include "viewer/panels/help.hpp"
 
@@ -286,9 +286,11 @@ std::string App::under_pointer() const {
     if (!(place.x >= 0.0f && place.x < 1.0f && place.y >= 0.0f && place.y < 1.0f)) return {};
     const int column = static_cast<int>(place.x * static_cast<float>(workspace_.width));
     const int row = static_cast<int>(place.y * static_cast<float>(workspace_.height));
+    const output::Variable* const view = workspace_.display.view;
+    if (view && view->finish != output::Finish::luminance) return {}; // the film has no radiance
     const vec3 L = render.pixel(place);
     return fmt::format("{},{}: L {:.4g} {:.4g} {:.4g}, luminance {:.4g} {}", column, row, L.r, L.g, L.b,
-                       image::luminance(L), scene::radiance_unit(workspace_.scene->stage().scene.units));
+                       luminance(L), scene::radiance_unit(workspace_.scene->stage().scene.units));
 }
 
 /// The title has the progress, which the task bar shows.

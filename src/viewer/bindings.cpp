@@ -63,6 +63,7 @@ constexpr auto table = std::to_array<Binding>({
     {GLFW_KEY_X, 0, auto_exposure, "X", "automatic exposure", "Picture"},
     {GLFW_KEY_T, 0, next_tone_curve, "T", "next tone curve", "Picture"},
     {GLFW_KEY_Y, 0, false_color, "Y", "luminance as false colour", "Picture"},
+    {GLFW_KEY_V, 0, next_view, "V", "next view: one term of the equation", "Picture"},
     {GLFW_KEY_B, 0, compare, "B", "keep a reference, then compare with it", "Picture"},
     {GLFW_KEY_F12, 0, screenshot_png, "F12", "write a PNG", "Picture"},
     {GLFW_KEY_F12, shift, screenshot_exr, "Shift F12", "write an EXR", "Picture"},

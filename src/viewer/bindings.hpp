@@ -40,6 +40,7 @@ enum class Command {
     auto_exposure,
     next_tone_curve,
     false_color,
+    next_view,
     next_light,
     switch_light,
     solo_light,

@@ -23,8 +23,6 @@ auto& own(AnyLight& light) {
         return light.E;
 }
 
-double luminance(vec3 rgb) { return scene::luminance(rgb); }
-
 /// The own quantity from a stated one; absent where that does not determine it.
 std::optional<double> native(Quantity quantity, double value, const LightGroup& group) {
     const Light& light = group.lights.front();
@@ -62,7 +60,7 @@ std::string_view trimmed(std::string_view text) {
 }
 
 vec3 with_color(const scene::LightColor& color, vec3 now) {
-    return color.rgb * static_cast<float>(luminance(now));
+    return color.rgb * static_cast<float>(scene::luminance(now));
 }
 
 std::string text_of(double value, Quantity quantity, scene::UnitSystem units) {
@@ -93,14 +91,14 @@ bool has_profile(const Light& light) {
 
 std::string value_text(const LightGroup& group) {
     const Light& light = group.lights.front();
-    const double value = luminance(quantity_of(light));
+    const double value = scene::luminance(quantity_of(light));
     std::string text = has_profile(light) ? fmt::format("factor {:.4g}", value)
                                           : text_of(value, kind_of(light), group.units);
     double flux = 0.0;
     for (const Light& part : group.lights) {
         const auto phi = scene::flux_of(part, group.profiles);
         if (!phi) return text;
-        flux += luminance(*phi);
+        flux += scene::luminance(*phi);
     }
     return text + ", " + text_of(flux, Quantity::flux, group.units);
 }

@@ -1,6 +1,6 @@
 #include "viewer/panels/probe.hpp"
 
-#include "image/luminance.hpp"
+#include "core/luminance.hpp"
 #include "viewer/palette.hpp"
 #include "viewer/ui.hpp"
 
@@ -41,8 +41,8 @@ std::array<std::string, 7> cells_of(const render::LightTerms& t) {
             fmt::format("{:.3f} {:.3f} {:.3f}", t.wi.x, t.wi.y, t.wi.z),
             fmt::format("{:.4f}", t.cos_i),
             fmt::format("{:.4f}", t.V),
-            fmt::format("{:.4g}", image::luminance(t.f_r)),
-            fmt::format("{:.4g}", image::luminance(t.E)),
+            fmt::format("{:.4g}", luminance(t.f_r)),
+            fmt::format("{:.4g}", luminance(t.E)),
             three(t.L_r)};
 }
 

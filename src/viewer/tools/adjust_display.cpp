@@ -1,4 +1,7 @@
-// Display tool: exposure, tone curve, false colour.
+// Display tool: exposure, tone curve, views.
+#include "core/error.hpp"
+#include "gl/program.hpp"
+#include "output/variables.hpp"
 #include "viewer/tools/tool.hpp"
 
 #include <algorithm>
@@ -15,26 +18,41 @@ constexpr float exposure_step = 1.0f / 3.0f; // [EV]
 /// In the order of image::ToneCurve.
 constexpr std::array curves{"linear", "ACES", "neutral", "AgX"};
 
-/// Draws the colours of false colour and the luminances that they stand for.
-void draw_legend(const DisplaySettings& display, std::string_view unit) {
-    // The colours of shaders/display/false_color.glsl.
-    constexpr std::array<ImU32, 9> viridis{
-        IM_COL32(68, 1, 84, 255),    IM_COL32(71, 45, 123, 255),  IM_COL32(59, 82, 139, 255),
-        IM_COL32(44, 114, 142, 255), IM_COL32(33, 145, 140, 255), IM_COL32(39, 174, 129, 255),
-        IM_COL32(92, 200, 99, 255),  IM_COL32(170, 220, 50, 255), IM_COL32(253, 231, 36, 255)};
+/// Returns the view after `view` in the table; null, radiance, after the last one.
+const output::Variable* next_view(const output::Variable* view) {
+    bool is_next = !view;
+    for (const output::Variable& variable : output::all_variables()) {
+        if (is_next && output::view_named(variable.name)) return &variable;
+        is_next = is_next || &variable == view;
+    }
+    return nullptr;
+}
+
+/// Draws the false colours with labelled decades.
+void draw_legend(const image::Decades& decades, std::string_view unit) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float width = ImGui::CalcItemWidth(), height = ImGui::GetFontSize();
-    const float step = width / static_cast<float>(viridis.size() - 1);
-    for (std::size_t i = 0; i + 1 < viridis.size(); ++i) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const float step = width / static_cast<float>(image::viridis.size() - 1);
+    const auto color = [](const vec3& c) { return ImGui::ColorConvertFloat4ToU32({c.r, c.g, c.b, 1.0f}); };
+    for (std::size_t i = 0; i + 1 < image::viridis.size(); ++i) {
         const float x = at.x + step * static_cast<float>(i);
-        ImGui::GetWindowDrawList()->AddRectFilledMultiColor({x, at.y}, {x + step, at.y + height}, viridis[i],
-                                                            viridis[i + 1], viridis[i + 1], viridis[i]);
+        const ImU32 left = color(image::viridis[i]), right = color(image::viridis[i + 1]);
+        list.AddRectFilledMultiColor({x, at.y}, {x + step, at.y + height}, left, right, right, left);
     }
-    ImGui::Dummy({width, height});
-    const vec2 r = display.false_color_range;
-    ImGui::TextUnformatted(fmt::format("{:.3g} .. {:.3g} .. {:.3g} {}", std::exp2(r.x),
-                                       std::exp2(0.5f * (r.x + r.y)), std::exp2(r.y), unit)
-                               .c_str());
+    const float range = decades.last - decades.first;
+    const int stride = static_cast<int>(std::ceil(range / 4.0f)); // decades between two labels
+    for (int k = static_cast<int>(std::ceil(decades.first)); static_cast<float>(k) <= decades.last; ++k) {
+        const float x = at.x + width * (static_cast<float>(k) - decades.first) / range;
+        list.AddLine({x, at.y + 0.6f * height}, {x, at.y + height}, IM_COL32_WHITE);
+        if (k % stride != 0) continue;
+        const std::string label = fmt::format("1e{}", k);
+        const float half = 0.5f * ImGui::CalcTextSize(label.c_str()).x;
+        list.AddText({x - half, at.y + height}, ImGui::GetColorU32(ImGuiCol_Text), label.c_str());
+    }
+    ImGui::Dummy({width, 2.0f * height});
+    ImGui::SameLine();
+    ImGui::TextUnformatted(unit.data(), unit.data() + unit.size());
 }
 
 } // namespace
@@ -45,6 +63,10 @@ public:
 
     std::optional<Changes> handle(const Event& event) override;
     Changes draw_section() override;
+
+private:
+    Changes draw_views();
+    Changes set_view(const output::Variable* view);
 };
 
 std::optional<Changes> AdjustDisplay::handle(const Event& event) {
@@ -60,7 +82,11 @@ std::optional<Changes> AdjustDisplay::handle(const Event& event) {
         display.curve =
             static_cast<image::ToneCurve>((static_cast<std::size_t>(display.curve) + 1) % curves.size());
         break;
-    case Command::false_color: display.is_false_color = !display.is_false_color; break;
+    case Command::false_color: {
+        const output::Variable* luminance = output::view_named("luminance");
+        return set_view(display.view == luminance ? nullptr : luminance);
+    }
+    case Command::next_view: return set_view(next_view(display.view));
     default: return std::nullopt;
     }
     return Change::display;
@@ -83,13 +109,44 @@ Changes AdjustDisplay::draw_section() {
     int curve = static_cast<int>(display.curve);
     if (ImGui::Combo("tone curve", &curve, curves.data(), static_cast<int>(curves.size())))
         display.curve = static_cast<image::ToneCurve>(curve);
-    ImGui::Checkbox("false colour", &display.is_false_color);
-    if (!display.is_false_color) return {};
-    vec2& range = display.false_color_range;
-    ImGui::DragFloatRange2("log2", &range.x, &range.y, 0.1f, -30.0f, 40.0f, "%.1f");
-    range.y = std::max(range.y, range.x + 0.5f);
-    draw_legend(display, scene::radiance_unit(ws_.scene->stage().scene.units));
-    return {};
+    const Changes changes = draw_views();
+    if (!display.view || display.view->display != output::Display::false_color) return changes;
+    image::Decades& decades = display.decades;
+    ImGui::DragFloatRange2("decades", &decades.first, &decades.last, 0.05f, -12.0f, 12.0f, "1e%.1f");
+    decades.last = std::max(decades.last, decades.first + 0.5f);
+    draw_legend(decades, scene::radiance_unit(ws_.scene->stage().scene.units));
+    return changes;
+}
+
+Changes AdjustDisplay::draw_views() {
+    const output::Variable* const shown = ws_.display.view;
+    if (!ImGui::BeginCombo("view", shown ? shown->name : "radiance")) return {};
+    const output::Variable* chosen = shown;
+    if (ImGui::Selectable("radiance", !shown)) chosen = nullptr;
+    for (const output::Variable& variable : output::all_variables())
+        if (output::view_named(variable.name) && ImGui::Selectable(variable.name, shown == &variable))
+            chosen = &variable;
+    ImGui::EndCombo();
+    return chosen == shown ? Changes() : set_view(chosen);
+}
+
+/// Shows one term of the equation, or radiance if `view` is null. Restarts the render if its shader changes.
+Changes AdjustDisplay::set_view(const output::Variable* view) {
+    std::string& shader = ws_.options.rendering.shader;
+    const std::string before = shader;
+    shader = view ? view->shader : render::RenderOptions().shader;
+    ws_.messages.notify(view ? fmt::format("View: {}, {}.", view->name, view->what) : "View: radiance.");
+    try {
+        if (shader != before) ws_.scene->restart(ws_.options, ws_.camera->camera(), ws_.width, ws_.height);
+    } catch (const Error& error) {
+        shader = before;
+        ws_.messages.fail("Cannot show this view.", error.what());
+        return Change::redraw;
+    }
+    ws_.display.view = view;
+    if (shader == before) return Change::display;
+    ws_.display.comparison = Comparison::none;
+    return Change::materials;
 }
 
 std::unique_ptr<Tool> make_adjust_display(Workspace& workspace) {

@@ -1,7 +1,7 @@
 // File tool: opens, reloads and saves scenes, writes screenshots, watches files for changes.
 #include "core/error.hpp"
 #include "gltf/named_files.hpp"
-#include "image/file.hpp"
+#include "output/write.hpp"
 #include "render/provenance.hpp"
 #include "viewer/config.hpp"
 #include "viewer/document/watch.hpp"
@@ -23,9 +23,7 @@ public:
 
 private:
     Changes reload();
-    Changes write_png();
-    Changes write_exr();
-    Changes write(const image::Image& picture, const std::string& file, image::SampleType type);
+    Changes write(const std::string& extension);
     void save(const std::string& file);
 
     FileDialog dialog_;
@@ -55,8 +53,8 @@ std::optional<Changes> Files::handle(const Event& event) {
         dialog_.show(FileDialog::Purpose::save, ws_.scene->loaded().file);
         return Change::redraw;
     case Command::reload: return reload();
-    case Command::screenshot_png: return write_png();
-    case Command::screenshot_exr: return write_exr();
+    case Command::screenshot_png: return write(".png");
+    case Command::screenshot_exr: return write(".exr");
     case Command::cancel: dialog_.close(); return Change::redraw;
     default: return std::nullopt;
     }
@@ -84,38 +82,37 @@ Changes Files::update(double /*seconds*/) {
     return changes;
 }
 
-Changes Files::write(const image::Image& picture, const std::string& file, image::SampleType type) {
+/// Writes the render with its provenance.
+Changes Files::write(const std::string& extension) {
+    const ProgressiveRender& render = ws_.scene->render();
+    const render::RenderOptions& rendering = ws_.options.rendering;
+    const int samples = render.sample_count();
+    const output::Variable* const view = ws_.display.view;
+    const scene::UnitSystem units = ws_.scene->stage().scene.units;
+    image::Image film = view ? output::numbers_of(*view, render.film()) : render.film();
+    film.channel_names = {"R", "G", "B", "A"};
+    film.attributes = render::attributes_of({.unit = output::unit_of(view, units),
+                                             .camera = ws_.camera->argument(),
+                                             .estimator = rendering.estimator,
+                                             .analytic_points = rendering.analytic_points,
+                                             .visibility = ws_.options.visibility,
+                                             .samples = {static_cast<double>(samples), samples, samples},
+                                             .seed = rendering.seed,
+                                             .error = render.error(),
+                                             .error_target = render.rule().error,
+                                             .seconds = ws_.playback.seconds,
+                                             .stopped_by = render.stopped_by(),
+                                             .view = view ? view->name : ""},
+                                            ws_.window.info());
+    const std::string file = free_name(ws_.scene->loaded().file, extension);
     try {
-        image::write(picture, file, type);
+        output::write(film, nullptr, {file},
+                      {.ev100 = ws_.display.ev100, .tone_curve = ws_.display.curve, .view = view});
         ws_.messages.notify(fmt::format("Wrote {}.", file));
     } catch (const Error& error) {
         ws_.messages.fail("Cannot write the picture.", error.what());
     }
     return Change::redraw;
-}
-
-Changes Files::write_png() {
-    return write(image::displayed(ws_.scene->render().film(), ws_.display.ev100, ws_.display.curve),
-                 free_name(ws_.scene->loaded().file, ".png"), image::SampleType::integer8);
-}
-
-Changes Files::write_exr() {
-    const ProgressiveRender& render = ws_.scene->render();
-    const render::RenderOptions& rendering = ws_.options.rendering;
-    image::Image film = render.film();
-    film.channel_names = {"R", "G", "B", "A"};
-    film.attributes =
-        render::attributes_of({.unit = std::string(scene::radiance_unit(ws_.scene->stage().scene.units)),
-                               .camera = ws_.camera->argument(),
-                               .estimator = rendering.estimator,
-                               .analytic_points = rendering.analytic_points,
-                               .visibility = ws_.options.visibility,
-                               .samples = render.sample_count(),
-                               .seed = rendering.seed,
-                               .error = render.error(),
-                               .seconds = ws_.playback.seconds},
-                              ws_.window.info());
-    return write(film, free_name(ws_.scene->loaded().file, ".exr"), image::SampleType::floating);
 }
 
 Changes Files::draw(const Overlay& /*overlay*/) {

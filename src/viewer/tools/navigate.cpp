@@ -192,7 +192,9 @@ Changes Navigate::copy_view() {
     const render::StopRule& stop = ws_.options.stop;
     std::string text = fmt::format("--camera '{}' --size {}x{} --samples {}", ws_.camera->argument(),
                                    ws_.width, ws_.height, stop.samples);
-    if (stop.error) text += fmt::format(" --error {}%", static_cast<float>(100.0 * *stop.error));
+    const output::Variable* const view = ws_.display.view;
+    if (view) text += fmt::format(" --view {}", view->name);
+    if (stop.error && !view) text += fmt::format(" --error {}%", static_cast<float>(100.0 * *stop.error));
     text += ws_.time_arguments();
     ws_.input.set_clipboard(text);
     ws_.messages.notify("Copied: " + text);

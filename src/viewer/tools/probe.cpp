@@ -1,6 +1,6 @@
 // Probe tool: evaluates the equation at a pixel that is clicked.
 #include "viewer/panels/probe.hpp"
-#include "image/luminance.hpp"
+#include "core/luminance.hpp"
 #include "render/lobe.hpp"
 #include "viewer/tools/tool.hpp"
 
@@ -100,7 +100,7 @@ std::optional<Lobe> Probe::lobe_of(const render::PixelTerms& terms, const render
     if (!brdf) return std::nullopt;
     lobe.is_mirror = brdf->is_mirror;
     for (std::size_t i = 0; i < directions.size(); ++i)
-        (i < lobe.wi.size() ? lobe.f_r : lobe.light_f_r).push_back(image::luminance(brdf->f_r[i]));
+        (i < lobe.wi.size() ? lobe.f_r : lobe.light_f_r).push_back(luminance(brdf->f_r[i]));
     return lobe;
 }
 

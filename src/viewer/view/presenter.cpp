@@ -8,16 +8,26 @@
 namespace sr::viewer {
 namespace {
 
-std::string constants(image::ToneCurve curve, bool is_false_color, Comparison comparison, bool is_scaled,
-                      bool is_reference_displayed, bool is_resting) {
+std::string constants(image::ToneCurve curve, const output::Variable* view, Comparison comparison,
+                      bool is_scaled, bool is_reference_displayed, bool is_resting) {
+    const bool is_false_color = view && view->display == output::Display::false_color;
     return fmt::format("const int shown_curve = {};\nconst bool is_false_color = {};\n"
                        "const int comparison = {};\nconst bool is_scaled = {};\n"
-                       "const bool is_other_displayed = {};\nconst bool is_resting = {};\n",
+                       "const bool is_other_displayed = {};\nconst bool is_resting = {};\n{}{}",
                        static_cast<int>(curve), is_false_color, static_cast<int>(comparison), is_scaled,
-                       is_reference_displayed, is_resting);
+                       is_reference_displayed, is_resting, image::colormap_glsl(), view_glsl(view));
 }
 
 } // namespace
+
+std::string view_glsl(const output::Variable* view) {
+    using output::Display, output::Finish;
+    int kind = 0;
+    if (view && (view->display == Display::share || view->display == Display::leaks))
+        kind = view->finish == Finish::quotient ? 2 : view->finish == Finish::leaks ? 3 : 1;
+    return fmt::format("const int view_kind = {};\nconst float view_without = {:.1f};\n", kind,
+                       view ? view->without : 0.0f);
+}
 
 const gl::Program& Presenter::program(const Choice& choice) {
     if (const auto found = programs_.find(choice); found != programs_.end()) return found->second;
@@ -66,9 +76,9 @@ void Presenter::fill(const FilmSum& film, const FilmSum& reference, const Displa
     const bool is_compared = reference.sum && settings.comparison != Comparison::none;
     const auto fits = [&](const FilmSum& f) { return f.width == width && f.height == height; };
     const bool is_scaled = !fits(film) || (is_compared && !fits(reference));
-    const gl::Program& used = program(
-        {settings.curve, settings.is_false_color, is_compared ? settings.comparison : Comparison::none,
-         is_scaled, is_compared && reference.is_display_referred, film.frozen_weights != nullptr});
+    const gl::Program& used =
+        program({settings.curve, settings.view, is_compared ? settings.comparison : Comparison::none,
+                 is_scaled, is_compared && reference.is_display_referred, film.frozen_weights != nullptr});
     used.use();
     const auto weight = [](const FilmSum& f) { return 1.0f / static_cast<float>(f.samples); };
     const auto at = [&](const char* name) { return used.uniform(name); };
@@ -82,7 +92,7 @@ void Presenter::fill(const FilmSum& film, const FilmSum& reference, const Displa
     glUniform1f(at("other_weight"), weight(reference));
     glUniform2f(at("window_size"), static_cast<float>(width), static_cast<float>(height));
     glUniform1f(at("exposure"), image::exposure_factor(settings.ev100));
-    glUniform2f(at("false_color_range"), settings.false_color_range.x, settings.false_color_range.y);
+    glUniform2f(at("decades"), settings.decades.first, settings.decades.last);
     glUniform1f(at("wipe"), settings.wipe);
     glBindVertexArray(no_vertices_.id());
     glDrawArrays(GL_TRIANGLES, 0, 3);

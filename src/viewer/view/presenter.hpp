@@ -3,10 +3,13 @@
 #include "core/math.hpp"
 #include "gl/object.hpp"
 #include "gl/program.hpp"
+#include "image/colormap.hpp"
 #include "image/display.hpp"
+#include "output/variables.hpp"
 
 #include <map>
 #include <optional>
+#include <string>
 #include <tuple>
 
 namespace sr::viewer {
@@ -17,11 +20,14 @@ enum class Comparison { none, wipe, difference, flip };
 struct DisplaySettings {
     float ev100 = 0.0f;
     image::ToneCurve curve = image::ToneCurve::neutral;
-    bool is_false_color = false;
-    vec2 false_color_range{-4.0f, 14.0f}; // log2 of the luminances at its ends [cd/m²]
+    const output::Variable* view = nullptr; // what the film holds; null: radiance
+    image::Decades decades;                 // of Display::false_color
     Comparison comparison = Comparison::none;
     float wipe = 0.5f; // where the reference begins, 0 to 1
 };
+
+/// Returns the GLSL constants of a view for shaders/display/view.glsl. Null: radiance.
+std::string view_glsl(const output::Variable* view);
 
 /// A film as a sum of samples.
 struct FilmSum {
@@ -43,9 +49,9 @@ public:
               int height);
 
 private:
-    /// Constants of a program: curve, false colour, comparison, whether films are scaled, whether the
-    /// reference is display-referred, whether pixels are frozen.
-    using Choice = std::tuple<image::ToneCurve, bool, Comparison, bool, bool, bool>;
+    /// Constants of a program: curve, view, comparison, whether films are scaled, whether the reference is
+    /// display-referred, whether pixels are frozen.
+    using Choice = std::tuple<image::ToneCurve, const output::Variable*, Comparison, bool, bool, bool>;
     const gl::Program& program(const Choice& choice);
     void fill(const FilmSum& film, const FilmSum& reference, const DisplaySettings& settings, int width,
               int height);

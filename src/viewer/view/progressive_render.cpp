@@ -76,39 +76,6 @@ void Resolution::took(double seconds) {
     }
 }
 
-void ConvergenceMonitor::restart() {
-    convergence_ = render::Convergence(rule_.error.value_or(0.0));
-    spent_ = 0.0;
-    estimated_at_ = 0;
-    is_converged_ = false;
-}
-
-bool ConvergenceMonitor::took_sample(render::Renderer& renderer, double seconds) {
-    spent_ += seconds;
-    if (renderer.knows_error() && render::is_time_to_look(renderer.sample_count())) estimate_error(renderer);
-    is_converged_ = is_enough(renderer, seconds);
-    if (is_converged_ && renderer.knows_error() && renderer.sample_count() >= 2
-        && estimated_at_ != renderer.sample_count())
-        estimate_error(renderer);
-    return estimated_at_ == renderer.sample_count() && renderer.resting().any(renderer.sample_count());
-}
-
-bool ConvergenceMonitor::is_enough(const render::Renderer& renderer, double seconds) const {
-    if (renderer.sample_count() >= rule_.samples) return true;
-    if (rule_.error && (convergence_.is_reached() || renderer.all_rest())) return true;
-    return rule_.seconds && spent_ + seconds > *rule_.seconds;
-}
-
-void ConvergenceMonitor::estimate_error(render::Renderer& renderer) {
-    convergence_.look(renderer);
-    estimated_at_ = renderer.sample_count();
-}
-
-std::optional<double> ConvergenceMonitor::error() const {
-    const auto& seen = convergence_.seen();
-    return seen ? std::optional(seen->error) : std::nullopt;
-}
-
 ProgressiveRender::ProgressiveRender(const render::GpuScene& scene, const scene::Camera& camera,
                                      const render::RenderOptions& options, const render::StopRule& rule)
     : is_software_(is_software()),

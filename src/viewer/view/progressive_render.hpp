@@ -33,33 +33,6 @@ private:
     int fitting_ = 0;
 };
 
-/// Convergence of a render by the rules of `steradian render`, sample by sample.
-class ConvergenceMonitor {
-public:
-    explicit ConvergenceMonitor(const render::StopRule& rule)
-        : rule_(rule), convergence_(rule.error.value_or(0.0)) {}
-
-    const render::StopRule& rule() const { return rule_; }
-    /// Restarts for a render without samples.
-    void restart();
-    /// Takes note of a complete sample of `renderer`, which took `seconds`. Estimates the error when that is
-    /// due, and freezes converged pixels. @return true if pixels may have been frozen
-    bool took_sample(render::Renderer& renderer, double seconds);
-    bool is_converged() const { return is_converged_; }
-    /// The last estimate of √relMSE; absent before the first one, and if no rule asks for it.
-    std::optional<double> error() const;
-
-private:
-    void estimate_error(render::Renderer& renderer);
-    bool is_enough(const render::Renderer& renderer, double seconds) const;
-
-    render::StopRule rule_;
-    render::Convergence convergence_;
-    double spent_ = 0.0;   // [s]
-    int estimated_at_ = 0; // samples
-    bool is_converged_ = false;
-};
-
 class ProgressiveRender {
 public:
     using Clock = std::chrono::steady_clock;
@@ -80,11 +53,15 @@ public:
     void advance();
 
     bool is_interactive() const { return is_interactive_; }
-    bool is_converged() const { return !is_interactive_ && monitor_.is_converged(); }
+    bool is_converged() const { return !is_interactive_ && monitor_.stopped_by().has_value(); }
 
     /// Samples of what is shown; 0 if there is nothing to show yet.
     int sample_count() const { return is_kept_shown_ ? kept_samples_ : renderer_.sample_count(); }
     const render::StopRule& rule() const { return monitor_.rule(); }
+    /// Why the converging render is complete; absent if it is not.
+    std::optional<render::StoppedBy> stopped_by() const {
+        return is_interactive_ ? std::nullopt : monitor_.stopped_by();
+    }
     /// √relMSE of the converging render; absent before the first estimate.
     std::optional<double> error() const { return is_interactive_ ? std::nullopt : monitor_.error(); }
     float scale() const { return resolution_.scale(); } // of the sides, during interaction
@@ -113,7 +90,7 @@ private:
     scene::Camera camera_;
     int width_;
     int height_;
-    ConvergenceMonitor monitor_;
+    render::StopMonitor monitor_;
     std::optional<gl::Texture> frozen_weights_; // as FilmSum::frozen_weights
     bool is_interactive_ = true;
     Clock::time_point changed_{}; // the last change of camera, size or lights

@@ -52,12 +52,14 @@ void SceneView::move(const scene::Camera& camera) {
 
 void SceneView::advance_reference(const Options& options, const scene::Camera& camera, int width,
                                   int height) {
-    if (!reference_ || reference_estimator_ != options.rendering.estimator) {
+    if (!reference_ || reference_estimator_ != options.rendering.estimator
+        || reference_shader_ != options.rendering.shader) {
         Options theirs = options;
         theirs.shows_reference = true;
         reference_ = std::make_unique<ProgressiveRender>(gpu_, camera, render_options(theirs, width, height),
                                                          options.stop);
         reference_estimator_ = options.rendering.estimator;
+        reference_shader_ = options.rendering.shader;
     }
     reference_->advance();
 }
@@ -118,6 +120,8 @@ render::RenderOptions render_options(const Options& options, int width, int heig
     rendering.height = height;
     rendering.samples = options.stop.samples;
     rendering.knows_error = options.stop.asks_for_error();
+    if (rendering.shader != render::RenderOptions().shader)
+        rendering.estimator = render::Estimator::sampled; // views take points on the lights
     if (options.shows_reference) {
         rendering.shader_path = options.reference_path;
         return rendering;

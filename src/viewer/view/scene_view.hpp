@@ -64,6 +64,7 @@ private:
     std::unique_ptr<ProgressiveRender> render_;
     std::unique_ptr<ProgressiveRender> reference_;
     render::Estimator reference_estimator_ = render::Estimator::sampled;
+    std::string reference_shader_;
 };
 
 /// Options of the converging render in a window of this size. @throws Error if a shader folder is missing

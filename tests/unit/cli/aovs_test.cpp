@@ -1,4 +1,4 @@
-#include "cli/aovs.hpp"
+#include "output/planes.hpp"
 
 #include "support/address.hpp"
 #include "support/gl.hpp"
@@ -13,11 +13,11 @@ using namespace sr::testing;
 namespace {
 
 const Test list("unit.cli.aovs.a_list_is_read_or_refused", [] {
-    using cli::Aov;
-    EXPECT_EQ(cli::parsed_aovs("object,depth"), (std::vector{Aov::object, Aov::depth}));
+    EXPECT_EQ(output::parsed_aovs("object,depth"),
+              (output::Variables{output::aov_named("object"), output::aov_named("depth")}));
     for (const char* wrong : {"", "deep", "depth,", "depth,depth", "depth, normal"})
-        EXPECT_FALSE(cli::parsed_aovs(wrong)) << wrong;
-    for (const std::string& name : cli::aov_names()) EXPECT_TRUE(cli::parsed_aovs(name)) << name;
+        EXPECT_FALSE(output::parsed_aovs(wrong)) << wrong;
+    for (const std::string& name : output::aov_names()) EXPECT_TRUE(output::parsed_aovs(name)) << name;
 });
 
 /// A plane with a small square above its middle, under a point light.
@@ -39,11 +39,11 @@ std::map<std::string, std::vector<float>> planes_of(const Table& table, const sc
     const render::GpuScene scene(table.scene, table.lights);
     render::RenderOptions options;
     options.width = options.height = size;
-    const cli::AovSource source{scene, camera, options, std::vector<int>(size * size, 4), {}};
+    const output::AovSource source{scene, camera, options, std::vector<int>(size * size, 4), {}};
     std::map<std::string, std::vector<float>> planes;
-    for (cli::Plane& plane :
-         cli::aov_planes(*cli::parsed_aovs("depth,normal,albedo,visibility,irradiance,object,material"),
-                         source, [] { return true; }))
+    for (output::Plane& plane :
+         output::aov_planes(*output::parsed_aovs("depth,normal,albedo,visibility,irradiance,object,material"),
+                            source, [] { return true; }))
         planes[plane.name] = std::move(plane.values);
     return planes;
 }
@@ -70,7 +70,7 @@ const Test values("unit.cli.aovs.have_their_units", [] {
     EXPECT_EQ(at("object.id", on_square), 1.0f);
     EXPECT_EQ(at("material.id", on_square), 1.0f);
     EXPECT_EQ(at("object.id", beyond), -1.0f);
-    const auto tables = cli::name_tables({cli::Aov::object}, table.scene);
+    const auto tables = output::name_tables({output::aov_named("object")}, table.scene);
     ASSERT_EQ(tables.size(), 1u);
     EXPECT_EQ(tables[0].value, R"(["plane","square \"of\" 40 cm"])");
 });

@@ -345,6 +345,26 @@ class CommandLine(unittest.TestCase):
         self.assert_refused(run("brdf", self.folder / "no.binary"), "no.binary")
         self.assertEqual(run("brdf", "plastic").returncode, 2)
 
+    def test_completion_offers_commands_options_and_values(self):
+        script = run("completion", "bash").stdout
+        (self.folder / "completion").write_text(script)
+
+        def completed(*words):
+            line = " ".join(f"'{word}'" for word in words)
+            command = (f"source completion; COMP_WORDS=(steradian {line}); COMP_CWORD={len(words)}; "
+                       "_steradian; printf '%s\\n' \"${COMPREPLY[@]}\"")
+            result = subprocess.run(["bash", "-c", command], capture_output=True, text=True, cwd=self.folder, timeout=20)
+            self.assertEqual(result.stderr, "")
+            return result.stdout.split()
+
+        self.assertEqual(completed("rend"), ["render"])
+        self.assertEqual(completed("golden", "app"), ["approve"])
+        self.assertEqual(completed("render", "scene.glb", "--tone-c"), ["--tone-curve"])
+        self.assertEqual(completed("render", "--estimator", "a"), ["analytic"])
+        self.assertEqual(completed("render", "--view", "lu"), ["luminance"])
+        self.assertEqual(completed("render", ""), [])  # bash completes file names
+        self.assertNotIn("compile-trial", completed(""))
+
     def test_expand_prints_a_whole_shader(self):
         result = run("expand", "forward.frag")
         self.assertTrue(result.stdout.startswith("#version 410 core\n"))

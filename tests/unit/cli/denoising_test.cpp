@@ -1,4 +1,4 @@
-#include "cli/denoising.hpp"
+#include "output/denoise.hpp"
 
 #include "support/address.hpp"
 #include "support/gl.hpp"
@@ -41,8 +41,8 @@ Films films_of(const Shade& shade, int samples, bool denoises) {
     for (int i = 0; i < samples; ++i) renderer.add_sample();
     Films films{renderer.film(), {}};
     if (denoises)
-        films.denoised = cli::denoised(renderer, {scene, camera, options, renderer.pixel_samples(), {}},
-                                       [] { return true; });
+        films.denoised = output::denoised(renderer, {scene, camera, options, renderer.pixel_samples(), {}},
+                                          [] { return true; });
     return films;
 }
 

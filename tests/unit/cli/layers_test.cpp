@@ -1,4 +1,4 @@
-#include "cli/layers.hpp"
+#include "output/planes.hpp"
 
 #include "support/address.hpp"
 #include "support/gl.hpp"
@@ -16,9 +16,9 @@ const std::vector<scene::Light> lights{
     scene::DirectionalLight{"", {0, -1, 0}, vec3(0.5f), 0.01f}};
 
 const Test names("unit.cli.layers.names_are_plain_and_differ", [] {
-    EXPECT_EQ(cli::layer_names(lights),
+    EXPECT_EQ(output::layer_names(lights),
               (std::vector<std::string>{"emission", "key", "soft_box", "key_2", "light_3"}));
-    EXPECT_EQ(cli::layer_names(lights, {"soft_box"})[2], "soft_box_2");
+    EXPECT_EQ(output::layer_names(lights, {"soft_box"})[2], "soft_box_2");
 });
 
 // The picture is the sum of its layers, emission included.
@@ -38,8 +38,8 @@ const Test sum("unit.cli.layers.add_up_to_the_picture", [] {
     };
     add("");
     const image::Image film = renderer.film();
-    const auto planes = cli::light_layers(cli::layer_names(lights), renderer, add);
-    const image::Image image = cli::with_planes(film, planes);
+    const auto planes = output::light_layers(output::layer_names(lights), renderer, add);
+    const image::Image image = output::with_planes(film, planes);
     ASSERT_EQ(image.channels, 4 + 3 * 5);
     EXPECT_EQ(image.channel_names[7], "key.R");
     for (int y = 0; y < film.height; ++y) {

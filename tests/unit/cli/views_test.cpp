@@ -1,12 +1,13 @@
-#include "cli/views.hpp"
-
-#include "image/false_color.hpp"
+#include "core/file.hpp"
+#include "image/colormap.hpp"
+#include "output/variables.hpp"
 #include "render/renderer.hpp"
 #include "support/address.hpp"
 #include "support/gl.hpp"
 #include "support/scenes.hpp"
 
 #include <limits>
+#include <string>
 
 using namespace sr;
 using namespace sr::testing;
@@ -23,10 +24,10 @@ std::vector<float> middle_of(const char* view, const scene::Scene& scene, vec3 l
     render::RenderOptions options;
     options.width = options.height = view_size;
     options.samples = 1;
-    options.shader = cli::view_named(view)->shader;
+    options.shader = output::view_named(view)->shader;
     render::Renderer renderer(gpu_scene, camera_from_above(1.0f), options);
     renderer.add_sample();
-    const image::Image numbers = cli::numbers_of(*cli::view_named(view), renderer.film());
+    const image::Image numbers = output::numbers_of(*output::view_named(view), renderer.film());
     const auto pixel = numbers.at(view_size / 2, view_size / 2);
     return {pixel.begin(), pixel.end()};
 }
@@ -51,19 +52,45 @@ const Test terms("unit.cli.views.are_the_terms", [] {
     EXPECT_EQ(middle_of("visibility", plane, light)[0], 1.0f);
     EXPECT_NEAR(middle_of("irradiance", plane, light)[0], 0.8f / 1.5625f, 1e-4f);
     EXPECT_NEAR(middle_of("luminance", plane, light)[1], 0.8f / 1.5625f / pi, 1e-4f);
-    EXPECT_EQ(cli::view_named("beauty"), nullptr);
+    EXPECT_EQ(output::view_named("beauty"), nullptr);
 });
 
 // The legend in src/image/README.md holds in every picture.
 const Test scale("unit.cli.views.luminance_has_one_scale", [] {
     image::Image film(5, 1, 3);
     const float L[]{100.0f, 31.6228f, 0.0f, 1e9f, std::numeric_limits<float>::quiet_NaN()};
-    const float expected[][3]{{0.2f, 0.75f, 0.15f}, {0.1f, 0.775f, 0.475f}, {0, 0, 0}, {1, 1, 1}, {1, 0, 1}};
+    const vec3 expected[]{vec3(0x1f, 0x9e, 0x89), 0.5f * (vec3(0x26, 0x82, 0x8e) + vec3(0x1f, 0x9e, 0x89)),
+                          vec3(0x44, 0x01, 0x54), vec3(0xfd, 0xe7, 0x25), vec3(255, 0, 255)};
     for (int x = 0; x < 5; ++x)
         for (std::size_t c = 0; c < 3; ++c) film.at(x, 0)[c] = L[x];
     const image::Image colors = image::luminance_colors(film);
     for (int x = 0; x < 5; ++x)
-        for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(colors.at(x, 0)[c], expected[x][c], 1e-4f) << x;
+        for (int c = 0; c < 3; ++c)
+            EXPECT_NEAR(colors.at(x, 0)[static_cast<std::size_t>(c)] * 255.0f, expected[x][c], 0.03f) << x;
+});
+
+std::string readme_row(const output::Variable& variable) {
+    using output::Display;
+    std::string channels;
+    for (const std::string& channel : output::channels_of(variable))
+        channels += (channels.empty() ? " `" : ", `") + channel + "`";
+    const char* const picture = variable.display == Display::exposed       ? " exposed"
+                                : variable.display == Display::share       ? " black to white"
+                                : variable.display == Display::leaks       ? " red: leaks, blue: kept out"
+                                : variable.display == Display::false_color ? " false colours"
+                                                                           : "";
+    return std::string("| `") + variable.name + "` |" + channels + " |" + picture + " | "
+           + (variable.unit ? variable.unit : "the film's") + " | " + variable.what + " |\n";
+}
+
+const Test readme("unit.cli.views.readme_has_the_table", [] {
+    const std::string text = read_text(STERADIAN_SOURCE "/src/output/README.md");
+    std::size_t rows = 0;
+    for (std::size_t at = text.find("\n| `"); at != std::string::npos; at = text.find("\n| `", at + 1))
+        ++rows;
+    for (const output::Variable& variable : output::all_variables())
+        EXPECT_NE(text.find(readme_row(variable)), std::string::npos) << readme_row(variable);
+    EXPECT_EQ(rows, output::all_variables().size() + 5) << "a row of each variable and of each file";
 });
 
 } // namespace

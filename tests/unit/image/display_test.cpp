@@ -1,6 +1,6 @@
+#include "core/luminance.hpp"
 #include "image/display.hpp"
 #include "image/log_table.hpp"
-#include "image/luminance.hpp"
 #include "image/tone_curve.hpp"
 #include "support/address.hpp"
 

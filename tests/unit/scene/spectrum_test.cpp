@@ -62,7 +62,7 @@ const Test daylight("unit.scene.spectrum.d65_is_white", [] {
 const Test in_rgb("unit.scene.spectrum.rgb_has_luminance_1_and_the_spectrum's_chromaticity", [] {
     for (const double temperature : {2200.0, 2856.0, 6504.0, 20000.0}) {
         const LightColor color = color_of_blackbody(temperature);
-        EXPECT_NEAR(luminance(color.rgb), 1.0, 1e-6);
+        EXPECT_NEAR(scene::luminance(color.rgb), 1.0, 1e-6);
         const glm::dvec2 expected = chromaticity_of_blackbody(temperature);
         expect_chromaticity(chromaticity_of_rgb(color.rgb), expected.x, expected.y, 1e-4);
     }
@@ -74,7 +74,7 @@ const Test line("unit.scene.spectrum.a_laser_is_clipped_to_the_gamut", [] {
     EXPECT_EQ(rgb.r, 0.0f);
     EXPECT_GT(rgb.g, 1.0f);
     EXPECT_GE(rgb.b, 0.0f);
-    EXPECT_NEAR(luminance(rgb), 1.0, 1e-6);
+    EXPECT_NEAR(scene::luminance(rgb), 1.0, 1e-6);
 });
 
 // 683 lm/W at the peak of V(λ); black bodies by the 1 nm table against σT⁴.

@@ -1,8 +1,12 @@
 // The window shows the picture that files get.
+#include "core/luminance.hpp"
+#include "image/colormap.hpp"
 #include "image/display.hpp"
+#include "output/variables.hpp"
 #include "support/address.hpp"
 #include "support/gl.hpp"
 #include "support/glsl_table.hpp"
+#include "viewer/view/presenter.hpp"
 
 #include <cmath>
 #include <limits>
@@ -41,6 +45,53 @@ const Test equals_the_files("unit.viewer.display.equals_the_files", [] {
                 EXPECT_NEAR(shown[i][c], expected.at(static_cast<int>(i), 0)[static_cast<std::size_t>(c)],
                             4e-5f)
                     << "curve " << curve << ", " << table[i].r << " " << table[i].g << " " << table[i].b;
+    }
+});
+
+const Test false_colors("unit.viewer.display.false_colours_equal_the_files", [] {
+    sr::testing::context();
+    for (const image::Decades decades : {image::Decades{}, image::Decades{-1.5f, 2.25f}}) {
+        std::vector<sr::testing::Row> rows;
+        std::vector<vec3> expected;
+        for (float exponent = -6.0f; exponent < 8.0f; exponent += 0.013f) {
+            const float L = std::pow(10.0f, exponent);
+            rows.push_back({vec4(L, decades.first, decades.last, 0.0f)});
+            expected.push_back(image::luminance_color(luminance(vec3(L)), decades));
+        }
+        const auto shown =
+            sr::testing::evaluate("#include \"display/colormap.glsl\"\n",
+                                  "return vec4(luminance_color(luminance(vec3(a.x)), a.yz), 1.0);", rows,
+            nullptr, {{"display/choice.glsl", image::colormap_glsl()}});
+        for (std::size_t i = 0; i < rows.size(); ++i)
+            for (int c = 0; c < 3; ++c) // a hundredth of an 8-bit step
+                EXPECT_NEAR(shown[i][c], expected[i][c], 4e-5f) << rows[i][0].x << " cd/m²";
+    }
+});
+
+const Test views("unit.viewer.display.views_equal_the_files", [] {
+    sr::testing::context();
+    image::Image film(24, 1, 4);
+    std::vector<sr::testing::Row> rows;
+    for (int i = 0; i < film.width; ++i) { // shares, with and without a divisor and coverage
+        const float divisor = i % 4 == 0 ? 0.0f : 0.2f * static_cast<float>(i);
+        const float coverage = i % 3 == 0 ? 0.0f : 1.0f;
+        const vec4 pixel(0.3f * divisor, 0.7f * divisor, divisor, coverage);
+        for (int c = 0; c < 4; ++c) film.at(i, 0)[static_cast<std::size_t>(c)] = pixel[c];
+        rows.push_back({pixel});
+    }
+    for (const output::Variable& variable : output::all_variables()) {
+        using output::Display;
+        if (variable.display != Display::share && variable.display != Display::leaks) continue;
+        const auto shown =
+            sr::testing::evaluate("#include \"display/view.glsl\"\n",
+                                  "return vec4(view_color(a), 1.0);", rows,
+                                  nullptr, {{"display/choice.glsl", viewer::view_glsl(&variable)}});
+        const image::Image expected = output::colors_of(variable, output::numbers_of(variable, film));
+        for (int i = 0; i < film.width; ++i)
+            for (int c = 0; c < 3; ++c)
+                EXPECT_NEAR(shown[static_cast<std::size_t>(i)][c],
+                            expected.at(i, 0)[static_cast<std::size_t>(c)], 4e-5f)
+                    << variable.name << " at " << i;
     }
 });
 

@@ -1,10 +1,10 @@
-#include "cli/denoising.hpp"
+#include "output/denoise.hpp"
 
 #include "render/shadow_filter.hpp"
 
 #include <algorithm>
 
-namespace sr::cli {
+namespace sr::output {
 namespace {
 
 /// The scene without shadows, under the lights [0, lights), with the samples that the picture has.
@@ -22,7 +22,8 @@ image::Image without_shadows(const AovSource& source, int lights, const std::fun
 }
 
 render::Guides guides_of(const AovSource& source, const std::function<bool()>& goes_on) {
-    std::vector<Plane> planes = aov_planes({Aov::normal, Aov::depth, Aov::object}, source, goes_on);
+    std::vector<Plane> planes =
+        aov_planes({aov_named("normal"), aov_named("depth"), aov_named("object")}, source, goes_on);
     if (planes.empty()) return {};
     image::Image normals(source.options.width, source.options.height, 3);
     for (std::size_t i = 0; i < normals.pixels.size(); ++i) normals.pixels[i] = planes[i % 3].values[i / 3];
@@ -66,4 +67,4 @@ image::Image denoised(const render::Renderer& renderer, const AovSource& source,
     return film;
 }
 
-} // namespace sr::cli
+} // namespace sr::output
