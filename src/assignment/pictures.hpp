@@ -3,7 +3,7 @@
 #include "assignment/evaluation.hpp"
 #include "assignment/finding.hpp"
 #include "render/renderer.hpp"
-#include "scene/stage.hpp"
+#include "scene/prepare.hpp"
 
 #include <memory>
 

@@ -4,8 +4,7 @@
 #include "core/output.hpp"
 #include "gltf/load.hpp"
 #include "mitsuba/write.hpp"
-#include "scene/emitters.hpp"
-#include "scene/stage.hpp"
+#include "scene/prepare.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -8,7 +8,7 @@
 #include "gltf/extensions.hpp"
 #include "gltf/load.hpp"
 #include "render/features.hpp"
-#include "scene/emitters.hpp"
+#include "scene/prepare.hpp"
 #include "scene/material_description.hpp"
 
 #include <CLI/CLI.hpp>

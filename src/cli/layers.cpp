@@ -53,7 +53,7 @@ std::vector<std::string> layer_names(std::span<const scene::Light> lights,
                || std::ranges::find(reserved, name) != reserved.end();
     };
     for (std::size_t k = 0; k < lights.size(); ++k) {
-        const std::string given = plain(std::visit([](const auto& light) { return light.name; }, lights[k]));
+        const std::string given = plain(scene::name_of(lights[k]));
         const std::string stem = given.empty() ? fmt::format("light_{}", k) : given;
         std::string name = stem;
         for (int i = 2; is_taken(name); ++i) name = fmt::format("{}_{}", stem, i);

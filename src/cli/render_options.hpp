@@ -10,7 +10,7 @@
 #include "image/file.hpp"
 #include "render/occluders.hpp"
 #include "render/renderer.hpp"
-#include "scene/stage.hpp"
+#include "scene/prepare.hpp"
 
 namespace CLI {
 class App;

@@ -1,7 +1,9 @@
 #include "gltf/extras_rules.hpp"
 
 #include "scene/conductor.hpp"
-#include "scene/units.hpp"
+#include "scene/lights/light.hpp"
+
+#include <algorithm>
 
 namespace sr::gltf {
 namespace {
@@ -17,7 +19,7 @@ struct ExtrasRules {
     Rule sample{.kind = Kind::list, .element = &number, .length = 2};
     Rule spectrum{.kind = Kind::list, .element = &sample};
     Rule texture{.kind = Kind::index, .pool = "/textures"};
-    Rule shape{.kind = Kind::text, .words = {"rectangle", "disk", "ellipse", "sphere", "tube", "polygon"}};
+    Rule shape{.kind = Kind::text}; // the names of all kinds of light
     Rule unit{.kind = Kind::text};
     Rule system{.kind = Kind::text, .words = {"photometric", "radiometric"}};
     Rule quantity{.kind = Kind::record,
@@ -37,13 +39,12 @@ struct ExtrasRules {
 
     // clang-format off
     Rule node{.kind = Kind::record, .properties = {
-        {"shape", &shape}, {"width", &number}, {"height", &number}, {"radius", &number}, {"length", &number},
-        {"corners", &corners}, {"angular_diameter", &number}, {"quantity", &quantity}, {"color", &three_numbers},
+        {"shape", &shape}, {"corners", &corners}, {"quantity", &quantity}, {"color", &three_numbers},
         {"temperature", &number}, {"spectrum", &spectrum}, {"texture", &texture}, {"visible", &boolean},
         {"two_sided", &boolean}}, .is_closed = true, .is_ours = true};
     Rule light{.kind = Kind::record, .properties = {
-        {"radius", &number}, {"angular_diameter", &number}, {"quantity", &quantity}, {"color", &three_numbers},
-        {"temperature", &number}, {"spectrum", &spectrum}, {"visible", &boolean}}, .is_closed = true, .is_ours = true};
+        {"quantity", &quantity}, {"color", &three_numbers}, {"temperature", &number}, {"spectrum", &spectrum},
+        {"visible", &boolean}}, .is_closed = true, .is_ours = true};
     Rule material{.kind = Kind::record, .properties = {
         {"quantity", &quantity}, {"color", &three_numbers}, {"temperature", &number}, {"spectrum", &spectrum},
         {"brdf", &brdf}, {"roughness_across", &number}, {"exponent", &number}, {"specular_color", &three_numbers},
@@ -62,8 +63,26 @@ struct ExtrasRules {
     Rule scene_extras{.kind = Kind::record, .properties = {{"steradian", &scene}}, .is_optional = true};
     Rule asset_extras{.kind = Kind::record, .properties = {{"steradian", &asset}}, .is_optional = true};
 
+    void add_size(Rule& to, std::string_view key) const {
+        const auto has_name = [&](const PropertyRule& property) { return property.name == key; };
+        if (std::ranges::none_of(to.properties, has_name)) to.properties.push_back({key, &number});
+    }
+
     ExtrasRules() {
         for (const scene::NamedUnit& named : scene::unit_names) unit.words.push_back(named.name);
+        scene::for_each_light_kind([&]<class L>(std::type_identity<L>) {
+            if constexpr (requires { L::shapes; }) {
+                for (const auto& named : L::shapes) {
+                    shape.words.push_back(named.name);
+                    for (const auto& size : named.dimensions) add_size(node, size.key);
+                }
+            } else if constexpr (requires { L::dimensions; }) { // of an extension
+                for (const auto& size : L::dimensions) {
+                    add_size(node, size.key);
+                    add_size(light, size.key);
+                }
+            }
+        });
     }
 };
 

@@ -54,7 +54,7 @@ void DepthMaps::compile(ShaderLibrary& shaders) const {
 }
 
 bool DepthMaps::has_extent(int light) const {
-    return shadow::has_extent(stage_.lights[static_cast<std::size_t>(light)]);
+    return scene::has_extent(stage_.lights[static_cast<std::size_t>(light)]);
 }
 
 void DepthMaps::choose_middles() {
@@ -63,7 +63,7 @@ void DepthMaps::choose_middles() {
         Point point;
         point.light = k;
         point.seed = map_seed(0, k, 63);
-        point.on_emitter = shadow::middle_of(stage_.lights[static_cast<std::size_t>(k)]);
+        point.on_emitter = scene::middle_of(stage_.lights[static_cast<std::size_t>(k)]);
         look_from(point, 0.5f); // askew, like most others
         middles_.push_back(point);
     }
@@ -82,7 +82,7 @@ void DepthMaps::choose_points(std::uint32_t sample_index, std::uint32_t seed, in
             const vec2 place = sobol_2d(sample_index, point.seed);
             const vec2 rest = sobol_2d(sample_index, ~point.seed); // independent of the former
             point.on_emitter =
-                shadow::point_on(stage_.lights[static_cast<std::size_t>(k)], vec3(place, rest.x));
+                scene::sample_point(stage_.lights[static_cast<std::size_t>(k)], vec3(place, rest.x));
             look_from(point, 2.0f * pi * rest.y);
             points_.push_back(point);
         }
@@ -199,7 +199,7 @@ void DepthMaps::draw_face(const Point& point, int face, std::uint32_t sample_ind
 void DepthMaps::upload_points() {
     std::vector<vec4> texels(stage_.lights.size(), vec4(0.0f));
     const auto append = [&](const Point& point) {
-        const shadow::EmitterPoint& on = point.on_emitter;
+        const scene::EmitterPoint& on = point.on_emitter;
         const auto layer = [&](std::size_t face) { return static_cast<float>(point.layers[face]); };
         texels.emplace_back(on.place, texture_kind(point.view.kind));
         texels.emplace_back(on.normal, on.extent);

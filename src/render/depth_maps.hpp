@@ -39,7 +39,7 @@ private:
     struct Point {
         int light = 0;
         std::uint32_t seed = 0;
-        shadow::EmitterPoint on_emitter;
+        scene::EmitterPoint on_emitter;
         shadow::MapView view;
         std::array<int, 6> layers{-1, -1, -1, -1, -1, -1};
     };

@@ -1,6 +1,6 @@
 #pragma once
 // The maps of environments, as texels that a shader can read in any direction and sample.
-#include "scene/light.hpp"
+#include "scene/lights/light.hpp"
 
 #include <vector>
 

@@ -9,35 +9,18 @@
 namespace sr::render {
 namespace {
 
-void ask_for(Features& f, const scene::PointLight& light) {
-    (light.radius > 0.0f ? f.has_sphere_lights : f.has_point_lights) = true;
-    f.has_profiles |= light.profile >= 0;
-}
-void ask_for(Features& f, const scene::SpotLight& light) {
-    (light.radius > 0.0f ? f.has_sphere_lights : f.has_spot_lights) = true;
-}
-void ask_for(Features& f, const scene::DirectionalLight& light) {
-    f.has_directional_lights = true;
-    f.has_sun_disks |= light.angular_radius > 0.0f;
-}
-void ask_for(Features& f, const scene::RectangleLight& light) {
-    f.has_rectangle_lights = true;
-    f.has_emission_maps |= light.map.is_present();
-}
-void ask_for(Features& f, const scene::DiskLight& light) {
-    f.has_disk_lights = true;
-    f.has_emission_maps |= light.map.is_present();
-}
-void ask_for(Features& f, const scene::SphereLight&) { f.has_sphere_lights = true; }
-void ask_for(Features& f, const scene::TubeLight&) { f.has_tube_lights = true; }
-void ask_for(Features& f, const scene::PolygonLight&) { f.has_polygon_lights = true; }
-void ask_for(Features& f, const scene::MeshLight& light) {
-    f.has_mesh_lights = true;
-    f.has_emission_maps |= light.texture >= 0;
-}
-void ask_for(Features& f, const scene::EnvironmentLight& light) {
-    f.has_environment_lights = true;
-    f.has_environment_maps |= light.map && light.map->has_light();
+template<class L>
+void ask_for_light(Features& f, const L& light) {
+    bool is_sphere = false;
+    if constexpr (requires { light.position; }) is_sphere = light.radius > 0.0f;
+    (is_sphere ? f.has<scene::SphereLight>() : f.has<L>()) = true;
+    if constexpr (requires { light.profile; }) f.has_profiles |= light.profile >= 0;
+    if constexpr (requires { light.angular_radius; }) f.has_sun_disks |= light.angular_radius > 0.0f;
+    if constexpr (requires { light.texture; }) f.has_emission_maps |= light.texture >= 0;
+    if constexpr (std::is_same_v<L, scene::EnvironmentLight>)
+        f.has_environment_maps |= light.map && light.map->has_light();
+    else if constexpr (requires { light.map; })
+        f.has_emission_maps |= light.map.is_present();
 }
 
 // What goes into GLSL as `const bool`, by the member's own name.
@@ -46,19 +29,9 @@ struct Flag {
     bool Features::*member;
 };
 
-constexpr std::array light_flags{Flag{"has_point_lights", &Features::has_point_lights},
-                                 Flag{"has_spot_lights", &Features::has_spot_lights},
-                                 Flag{"has_directional_lights", &Features::has_directional_lights},
-                                 Flag{"has_rectangle_lights", &Features::has_rectangle_lights},
-                                 Flag{"has_disk_lights", &Features::has_disk_lights},
-                                 Flag{"has_sphere_lights", &Features::has_sphere_lights},
-                                 Flag{"has_tube_lights", &Features::has_tube_lights},
-                                 Flag{"has_polygon_lights", &Features::has_polygon_lights},
-                                 Flag{"has_mesh_lights", &Features::has_mesh_lights},
-                                 Flag{"has_sun_disks", &Features::has_sun_disks},
+constexpr std::array light_flags{Flag{"has_sun_disks", &Features::has_sun_disks},
                                  Flag{"has_profiles", &Features::has_profiles},
                                  Flag{"has_emission_maps", &Features::has_emission_maps},
-                                 Flag{"has_environment_lights", &Features::has_environment_lights},
                                  Flag{"has_environment_maps", &Features::has_environment_maps}};
 
 constexpr std::array texture_flags{
@@ -153,6 +126,11 @@ std::string Features::glsl() const {
         for (const Flag& flag : flags)
             text += fmt::format("const bool {} = {};\n", flag.name, this->*flag.member);
     };
+    for (std::size_t kind = 0; kind < scene::light_kind_count; ++kind) {
+        const std::string_view name = scene::light_kind_names()[kind];
+        text += fmt::format("const int {0}_light = {1};\nconst bool has_{0}_lights = {2};\n", name, kind,
+                            has_lights[kind]);
+    }
     append(light_flags);
     append(texture_flags);
     append(other_flags);
@@ -188,11 +166,15 @@ int Features::material_texture_count() const {
 
 Features light_features(std::span<const scene::Light> lights) {
     Features f;
-    for (const scene::Light& light : lights) std::visit([&f](const auto& any) { ask_for(f, any); }, light);
+    for (const scene::Light& light : lights) std::visit([&f](const auto& any) { ask_for_light(f, any); }, light);
     // What a direction of the BRDF's choice can meet: has_lights_to_meet in shaders/light/sample_light.glsl.
-    const bool has_lights_to_meet = f.has_rectangle_lights || f.has_disk_lights || f.has_sphere_lights
-                                    || f.has_tube_lights || f.has_polygon_lights || f.has_sun_disks
-                                    || f.has_environment_lights;
+    bool has_lights_to_meet = f.has_sun_disks;
+    scene::for_each_light_kind([&]<class L>(std::type_identity<L>) {
+        constexpr bool is_met = !std::is_same_v<L, scene::PointLight> && !std::is_same_v<L, scene::SpotLight>
+                                && !std::is_same_v<L, scene::DirectionalLight>
+                                && !std::is_same_v<L, scene::MeshLight>;
+        has_lights_to_meet |= is_met && f.has<L>();
+    });
     f.rays_per_light = has_lights_to_meet ? 2 : 1;
     return f;
 }

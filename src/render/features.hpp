@@ -4,6 +4,7 @@
 // software GL.)
 #include "scene/scene.hpp"
 
+#include <array>
 #include <compare>
 #include <span>
 #include <string>
@@ -12,19 +13,10 @@
 namespace sr::render {
 
 struct Features {
-    bool has_point_lights = false;
-    bool has_spot_lights = false;
-    bool has_directional_lights = false;
-    bool has_rectangle_lights = false;
-    bool has_disk_lights = false;
-    bool has_sphere_lights = false;
-    bool has_tube_lights = false;
-    bool has_polygon_lights = false;
-    bool has_mesh_lights = false;
+    std::array<bool, scene::light_kind_count> has_lights{}; // by kind; a point or spot with a radius is a sphere
     bool has_sun_disks = false;
     bool has_profiles = false;
     bool has_emission_maps = false;
-    bool has_environment_lights = false;
     bool has_environment_maps = false;
 
     bool has_base_color_texture = false;
@@ -70,6 +62,12 @@ struct Features {
     bool is_point = false;
 
     auto operator<=>(const Features&) const = default;
+
+    /// Whether there are lights of the kind L.
+    template<class L>
+    bool& has() {
+        return has_lights[scene::light_kind<L>()];
+    }
 
     /// The text that stands for interface/features.glsl.
     std::string glsl() const;

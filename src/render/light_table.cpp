@@ -1,29 +1,16 @@
 #include "render/light_table.hpp"
 
 #include "image/luminance.hpp"
-#include "render/alias_table.hpp"
 #include "render/emission_maps.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <numeric>
 
 namespace sr::render {
 namespace {
-
-/// Kinds as shaders/interface/lights.glsl numbers them.
-enum Kind {
-    point_light,
-    spot_light,
-    directional_light,
-    rectangle_light,
-    disk_light,
-    sphere_light,
-    tube_light,
-    polygon_light,
-    mesh_light,
-    environment_light
-};
 
 using Texels = std::array<vec4, texels_per_light>;
 
@@ -31,15 +18,17 @@ float inverse_range(float range) { return std::isfinite(range) ? std::min(1.0f /
 
 /// Keeps products of a quantity within float range, whatever the file states: L and E end where
 /// shaders/light/light_sample.glsl bounds a sample, I at 1e30 cd.
-vec3 in_range(vec3 quantity, Kind kind) {
-    constexpr float most_light = 1e15f, most_intensity = 1e30f;
-    return glm::min(quantity, vec3(kind == point_light || kind == spot_light ? most_intensity : most_light));
-}
+vec3 in_range(vec3 quantity, float max) { return glm::min(quantity, vec3(max)); }
+constexpr float max_light = 1e15f, max_intensity = 1e30f;
 
-Texels blank(vec3 position, Kind kind, vec3 quantity) {
+template<class L>
+Texels blank(vec3 position, const L& light, vec3 quantity) {
     Texels t{};
-    t[0] = vec4(position, kind);
-    t[2] = vec4(in_range(quantity, kind), 0.0f);
+    t[0] = vec4(position, scene::light_kind<L>());
+    if constexpr (requires { light.I; })
+        t[2] = vec4(in_range(quantity, max_intensity), 0.0f);
+    else
+        t[2] = vec4(in_range(quantity, max_light), 0.0f);
     t[3].w = 1.0f; // no cone: saturate(cos * 0 + 1)
     t[5].w = -1.0f;
     t[6].x = -1.0f;
@@ -54,7 +43,7 @@ public:
         : scene_(scene), maps_(maps), environments_(environments), first_(light_count * texels_per_light) {}
 
     Texels operator()(const scene::PointLight& light) {
-        Texels t = round(blank(light.position, point_light, light.I), light.radius);
+        Texels t = round(blank(light.position, light, light.I), light.radius);
         t[1].w = inverse_range(light.range);
         if (light.profile < 0) return t;
         t[5].w = static_cast<float>(place_of_profile(light.profile));
@@ -65,39 +54,39 @@ public:
     }
 
     Texels operator()(const scene::SpotLight& light) {
-        Texels t = round(blank(light.position, spot_light, light.I), light.radius);
+        Texels t = round(blank(light.position, light, light.I), light.radius);
         t[1] = vec4(light.direction, inverse_range(light.range));
-        const scene::ConeFalloff cone = scene::cone_falloff(light);
+        const scene::ConeFalloff cone = light.falloff();
         t[2].w = cone.scale;
         t[3].w = cone.offset;
         return t;
     }
 
     Texels operator()(const scene::DirectionalLight& light) {
-        Texels t = blank(vec3(0.0f), directional_light, light.E);
+        Texels t = blank(vec3(0.0f), light, light.E);
         t[1] = vec4(light.direction, 0.0f);
         t[5].x = light.angular_radius;
         return t;
     }
 
-    Texels operator()(const scene::RectangleLight& light) { return flat(light, rectangle_light); }
-    Texels operator()(const scene::DiskLight& light) { return flat(light, disk_light); }
+    Texels operator()(const scene::RectangleLight& light) { return flat(light); }
+    Texels operator()(const scene::DiskLight& light) { return flat(light); }
 
     Texels operator()(const scene::SphereLight& light) {
-        Texels t = blank(light.center, sphere_light, light.L);
+        Texels t = blank(light.center, light, light.L);
         t[5].x = light.radius;
         return t;
     }
 
     Texels operator()(const scene::TubeLight& light) {
-        Texels t = blank(light.center, tube_light, light.L);
+        Texels t = blank(light.center, light, light.L);
         t[3] = vec4(light.half_axis, t[3].w);
         t[5].x = light.radius;
         return t;
     }
 
     Texels operator()(const scene::PolygonLight& light) {
-        Texels t = blank(light.center(), polygon_light, light.L);
+        Texels t = blank(light.center(), light, light.L);
         t[1] = vec4(light.normal(), 0.0f);
         t[4].w = light.is_two_sided ? 1.0f : 0.0f;
         t[5].y = static_cast<float>(end());
@@ -108,7 +97,7 @@ public:
 
     Texels operator()(const scene::MeshLight& light) {
         Texels t =
-            blank(light.triangles.empty() ? vec3(0.0f) : light.triangles[0].corners[0], mesh_light, light.L);
+            blank(light.triangles.empty() ? vec3(0.0f) : light.triangles[0].corners[0], light, light.L);
         t[4].w = light.is_two_sided ? 1.0f : 0.0f;
         if (light.texture >= 0) t[6].x = static_cast<float>(place_of_map(light.texture));
         t[5].y = static_cast<float>(end());
@@ -119,7 +108,7 @@ public:
 
     Texels operator()(const scene::EnvironmentLight& light) {
         const bool is_dark = light.map && !light.map->has_light();
-        Texels t = blank(vec3(0.0f), environment_light, is_dark ? vec3(0.0f) : light.L);
+        Texels t = blank(vec3(0.0f), light, is_dark ? vec3(0.0f) : light.L);
         if (!light.map || is_dark) return t;
         t[1] = vec4(std::cos(light.rotation), std::sin(light.rotation), 0.0f, 0.0f);
         t[3] = vec4(light.map->width(), light.map->height(), 0.0f, t[3].w);
@@ -136,15 +125,15 @@ private:
     /// A point or spot with a radius is a sphere of radiance I / (π radius²).
     static Texels round(Texels t, float radius) {
         if (!(radius > 0.0f)) return t;
-        t[0].w = sphere_light;
-        t[2] = vec4(in_range(vec3(t[2]) / std::max(pi * radius * radius, 1e-38f), sphere_light), t[2].w);
+        t[0].w = static_cast<float>(scene::light_kind<scene::SphereLight>());
+        t[2] = vec4(in_range(vec3(t[2]) / std::max(pi * radius * radius, 1e-38f), max_light), t[2].w);
         t[5].x = radius;
         return t;
     }
 
     template<class Flat>
-    Texels flat(const Flat& light, Kind kind) {
-        Texels t = blank(light.center, kind, light.L);
+    Texels flat(const Flat& light) {
+        Texels t = blank(light.center, light, light.L);
         t[1] = vec4(light.normal(), 0.0f);
         t[3] = vec4(light.half_u, t[3].w);
         t[4] = vec4(light.half_v, light.is_two_sided ? 1.0f : 0.0f);
@@ -213,6 +202,36 @@ private:
 };
 
 } // namespace
+
+// Triangles of equal areas make shares of 1 but for rounding. They all count as full, so that the table, and
+// with it every sample, stays the same when a scene is moved or scaled.
+constexpr double full_share = 1.0 - 1e-6;
+
+std::vector<AliasEntry> alias_table(std::span<const double> weights) {
+    const std::size_t count = weights.size();
+    const double total = std::accumulate(weights.begin(), weights.end(), 0.0);
+    std::vector<AliasEntry> table(count);
+    std::vector<double> share(count, 1.0); // of the mean
+    std::vector<std::size_t> small, large;
+    for (std::size_t i = 0; i < count; ++i) {
+        if (total > 0.0) share[i] = weights[i] / total * static_cast<double>(count);
+        table[i].probability = static_cast<float>(share[i] / static_cast<double>(count));
+        table[i].alias = static_cast<int>(i);
+        (share[i] < full_share ? small : large).push_back(i);
+    }
+    while (!small.empty() && !large.empty()) {
+        const std::size_t needy = small.back(), rich = large.back();
+        small.pop_back();
+        table[needy].keep = static_cast<float>(share[needy]);
+        table[needy].alias = static_cast<int>(rich);
+        share[rich] -= 1.0 - share[needy];
+        if (share[rich] < full_share) {
+            large.pop_back();
+            small.push_back(rich);
+        }
+    }
+    return table; // what is left over is full but for rounding, and keeps its share
+}
 
 std::vector<vec4> pack_lights(const scene::Scene& scene, std::span<const scene::Light> lights,
                               EmissionMaps& maps, EnvironmentTexels& environments) {

@@ -1,6 +1,6 @@
 #pragma once
 // The camera in use: one of the file's, exactly as it is there, or a free one that a person moves.
-#include "scene/stage.hpp"
+#include "scene/prepare.hpp"
 #include "viewer/bindings.hpp"
 #include "viewer/viewpoint.hpp"
 

@@ -103,10 +103,10 @@ float stretched(const Grip& grip, const Projection& projection, vec2 pointer) {
 Pull sized(const Grip& grip, const Projection& projection, vec2 pointer, bool snaps) {
     const auto typed = number(grip.typed);
     if (grip.axis) {
-        const Extent& extent = grip.extents[static_cast<std::size_t>(*grip.axis)];
+        const scene::LightSize& extent = grip.extents[static_cast<std::size_t>(*grip.axis)];
         const float pointed = snapped(extent.size * stretched(grip, projection, pointer), 0.1f, snaps);
         const float size = std::max(smallest_factor * extent.size, typed.value_or(pointed));
-        return {mat4(1.0f), size, fmt::format("{} {:.4g} m", extent.name, size)};
+        return {mat4(1.0f), size, fmt::format("{} {:.4g} m", extent.key, size)};
     }
     const float factor = std::max(
         smallest_factor, typed ? *typed : snapped(stretched(grip, projection, pointer), 0.1f, snaps));

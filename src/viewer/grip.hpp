@@ -1,7 +1,7 @@
 #pragma once
 // A light in the hand: moved, turned or scaled by the pointer, or by a number that is typed. Plain data, pure
 // functions.
-#include "viewer/extents.hpp"
+#include "scene/lights/light.hpp"
 #include "viewer/gizmo.hpp"
 
 #include <string>
@@ -17,7 +17,7 @@ struct Grip {
     std::optional<int> axis{};
     bool is_free = false;          // begun by a key: a click or Enter ends it, not the release of a button
     vec3 center{0.0f};             // what is turned and scaled around [m]
-    std::vector<Extent> extents{}; // at the beginning
+    std::vector<scene::LightSize> extents{}; // at the beginning
     vec2 from{0.0f};               // where the pointer was, in the window
     std::string typed{};           // a number: metres, degrees; of an extent metres, of the whole a factor
     std::string words{};           // what was done so far; empty: nothing

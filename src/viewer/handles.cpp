@@ -43,7 +43,7 @@ constexpr std::array letters{"X", "Y", "Z"};
 
 } // namespace
 
-Handles handles_of(const std::vector<Extent>& extents, vec3 center, bool moves, const Projection& projection,
+Handles handles_of(const std::vector<scene::LightSize>& extents, vec3 center, bool moves, const Projection& projection,
                    float scale) {
     Handles handles;
     const auto at = projection(center);

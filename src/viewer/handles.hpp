@@ -1,7 +1,7 @@
 #pragma once
 // What a selected light is taken by: arrows that move it, rings that turn it, squares that pull one of its
 // sizes.
-#include "viewer/extents.hpp"
+#include "scene/lights/light.hpp"
 #include "viewer/grip.hpp"
 
 namespace sr::viewer {
@@ -19,7 +19,7 @@ struct Handles {
 
 /// Those of a light around `center`; `moves`: whether it is somewhere. `scale`: of a HiDPI screen. None
 /// behind the eye.
-Handles handles_of(const std::vector<Extent>& extents, vec3 center, bool moves, const Projection& projection,
+Handles handles_of(const std::vector<scene::LightSize>& extents, vec3 center, bool moves, const Projection& projection,
                    float scale);
 
 /// The one that the pointer is on; absent: none.

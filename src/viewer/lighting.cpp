@@ -1,22 +1,14 @@
 #include "viewer/lighting.hpp"
 
 #include "core/error.hpp"
-#include "scene/emitters.hpp"
-#include "scene/light_surfaces.hpp"
-#include "viewer/extents.hpp"
+#include "scene/prepare.hpp"
+#include "scene/lights/light.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
 #include <utility>
 
 namespace sr::viewer {
-namespace {
-
-std::string name_of(const scene::Light& light) {
-    return std::visit([](const auto& l) { return l.name; }, light);
-}
-
-} // namespace
 
 Lighting::Lighting(const LoadedScene& loaded, bool hides_emitters) : hides_emitters_(hides_emitters) {
     const scene::Scene& scene = loaded.stage.scene;
@@ -112,11 +104,11 @@ void Lighting::set_quantity(std::size_t index, vec3 quantity) {
     remember();
     switches(lamp.kind)[lamp.index] = true;
     if (lamp.kind == Lamp::Kind::light) {
-        viewer::set_quantity(state_.lights[lamp.index], quantity);
+        scene::set_quantity(state_.lights[lamp.index], quantity);
         state_.lights_given[lamp.index] = true;
     }
     if (lamp.kind == Lamp::Kind::softbox) {
-        viewer::set_quantity(state_.softboxes[lamp.index], quantity);
+        scene::set_quantity(state_.softboxes[lamp.index], quantity);
         state_.softboxes_changed = true;
     }
     if (lamp.kind == Lamp::Kind::surface) {
@@ -154,7 +146,7 @@ void Lighting::set_size(std::size_t index, std::size_t extent, float size) {
     require(can_move(index), "surfaces keep their sizes");
     remember();
     const Lamp& lamp = lamps_[index];
-    viewer::set_size(light_of(lamp), extent, size);
+    scene::set_size(light_of(lamp), extent, size);
     if (lamp.kind == Lamp::Kind::light)
         state_.resized[lamp.index] = true;
     else
@@ -261,10 +253,10 @@ void Lighting::apply(LoadedScene& loaded) {
     // What is off shines with nothing: it stays where it is, so that all others keep their numbers.
     for (const Lamp& lamp : lamps_) {
         if (lamp.is_on) continue;
-        for (const int k : lamp.lights) viewer::set_quantity(lights[static_cast<std::size_t>(k)], vec3(0.0f));
+        for (const int k : lamp.lights) scene::set_quantity(lights[static_cast<std::size_t>(k)], vec3(0.0f));
         if (lamp.kind == Lamp::Kind::surface) scene.materials[lamp.index].emission = vec3(0.0f);
         if (lamp.kind == Lamp::Kind::light) // its surface goes dark, too
-            viewer::set_quantity(scene.lights[static_cast<std::size_t>(lamp.lights.front())], vec3(0.0f));
+            scene::set_quantity(scene.lights[static_cast<std::size_t>(lamp.lights.front())], vec3(0.0f));
     }
     if (hides_emitters_)
         for (scene::Material& material : scene.materials) material.emission = vec3(0.0f);

@@ -1,7 +1,7 @@
 #include "viewer/lights_panel.hpp"
 
 #include "core/error.hpp"
-#include "viewer/extents.hpp"
+#include "scene/lights/light.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -153,10 +153,10 @@ LightChange LightsPanel::draw_place(Lighting& lighting) {
         scale_ = scale;
         transform(around(pivot, glm::scale(mat4(1.0f), vec3(by))));
     }
-    const std::vector<Extent> extents = extents_of(lighting.lights_of(lamp).front());
+    const std::vector<scene::LightSize> extents = scene::sizes_of(lighting.lights_of(lamp).front());
     for (std::size_t i = 0; i < extents.size(); ++i) {
         float size = extents[i].size;
-        const std::string label = fmt::format("{} [m]", extents[i].name);
+        const std::string label = fmt::format("{} [m]", extents[i].key);
         const bool is_changed = ImGui::DragFloat(label.c_str(), &size, 0.01f * size, 1e-4f, 1e4f, "%.4g",
                                                  ImGuiSliderFlags_AlwaysClamp);
         if (ImGui::IsItemActivated()) lighting.begin_step();

@@ -1,6 +1,6 @@
 #include "viewer/moment_lights.hpp"
 
-#include "viewer/extents.hpp"
+#include "scene/lights/light.hpp"
 
 #include <algorithm>
 
@@ -24,10 +24,10 @@ void insert_light(LightingState& state, std::size_t at, const scene::Light& ligh
 
 /// Gives a light the sizes of another one of its kind.
 void take_sizes(scene::Light& light, const scene::Light& from) {
-    const std::vector<Extent> sizes = extents_of(from);
-    const std::size_t count = extents_of(light).size();
+    const std::vector<scene::LightSize> sizes = scene::sizes_of(from);
+    const std::size_t count = scene::sizes_of(light).size();
     const float across = sizes.size() < count ? 2.0f : 1.0f;   // a radius, where an ellipse became a circle
-    for (std::size_t i = 0; i < extents_of(light).size(); ++i) // an ellipse may become a circle on the way
+    for (std::size_t i = 0; i < scene::sizes_of(light).size(); ++i) // an ellipse may become a circle on the way
         set_size(light, i, across * sizes[std::min(i, sizes.size() - 1)].size);
 }
 

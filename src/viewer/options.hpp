@@ -4,7 +4,7 @@
 #include "image/display.hpp"
 #include "render/renderer.hpp"
 #include "render/stop_rule.hpp"
-#include "scene/stage.hpp"
+#include "scene/prepare.hpp"
 
 namespace sr::viewer {
 

@@ -106,8 +106,7 @@ void ProbePanel::draw_row(int k, const scene::Stage& stage, const Lighting& ligh
     const auto lamp = std::ranges::find_if(
         lamps, [k](const Lamp& l) { return std::ranges::find(l.lights, k) != l.lights.end(); });
     const auto index = static_cast<std::size_t>(lamp - lamps.begin());
-    const auto name =
-        std::visit([](const auto& l) { return l.name; }, stage.lights[static_cast<std::size_t>(k)]);
+    const std::string& name = scene::name_of(stage.lights[static_cast<std::size_t>(k)]);
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     const std::string label = fmt::format("{} {}", k, name);

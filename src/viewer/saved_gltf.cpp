@@ -2,7 +2,7 @@
 
 #include "core/error.hpp"
 #include "image/whole_file.hpp"
-#include "viewer/extents.hpp"
+#include "scene/lights/light.hpp"
 #include "viewer/gltf_text.hpp"
 
 #include <algorithm>
@@ -31,7 +31,7 @@ void state(ordered_json& steradian, double value, std::string_view unit, vec3 rg
 void state(ordered_json& steradian, const scene::Light& light, bool is_on, const scene::Scene& scene) {
     const vec3 quantity = is_on ? quantity_of(light) : vec3(0.0f);
     if (!has_profile(light))
-        return state(steradian, scene::luminance(quantity), scene::name_of({kind_of(light), scene.units}),
+        return state(steradian, scene::luminance(quantity), scene::name_of({quantity_kind_of(light), scene.units}),
                      quantity);
     const double flux = is_on ? scene::luminance(*scene::flux_of(light, scene.profiles)) : 0.0;
     state(steradian, flux, scene::name_of({scene::Quantity::flux, scene.units}), quantity);
@@ -158,8 +158,8 @@ private:
         if (node.contains("extensions") && node["extensions"].contains("EXT_lights_area"))
             return resize_area(node["extensions"]["EXT_lights_area"]["light"], light, scale);
         constexpr double rounding = 1e-6;
-        for (const Extent& extent : extents_of(light)) {
-            ordered_json& stated = node["extras"]["steradian"][extent.name];
+        for (const scene::LightSize& extent : scene::sizes_of(light)) {
+            ordered_json& stated = node["extras"]["steradian"][extent.key];
             const double size = extent.size / scale;
             if (!stated.is_number() || std::abs(stated.get<double>() - size) > rounding * size) stated = size;
         }
@@ -169,7 +169,7 @@ private:
     void resize_area(ordered_json& reference, const scene::Light& light, double scale) {
         ordered_json& lights = json()["extensions"]["EXT_lights_area"]["lights"];
         ordered_json other = lights[reference.get<std::size_t>()];
-        const std::vector<Extent> extents = extents_of(light);
+        const std::vector<scene::LightSize> extents = scene::sizes_of(light);
         if (extents.size() == 1) {
             other["size"] = 2.0 * extents[0].size / scale; // across a disk
         } else {
@@ -212,7 +212,7 @@ private:
     void add_light(const scene::Light& light, bool is_on) {
         if (std::holds_alternative<scene::EnvironmentLight>(light))
             return; // the studio comes by itself, where it is due
-        ordered_json node{{"name", std::visit([](const auto& l) { return l.name; }, light)}};
+        ordered_json node{{"name", scene::name_of(light)}};
         ordered_json steradian;
         if (const auto* flat = std::get_if<scene::RectangleLight>(&light)) {
             node["matrix"] = matrix_json(in_file(frame_of(flat->center, flat->half_u, flat->half_v)));

@@ -18,7 +18,7 @@ std::optional<Handles> Session::handles() const {
     const Lighting& lighting = show_->lighting();
     if (!lights_.selected || !lighting.can_move(*lights_.selected)) return std::nullopt;
     const auto center = center_of(lighting, *lights_.selected);
-    return handles_of(extents_of(lighting.lights_of(*lights_.selected).front()), grip_center(),
+    return handles_of(scene::sizes_of(lighting.lights_of(*lights_.selected).front()), grip_center(),
                       center.has_value(), projection(), ui_.scale());
 }
 
@@ -29,7 +29,7 @@ void Session::take_grip(Verb verb, std::optional<int> axis, bool is_free) {
     grip.is_free = is_free;
     grip.center = grip_center();
     grip.from = pointer_;
-    grip.extents = extents_of(lighting.lights_of(*lights_.selected).front());
+    grip.extents = scene::sizes_of(lighting.lights_of(*lights_.selected).front());
     if (axis) grip.constrain_to(*axis);
     grip_ = std::move(grip);
     show_->lighting().begin_step();
@@ -38,7 +38,7 @@ void Session::take_grip(Verb verb, std::optional<int> axis, bool is_free) {
 /// Shadows are made anew only for what casts some.
 LightChange Session::change_of_grip() const {
     const scene::Light light = show_->lighting().lights_of(*lights_.selected).front();
-    return has_size(light) ? LightChange::place : LightChange::quantity;
+    return is_scalable(light) ? LightChange::place : LightChange::quantity;
 }
 
 /// By a key: the light follows the pointer until a click.
@@ -48,7 +48,7 @@ void Session::take_grip(Verb verb) {
     if (!lighting.can_move(*lights_.selected)) return say("surfaces belong to the scene: they stay");
     if (verb != Verb::turn && !center_of(lighting, *lights_.selected))
         return say("it shines from infinitely far: it can only be turned (R)");
-    if (verb == Verb::scale && !has_size(lighting.lights_of(*lights_.selected).front()))
+    if (verb == Verb::scale && !is_scalable(lighting.lights_of(*lights_.selected).front()))
         return say("it is a point: a radius is to be given in its file");
     take_grip(verb, std::nullopt, true);
     say("X, Y, Z: along one axis; a number; click or Enter: done; Esc: as it was");

@@ -1,7 +1,7 @@
 #pragma once
 // What `--estimator analytic` makes of a white Lambert plane under one light, against a number in doubles a
 // pixel.
-#include "scene/light.hpp"
+#include "scene/lights/light.hpp"
 
 #include <functional>
 #include <glm/glm.hpp>

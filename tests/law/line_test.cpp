@@ -1,6 +1,5 @@
 // Points and lines: a few pixels wide whatever the distance, seen, and of no effect on light.
-#include "scene/emitters.hpp"
-#include "scene/stage.hpp"
+#include "scene/prepare.hpp"
 #include "support/address.hpp"
 #include "support/gl.hpp"
 #include "support/scenes.hpp"

@@ -2,8 +2,7 @@
 #include "support/gl.hpp"
 #include "support/scenes.hpp"
 
-#include "scene/emitters.hpp"
-#include "scene/stage.hpp"
+#include "scene/prepare.hpp"
 
 #include <algorithm>
 #include <cmath>

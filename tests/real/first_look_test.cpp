@@ -3,7 +3,7 @@
 #include "core/error.hpp"
 #include "gltf/load.hpp"
 #include "image/display.hpp"
-#include "scene/stage.hpp"
+#include "scene/prepare.hpp"
 #include "support/address.hpp"
 #include "support/models.hpp"
 #include "support/scenes.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 // Pictures of many generated scenes by one OpenGL context and few programs.
 #include "render/renderer.hpp"
-#include "scene/stage.hpp"
+#include "scene/prepare.hpp"
 #include "support/random_scene.hpp"
 
 #include <functional>

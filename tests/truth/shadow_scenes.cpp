@@ -2,7 +2,7 @@
 
 #include "core/error.hpp"
 #include "gltf/load.hpp"
-#include "scene/stage.hpp"
+#include "scene/prepare.hpp"
 #include "support/models.hpp"
 #include "support/scenes.hpp"
 #include "truth/scenes.hpp"

@@ -1,7 +1,7 @@
 #include "golden/compare.hpp"
 #include "image/file.hpp"
 #include "render/renderer.hpp"
-#include "scene/stage.hpp"
+#include "scene/prepare.hpp"
 #include "support/address.hpp"
 #include "support/gl.hpp"
 #include "support/models.hpp"

@@ -3,8 +3,7 @@
 #include "gl/context.hpp"
 #include "gltf/load.hpp"
 #include "render/renderer.hpp"
-#include "scene/rig.hpp"
-#include "scene/stage.hpp"
+#include "scene/prepare.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>

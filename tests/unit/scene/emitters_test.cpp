@@ -1,6 +1,5 @@
-#include "scene/emitters.hpp"
+#include "scene/prepare.hpp"
 
-#include "scene/light_surfaces.hpp"
 
 #include "support/address.hpp"
 

@@ -1,7 +1,6 @@
-#include "scene/stage.hpp"
+#include "scene/prepare.hpp"
 
 #include "core/error.hpp"
-#include "scene/framing.hpp"
 #include "support/address.hpp"
 
 #include <algorithm>

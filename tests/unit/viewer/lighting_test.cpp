@@ -1,7 +1,7 @@
 // Editing lights: what a person types, and that a saved file has the lights that were seen.
 #include "core/error.hpp"
 #include "support/address.hpp"
-#include "viewer/extents.hpp"
+#include "scene/lights/light.hpp"
 #include "viewer/saved_gltf.hpp"
 
 #include <algorithm>
@@ -132,7 +132,7 @@ const Test resized("unit.viewer.lights.a_saved_file_has_the_sizes_that_were_seen
         const mat4 by = glm::scale(glm::rotate(mat4(1.0f), 0.3f, vec3(0, 0, 1)), vec3(0.8f));
         for (std::size_t i = 0; i < lights; ++i) {
             if (i % 2 == 0) lighting.transform(i, by);
-            const std::vector<Extent> extents = extents_of(lighting.state().lights[i]);
+            const std::vector<scene::LightSize> extents = scene::sizes_of(lighting.state().lights[i]);
             for (std::size_t k = 0; k < extents.size(); ++k, ++pulled)
                 lighting.set_size(i, k, extents[k].size * (1.5f + 0.2f * static_cast<float>(k)));
         }
