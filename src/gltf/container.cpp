@@ -68,8 +68,9 @@ Container split_glb(Bytes glb, const std::string& name) {
     const Chunk first = chunk_at(glb, header_size, name);
     if (first.type != json_chunk) throw Error({name}, "the first chunk of the GLB is not JSON", remedy);
 
-    Container container{without_zeros(text(first.data)), std::nullopt, header_size + chunk_header_size};
+    Container container{without_zeros(text(first.data)), std::nullopt, header_size + chunk_header_size, {}};
     const std::size_t second = container.json_offset + first.data.size();
+    container.chunks = glb.subspan(second);
     // Up to three bytes of padding may be left; chunks of unknown types are ignored, as the specification
     // says.
     if (glb.size() - second < 4) return container;
@@ -83,7 +84,23 @@ Container split_glb(Bytes glb, const std::string& name) {
 Container split(Bytes file, const std::string& name) {
     if (file.empty()) throw Error({name}, "the file is empty", remedy);
     if (file.size() >= 4 && word(file, 0) == glb_magic) return split_glb(checked_glb(file, name), name);
-    return {text(file), std::nullopt, 0};
+    return {text(file), std::nullopt, 0, {}};
+}
+
+std::vector<std::uint8_t> glb_of(std::string json, Bytes chunks) {
+    json.resize((json.size() + 3) / 4 * 4, ' ');
+    std::vector<std::uint8_t> glb;
+    const auto append = [&](std::size_t value) {
+        for (int i = 0; i < 4; ++i) glb.push_back(static_cast<std::uint8_t>(value >> (8 * i)));
+    };
+    append(glb_magic);
+    append(2); // version
+    append(header_size + chunk_header_size + json.size() + chunks.size());
+    append(json.size());
+    append(json_chunk);
+    glb.insert(glb.end(), json.begin(), json.end());
+    glb.insert(glb.end(), chunks.begin(), chunks.end());
+    return glb;
 }
 
 } // namespace sr::gltf

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace sr::gltf {
 
@@ -14,11 +15,17 @@ struct Container {
     std::string_view json;
     std::optional<Bytes> bin;    // GLB's first buffer
     std::size_t json_offset = 0; // of the JSON in the file [bytes]; not 0 in a GLB
+    Bytes chunks{};              // a GLB's chunks behind the JSON, headers included
+
+    bool is_glb() const { return json_offset != 0; }
 };
 
 /// Tells GLB from JSON by the first four bytes and checks every length that a GLB states against the file's
 /// size. `name` is what errors call the file.
 /// @throws Error
 Container split(Bytes file, const std::string& name);
+
+/// Builds a GLB of a JSON text, which it pads, and the chunks behind it.
+std::vector<std::uint8_t> glb_of(std::string json, Bytes chunks);
 
 } // namespace sr::gltf

@@ -44,16 +44,15 @@ std::string description(const std::exception& error) {
         "export the file again");
 }
 
-} // namespace
-
-json parse(const Container& container, const std::string& name) {
+template<class Json>
+Json parse_as(const Container& container, const std::string& name) {
     const JsonExtent extent = json_extent(container.json);
     check_limit(Limit::json_values, extent.values, name);
     if (extent.depth > deepest)
         throw Error({name}, fmt::format("the JSON is nested deeper than {} levels", deepest),
                     "flatten the extras or extensions that do so");
     try {
-        json root = json::parse(container.json.begin(), container.json.end());
+        Json root = Json::parse(container.json.begin(), container.json.end());
         if (!root.is_object()) throw Error({name}, "the JSON is not an object", "give a glTF 2.0 file");
         return root;
     } catch (const json::parse_error& error) {
@@ -62,6 +61,14 @@ json parse(const Container& container, const std::string& name) {
         fail_at(overflowing_number(container.json).value_or(0) + 1, "the JSON cannot be read", error,
                 container, name);
     }
+}
+
+} // namespace
+
+json parse(const Container& container, const std::string& name) { return parse_as<json>(container, name); }
+
+nlohmann::ordered_json parse_ordered(const Container& container, const std::string& name) {
+    return parse_as<nlohmann::ordered_json>(container, name);
 }
 
 } // namespace sr::gltf

@@ -11,4 +11,7 @@ namespace sr::gltf {
 /// their stack), or is no object.
 nlohmann::json parse(const Container& container, const std::string& name);
 
+/// The same, with the members of each object in the file's order.
+nlohmann::ordered_json parse_ordered(const Container& container, const std::string& name);
+
 } // namespace sr::gltf

@@ -16,8 +16,8 @@ LightGroup group_of(const std::vector<scene::Light>& lights, const scene::Scene&
 }
 
 /// A mark stands for what the picture does not show.
-bool needs_mark(const Lighting& lighting, std::size_t lamp) {
-    if (lighting.lamps()[lamp].kind == Lamp::Kind::softbox) return true;
+bool needs_mark(const LightEditor& lighting, std::size_t lamp) {
+    if (lighting.entries()[lamp].kind == LightEdit::Kind::softbox) return true;
     const auto lights = lighting.lights_of(lamp);
     return lights.size() == 1
            && (std::holds_alternative<scene::PointLight>(lights[0])
@@ -36,7 +36,7 @@ scene::RectangleLight new_rectangle(vec3 at) {
 
 } // namespace
 
-std::optional<vec3> center_of(const Lighting& lighting, std::size_t lamp) {
+std::optional<vec3> center_of(const LightEditor& lighting, std::size_t lamp) {
     vec3 sum(0.0f);
     float count = 0.0f;
     for (const scene::Light& light : lighting.lights_of(lamp))
@@ -47,9 +47,9 @@ std::optional<vec3> center_of(const Lighting& lighting, std::size_t lamp) {
     return count > 0.0f ? std::optional(sum / count) : std::nullopt;
 }
 
-LightChange LightsPanel::draw(Lighting& lighting, const LoadedScene& loaded, vec3 new_light_at,
+LightChange LightsPanel::draw(LightEditor& lighting, const LoadedScene& loaded, vec3 new_light_at,
                               std::string& message) {
-    if (selected && *selected >= lighting.lamps().size()) selected.reset();
+    if (selected && *selected >= lighting.entries().size()) selected.reset();
     if (selected != was_selected_) {
         turn_ = vec3(0.0f);
         scale_ = 1.0f;
@@ -64,16 +64,16 @@ LightChange LightsPanel::draw(Lighting& lighting, const LoadedScene& loaded, vec
     return std::max(change, draw_new(lighting, new_light_at));
 }
 
-LightChange LightsPanel::draw_list(Lighting& lighting, const LoadedScene& loaded) {
+LightChange LightsPanel::draw_list(LightEditor& lighting, const LoadedScene& loaded) {
     LightChange change = LightChange::none;
-    for (std::size_t i = 0; i < lighting.lamps().size(); ++i) {
-        const Lamp& lamp = lighting.lamps()[i];
+    for (std::size_t i = 0; i < lighting.entries().size(); ++i) {
+        const LightEntry& lamp = lighting.entries()[i];
         const auto lights = lighting.lights_of(i);
         ImGui::PushID(static_cast<int>(i));
-        bool is_on = lamp.is_on;
+        bool is_on = lamp.is_enabled;
         if (ImGui::Checkbox("##on", &is_on)) {
             lighting.begin_step();
-            lighting.switch_to(i, is_on);
+            lighting.enable(i, is_on);
             change = LightChange::quantity;
         }
         ImGui::SameLine();
@@ -85,7 +85,7 @@ LightChange LightsPanel::draw_list(Lighting& lighting, const LoadedScene& loaded
     return change;
 }
 
-LightChange LightsPanel::draw_value(Lighting& lighting, const LoadedScene& loaded, std::string& message) {
+LightChange LightsPanel::draw_value(LightEditor& lighting, const LoadedScene& loaded, std::string& message) {
     const auto lights = lighting.lights_of(*selected);
     const LightGroup group = group_of(lights, loaded.stage.scene);
     LightChange change = LightChange::none;
@@ -99,7 +99,7 @@ LightChange LightsPanel::draw_value(Lighting& lighting, const LoadedScene& loade
             const vec3 quantity = typed_quantity(typed_.data(), group);
             lighting.begin_step();
             lighting.set_quantity(*selected, quantity);
-            message = fmt::format("{}: {}", lighting.lamps()[*selected].name, typed_.data());
+            message = fmt::format("{}: {}", lighting.entries()[*selected].name, typed_.data());
             change = LightChange::quantity;
             typed_.fill('\0');
         } catch (const Error& error) {
@@ -118,7 +118,7 @@ LightChange LightsPanel::draw_value(Lighting& lighting, const LoadedScene& loade
     return change;
 }
 
-LightChange LightsPanel::draw_place(Lighting& lighting) {
+LightChange LightsPanel::draw_place(LightEditor& lighting) {
     const std::size_t lamp = *selected;
     if (!lighting.can_move(lamp)) return LightChange::none;
     LightChange change = LightChange::none;
@@ -167,7 +167,7 @@ LightChange LightsPanel::draw_place(Lighting& lighting) {
     return change;
 }
 
-LightChange LightsPanel::draw_new(Lighting& lighting, vec3 at) {
+LightChange LightsPanel::draw_new(LightEditor& lighting, vec3 at) {
     const auto add = [&](scene::Light light) {
         lighting.begin_step();
         selected = lighting.add(std::move(light));
@@ -181,10 +181,10 @@ LightChange LightsPanel::draw_new(Lighting& lighting, vec3 at) {
     return LightChange::none;
 }
 
-void LightsPanel::draw_marks(const Lighting& lighting, const Projection& projection, float scale) const {
+void LightsPanel::draw_marks(const LightEditor& lighting, const Projection& projection, float scale) const {
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
     constexpr ImU32 orange = IM_COL32(230, 159, 0, 255), grey = IM_COL32(220, 220, 220, 160);
-    for (std::size_t i = 0; i < lighting.lamps().size(); ++i) {
+    for (std::size_t i = 0; i < lighting.entries().size(); ++i) {
         const bool is_selected = selected == i;
         const auto center = center_of(lighting, i);
         const auto at = center ? projection(*center) : std::nullopt;
@@ -194,10 +194,10 @@ void LightsPanel::draw_marks(const Lighting& lighting, const Projection& project
     }
 }
 
-std::optional<std::size_t> LightsPanel::mark_under(const Lighting& lighting, const Projection& projection,
+std::optional<std::size_t> LightsPanel::mark_under(const LightEditor& lighting, const Projection& projection,
                                                    vec2 pointer) {
     constexpr float slack = 9.0f; // [pixels]
-    for (std::size_t i = 0; i < lighting.lamps().size(); ++i) {
+    for (std::size_t i = 0; i < lighting.entries().size(); ++i) {
         if (!needs_mark(lighting, i)) continue;
         const auto center = center_of(lighting, i);
         const auto at = center ? projection(*center) : std::nullopt;

@@ -1,8 +1,8 @@
 #pragma once
 // The list of lights, and the one that is selected.
+#include "viewer/document/light_edits.hpp"
 #include "viewer/focus.hpp"
 #include "viewer/gizmo.hpp"
-#include "viewer/lighting.hpp"
 
 #include <array>
 #include <string>
@@ -25,20 +25,21 @@ public:
     bool wants_focus() const { return focus_.is_open(); }
 
     /// Draws the panel. @return what changed; `message` is what to tell the person
-    LightChange draw(Lighting& lighting, const LoadedScene& loaded, vec3 new_light_at, std::string& message);
+    LightChange draw(LightEditor& lighting, const LoadedScene& loaded, vec3 new_light_at,
+                     std::string& message);
 
     /// Draws marks at lights that have no surface, and at the selected one.
-    void draw_marks(const Lighting& lighting, const Projection& projection, float scale) const;
+    void draw_marks(const LightEditor& lighting, const Projection& projection, float scale) const;
 
     /// The light whose mark is under the pointer.
-    static std::optional<std::size_t> mark_under(const Lighting& lighting, const Projection& projection,
+    static std::optional<std::size_t> mark_under(const LightEditor& lighting, const Projection& projection,
                                                  vec2 pointer);
 
 private:
-    LightChange draw_list(Lighting& lighting, const LoadedScene& loaded);
-    LightChange draw_value(Lighting& lighting, const LoadedScene& loaded, std::string& message);
-    LightChange draw_place(Lighting& lighting);
-    LightChange draw_new(Lighting& lighting, vec3 at);
+    LightChange draw_list(LightEditor& lighting, const LoadedScene& loaded);
+    LightChange draw_value(LightEditor& lighting, const LoadedScene& loaded, std::string& message);
+    LightChange draw_place(LightEditor& lighting);
+    LightChange draw_new(LightEditor& lighting, vec3 at);
 
     std::array<char, 64> typed_{};
     FocusWish focus_;
@@ -48,6 +49,6 @@ private:
 };
 
 /// Where lamp stands, if it is somewhere; of several surfaces the middle.
-std::optional<vec3> center_of(const Lighting& lighting, std::size_t lamp);
+std::optional<vec3> center_of(const LightEditor& lighting, std::size_t lamp);
 
 } // namespace sr::viewer

@@ -55,7 +55,7 @@ void header_cells(const scene::Scene& scene) {
 
 } // namespace
 
-void ProbePanel::draw(const scene::Stage& stage, const Lighting& lighting,
+void ProbePanel::draw(const scene::Stage& stage, const LightEditor& lighting,
                       std::optional<std::size_t>& selected, float scale) {
     if (!answer) return;
     const render::PixelTerms& terms = answer->terms;
@@ -99,12 +99,12 @@ void ProbePanel::draw(const scene::Stage& stage, const Lighting& lighting,
     if (!is_open) answer.reset();
 }
 
-void ProbePanel::draw_row(int k, const scene::Stage& stage, const Lighting& lighting,
+void ProbePanel::draw_row(int k, const scene::Stage& stage, const LightEditor& lighting,
                           std::optional<std::size_t>& selected) {
     const render::LightTerms& t = answer->terms.lights[static_cast<std::size_t>(k)];
-    const auto& lamps = lighting.lamps();
+    const auto& lamps = lighting.entries();
     const auto lamp = std::ranges::find_if(
-        lamps, [k](const Lamp& l) { return std::ranges::find(l.lights, k) != l.lights.end(); });
+        lamps, [k](const LightEntry& l) { return std::ranges::find(l.lights, k) != l.lights.end(); });
     const auto index = static_cast<std::size_t>(lamp - lamps.begin());
     const std::string& name = scene::name_of(stage.lights[static_cast<std::size_t>(k)]);
     ImGui::TableNextRow();

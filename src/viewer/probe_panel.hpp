@@ -1,8 +1,8 @@
 #pragma once
 // The equation at a pixel: the table of `steradian probe`, and its directions in the scene.
 #include "render/probe.hpp"
+#include "viewer/document/light_edits.hpp"
 #include "viewer/gizmo.hpp"
-#include "viewer/lighting.hpp"
 #include "viewer/lobe_panel.hpp"
 
 namespace sr::viewer {
@@ -23,14 +23,14 @@ public:
     std::optional<Answer> answer;
 
     /// Draws the table, if there is an answer. A row that is clicked selects its lamp in `selected`.
-    void draw(const scene::Stage& stage, const Lighting& lighting, std::optional<std::size_t>& selected,
+    void draw(const scene::Stage& stage, const LightEditor& lighting, std::optional<std::size_t>& selected,
               float scale);
 
     /// Draws n, wo, every light's mean wi and the lobe from x, the row's under the pointer thick.
     void draw_directions(const scene::Stage& stage, const Projection& projection, float scale) const;
 
 private:
-    void draw_row(int light, const scene::Stage& stage, const Lighting& lighting,
+    void draw_row(int light, const scene::Stage& stage, const LightEditor& lighting,
                   std::optional<std::size_t>& selected);
 
     LobePanel lobe_;

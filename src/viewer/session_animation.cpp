@@ -36,8 +36,8 @@ void Session::play(double elapsed) {
 
 /// Brings the playback's moment to the picture; cameras of the file that move are followed.
 void Session::show_moment() {
-    const std::optional<Lamp> selected =
-        lights_.selected ? std::optional(show_->lighting().lamps()[*lights_.selected]) : std::nullopt;
+    const std::optional<LightEntry> selected =
+        lights_.selected ? std::optional(show_->lighting().entries()[*lights_.selected]) : std::nullopt;
     try {
         show_->pose(playback_.moment());
     } catch (const Error& error) {
@@ -46,7 +46,7 @@ void Session::show_moment() {
         const gltf::Moment& shown = show_->scene().moment;
         playback_.seconds = shown.animations.empty() ? std::nullopt : std::optional(shown.seconds);
     }
-    if (selected) lights_.selected = show_->lighting().lamp_like(*selected);
+    if (selected) lights_.selected = show_->lighting().entry_like(*selected);
     options_.at = playback_.seconds;
     eye_->set_bounds(show_->scene().bounds);
     eye_->follow(show_->scene().stage.scene.cameras);

@@ -4,7 +4,7 @@
 #include "core/error.hpp"
 #include "core/output.hpp"
 #include "render/provenance.hpp"
-#include "viewer/saved_gltf.hpp"
+#include "viewer/document/light_edits.hpp"
 #include "viewer/screenshot.hpp"
 
 #include <algorithm>
@@ -144,7 +144,7 @@ void Session::draw_dialog() {
 void Session::save_scene(const std::string& file) {
     const bool is_free = scene::is_look_at(eye_->argument());
     try {
-        save(show_->scene(), show_->lighting(), is_free ? &eye_->camera() : nullptr, file);
+        show_->lighting().save(show_->scene(), is_free ? &eye_->camera() : nullptr, file);
         say("saved " + file);
     } catch (const Error& error) {
         fail("Nothing was saved.", error.what());

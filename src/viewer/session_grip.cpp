@@ -15,7 +15,7 @@ vec3 Session::grip_center() const {
 }
 
 std::optional<Handles> Session::handles() const {
-    const Lighting& lighting = show_->lighting();
+    const LightEditor& lighting = show_->lighting();
     if (!lights_.selected || !lighting.can_move(*lights_.selected)) return std::nullopt;
     const auto center = center_of(lighting, *lights_.selected);
     return handles_of(scene::sizes_of(lighting.lights_of(*lights_.selected).front()), grip_center(),
@@ -23,7 +23,7 @@ std::optional<Handles> Session::handles() const {
 }
 
 void Session::take_grip(Verb verb, std::optional<int> axis, bool is_free) {
-    const Lighting& lighting = show_->lighting();
+    const LightEditor& lighting = show_->lighting();
     Grip grip;
     grip.verb = verb;
     grip.is_free = is_free;
@@ -44,7 +44,7 @@ LightChange Session::change_of_grip() const {
 /// By a key: the light follows the pointer until a click.
 void Session::take_grip(Verb verb) {
     if (!lights_.selected) return say("select a light first: click it, or press Tab");
-    const Lighting& lighting = show_->lighting();
+    const LightEditor& lighting = show_->lighting();
     if (!lighting.can_move(*lights_.selected)) return say("surfaces belong to the scene: they stay");
     if (verb != Verb::turn && !center_of(lighting, *lights_.selected))
         return say("it shines from infinitely far: it can only be turned (R)");
@@ -56,10 +56,10 @@ void Session::take_grip(Verb verb) {
 
 void Session::pull_grip(vec2 pointer) {
     if (!lights_.selected) return grip_.reset();
-    Lighting& lighting = show_->lighting();
+    LightEditor& lighting = show_->lighting();
     const bool snaps = input_.is_down(GLFW_KEY_LEFT_CONTROL) || input_.is_down(GLFW_KEY_RIGHT_CONTROL);
     const Pull pull = pulled(*grip_, projection(), pointer, snaps);
-    lighting.take_back_step();
+    lighting.restart_step();
     if (pull.size > 0.0f)
         lighting.set_size(*lights_.selected, static_cast<std::size_t>(*grip_->axis), pull.size);
     else

@@ -11,29 +11,29 @@ Projection Session::projection() const { return {eye_->camera(), eye_->aspect_ra
 
 /// Selects the light under the pointer: its mark, or its surface.
 void Session::click(vec2 at) {
-    const Lighting& lighting = show_->lighting();
+    const LightEditor& lighting = show_->lighting();
     lights_.selected = LightsPanel::mark_under(lighting, projection(), at);
     if (!lights_.selected) {
         const scene::Stage& stage = show_->scene().stage;
         if (const auto hit = first_hit(stage.scene, projection().ray(at)))
-            lights_.selected = lighting.lamp_of_instance(stage, hit->instance);
+            lights_.selected = lighting.entry_of_instance(stage, hit->instance);
     }
     if (!lights_.selected) {
         question_ = at;
         say("asking the pixel; Esc stops");
         return;
     }
-    say("selected " + lighting.lamps()[*lights_.selected].name);
+    say("selected " + lighting.entries()[*lights_.selected].name);
 }
 
 bool Session::obey_light(Command command) {
-    Lighting& lighting = show_->lighting();
-    const std::size_t count = lighting.lamps().size();
+    LightEditor& lighting = show_->lighting();
+    const std::size_t count = lighting.entries().size();
     const auto changed = [&](LightChange change) { change_ = std::max(change_, change); };
     if (command == Command::next_light) {
         if (count == 0) return true;
         lights_.selected = lights_.selected ? (*lights_.selected + 1) % count : 0;
-        say("selected " + lighting.lamps()[*lights_.selected].name);
+        say("selected " + lighting.entries()[*lights_.selected].name);
         return true;
     }
     if (command == Command::undo_light || command == Command::redo_light) {
@@ -62,7 +62,7 @@ bool Session::obey_light(Command command) {
     lighting.begin_step();
     if (command == Command::edit_light) lights_.edit();
     if (command == Command::switch_light) {
-        lighting.switch_to(lamp, !lighting.lamps()[lamp].is_on);
+        lighting.enable(lamp, !lighting.entries()[lamp].is_enabled);
         changed(LightChange::quantity);
     }
     if (command == Command::solo_light) {

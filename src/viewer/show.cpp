@@ -91,7 +91,7 @@ void Show::pose(const gltf::Moment& moment) {
         failure = std::current_exception();
         viewer::pose(scene_, before);
     }
-    lighting_.follow(scene_);
+    lighting_.rebase(scene_);
     lighting_.apply(scene_);
     const bool deforms = scene_.contents.skins > 0 || scene_.contents.morph_targets > 0;
     gpu_.relight(scene_.stage.scene, scene_.stage.lights, deforms ? 0 : scene_.base.meshes, true);
@@ -100,9 +100,9 @@ void Show::pose(const gltf::Moment& moment) {
     if (failure) std::rethrow_exception(failure);
 }
 
-void Show::take_edits(Lighting lighting) {
+void Show::take_edits(LightEditor lighting) {
     lighting_ = std::move(lighting);
-    lighting_.follow(scene_);
+    lighting_.rebase(scene_);
     if (lighting_.is_changed()) relight(true);
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 // A scene on the GPU and its picture.
-#include "viewer/lighting.hpp"
+#include "viewer/document/light_edits.hpp"
 #include "viewer/picture.hpp"
 
 #include <memory>
@@ -40,15 +40,15 @@ public:
                         int width, int height);
 
     /// What is edited; relight() brings it to the picture.
-    Lighting& lighting() { return lighting_; }
-    const Lighting& lighting() const { return lighting_; }
+    LightEditor& lighting() { return lighting_; }
+    const LightEditor& lighting() const { return lighting_; }
     /// `casters_change`: something that casts shadows has moved, come or gone. @throws Error
     void relight(bool casters_change);
     /// Brings the file to another moment, edits included. @throws Error if a value makes no sense then; the
     /// moment before is shown
     void pose(const gltf::Moment& moment);
     /// Goes on with what was edited in the same file, with other materials.
-    void take_edits(Lighting lighting);
+    void take_edits(LightEditor lighting);
 
     double upload_seconds() const { return upload_seconds_; }
     double compile_seconds() const { return compile_seconds_; }
@@ -58,7 +58,7 @@ private:
     double upload_seconds_ = 0.0;
     double compile_seconds_ = 0.0;
     render::GpuScene gpu_;
-    Lighting lighting_;
+    LightEditor lighting_;
     std::unique_ptr<Picture> picture_;
     std::unique_ptr<Picture> reference_;
     render::Estimator reference_estimator_ = render::Estimator::sampled;

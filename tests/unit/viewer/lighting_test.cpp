@@ -1,8 +1,7 @@
 // Editing lights: what a person types, and that a saved file has the lights that were seen.
 #include "core/error.hpp"
 #include "support/address.hpp"
-#include "scene/lights/light.hpp"
-#include "viewer/saved_gltf.hpp"
+#include "viewer/document/light_edits.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -87,15 +86,15 @@ const Test saved("unit.viewer.lights.a_saved_file_has_the_lights_that_were_seen"
     for (const char* name : {"zoo.gltf", "emitters.gltf"}) {
         const std::string file = copied(name, folder);
         LoadedScene loaded = load_scene(file, {}, 1.0f);
-        Lighting lighting(loaded, false);
-        const std::size_t lights = lighting.state().lights.size();
+        LightEditor lighting(loaded, false);
+        const std::size_t lights = loaded.stage.scene.lights.size();
         ASSERT_GE(lights, 4u);
         const mat4 by = glm::rotate(glm::translate(mat4(1.0f), vec3(0.1f, 0.2f, -0.3f)), 0.4f, vec3(0, 1, 0));
         for (std::size_t i = 0; i < lights; ++i)
             if (i != 1) lighting.transform(i, by);
-        lighting.set_quantity(0, 3.0f * quantity_of(lighting.state().lights[0]));
-        lighting.set_quantity(lighting.lamps().size() - 1, vec3(7.0f, 5.0f, 3.0f));
-        lighting.switch_to(3, false);
+        lighting.set_quantity(0, 3.0f * quantity_of(lighting.edits()[0].light));
+        lighting.set_quantity(lighting.entries().size() - 1, vec3(7.0f, 5.0f, 3.0f));
+        lighting.enable(3, false);
         lighting.remove(2);
         lighting.add(scene::SphereLight{"more", vec3(0.5f), 0.2f, vec3(10.0f)});
         lighting.add(scene::PointLight{"spark", vec3(0.1f), vec3(2.0f)});
@@ -104,7 +103,7 @@ const Test saved("unit.viewer.lights.a_saved_file_has_the_lights_that_were_seen"
         lighting.add(plate);
         lighting.apply(loaded);
         const std::string copy = folder / (std::string("relit_") + name);
-        save(loaded, lighting, &loaded.stage.camera, copy);
+        lighting.save(loaded, &loaded.stage.camera, copy);
 
         const LoadedScene again = load_scene(copy, {}, 1.0f);
         EXPECT_EQ(again.stage.camera.name, "view");
@@ -127,17 +126,17 @@ const Test resized("unit.viewer.lights.a_saved_file_has_the_sizes_that_were_seen
     std::size_t pulled = 0;
     for (const char* name : {"zoo.gltf", "emitters.gltf"}) {
         LoadedScene loaded = load_scene(copied(name, folder), {}, 1.0f);
-        Lighting lighting(loaded, false);
-        const std::size_t lights = lighting.state().lights.size();
+        LightEditor lighting(loaded, false);
+        const std::size_t lights = loaded.stage.scene.lights.size();
         const mat4 by = glm::scale(glm::rotate(mat4(1.0f), 0.3f, vec3(0, 0, 1)), vec3(0.8f));
         for (std::size_t i = 0; i < lights; ++i) {
             if (i % 2 == 0) lighting.transform(i, by);
-            const std::vector<scene::LightSize> extents = scene::sizes_of(lighting.state().lights[i]);
+            const std::vector<scene::LightSize> extents = scene::sizes_of(lighting.edits()[i].light);
             for (std::size_t k = 0; k < extents.size(); ++k, ++pulled)
                 lighting.set_size(i, k, extents[k].size * (1.5f + 0.2f * static_cast<float>(k)));
         }
         lighting.apply(loaded);
-        save(loaded, lighting, nullptr, folder / "resized.gltf");
+        lighting.save(loaded, nullptr, folder / "resized.gltf");
         const LoadedScene again = load_scene(folder / "resized.gltf", {}, 1.0f);
         ASSERT_EQ(again.stage.scene.lights.size(), lights);
         for (const scene::Light& light : loaded.stage.scene.lights) {
@@ -157,22 +156,22 @@ const Test untouched("unit.viewer.lights.saving_keeps_what_was_not_edited", [] {
     const fs::path folder = fs::temp_directory_path() / "steradian_saved_same";
     const fs::path file = copied("emitters.gltf", folder);
     const LoadedScene loaded = load_scene(file, {}, 1.0f);
-    const Lighting lighting(loaded, false);
-    save(loaded, lighting, nullptr, folder / "same.gltf");
+    const LightEditor lighting(loaded, false);
+    lighting.save(loaded, nullptr, folder / "same.gltf");
     const auto text = [](const fs::path& path) {
         std::ifstream in(path);
         return nlohmann::json::parse(in);
     };
     EXPECT_EQ(text(file), text(folder / "same.gltf"));
-    EXPECT_THROW(save(loaded, lighting, nullptr, folder.parent_path() / "elsewhere.gltf"), Error);
-    EXPECT_THROW(save(loaded, lighting, nullptr, folder / "same.glb"), Error);
+    EXPECT_THROW(lighting.save(loaded, nullptr, folder.parent_path() / "elsewhere.gltf"), Error);
+    EXPECT_THROW(lighting.save(loaded, nullptr, folder / "same.glb"), Error);
     fs::remove_all(folder);
 });
 
 const Test undone("unit.viewer.lights.undoing_goes_back_step_by_step", [] {
     LoadedScene loaded = load_scene(scenes / "zoo.gltf", {}, 1.0f);
-    Lighting lighting(loaded, false);
-    const float first = luminance_of(lighting.state().lights[0]);
+    LightEditor lighting(loaded, false);
+    const float first = luminance_of(lighting.edits()[0].light);
     lighting.begin_step();
     lighting.set_quantity(0, vec3(5.0f));
     lighting.set_quantity(0, vec3(6.0f)); // the same drag

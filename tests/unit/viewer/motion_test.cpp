@@ -1,7 +1,7 @@
 // What moves by itself in the viewer, and what a person edited meanwhile.
 #include "core/error.hpp"
 #include "support/address.hpp"
-#include "viewer/lighting.hpp"
+#include "viewer/document/light_edits.hpp"
 #include "viewer/playback.hpp"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -69,9 +69,9 @@ const Test playback_steps("unit.viewer.playback.steps_whole_frames_and_stays_wit
     EXPECT_DOUBLE_EQ(*p.seconds, 0.7);
 });
 
-void show(LoadedScene& loaded, Lighting& lighting, double seconds) {
+void show(LoadedScene& loaded, LightEditor& lighting, double seconds) {
     pose(loaded, {{0}, seconds});
-    lighting.follow(loaded);
+    lighting.rebase(loaded);
     lighting.apply(loaded);
 }
 
@@ -86,7 +86,7 @@ scene::PointLight lamp_at(double seconds) {
 // to 1.75 s.
 const Test edits_stay("unit.viewer.lights.edits_survive_another_moment", [] {
     LoadedScene loaded = load_scene(motion, {}, 1.0f);
-    Lighting lighting(loaded, false);
+    LightEditor lighting(loaded, false);
     const auto lamp = [&] { return std::get<scene::PointLight>(loaded.stage.lights[0]); };
     show(loaded, lighting, 0.6);
     ASSERT_NE(lamp().position, lamp_at(0.2).position);
@@ -103,12 +103,12 @@ const Test edits_stay("unit.viewer.lights.edits_survive_another_moment", [] {
     EXPECT_EQ(lamp().I, vec3(7.0f)) << "what a person gave it wins over the animation";
     EXPECT_LT(glm::distance(lamp().position, lamp_at(0.2).position + vec3(0.0f, 2.0f, 0.0f)), 1e-5f)
         << "it walks on, moved";
-    const Lamp sign = lighting.lamps()[1];
+    const LightEntry sign = lighting.entries()[1];
     show(loaded, lighting, 1.5);
     EXPECT_EQ(loaded.stage.lights.size(), 1u) << "the sign is hidden";
-    EXPECT_FALSE(lighting.lamp_like(sign).has_value());
+    EXPECT_FALSE(lighting.entry_like(sign).has_value());
     show(loaded, lighting, 1.8);
-    ASSERT_EQ(lighting.lamp_like(sign), std::optional<std::size_t>(1));
+    ASSERT_EQ(lighting.entry_like(sign), std::optional<std::size_t>(1));
     EXPECT_EQ(quantity_of(loaded.stage.lights[1]), vec3(11.0f));
 
     lighting.begin_step();
@@ -119,7 +119,7 @@ const Test edits_stay("unit.viewer.lights.edits_survive_another_moment", [] {
     show(loaded, lighting, 1.8);
     EXPECT_EQ(lamp().radius, lamp_at(1.8).radius);
     EXPECT_TRUE(lighting.redo());
-    EXPECT_FLOAT_EQ(std::get<scene::PointLight>(lighting.state().lights[0]).radius, 0.3f);
+    EXPECT_FLOAT_EQ(std::get<scene::PointLight>(lighting.edits()[0].light).radius, 0.3f);
     EXPECT_TRUE(lighting.undo());
 
     EXPECT_TRUE(lighting.undo() && lighting.undo());
@@ -139,16 +139,16 @@ const Test edits_stay("unit.viewer.lights.edits_survive_another_moment", [] {
 
 const Test variant_keeps("unit.viewer.lights.edits_survive_another_variant", [] {
     LoadedScene loaded = load_scene(motion, {}, 1.0f);
-    Lighting lighting(loaded, false);
+    LightEditor lighting(loaded, false);
     lighting.begin_step();
     lighting.set_quantity(1, vec3(11.0f));
     lighting.begin_step();
-    lighting.switch_to(0, false);
+    lighting.enable(0, false);
     Options options;
     options.variant = "gilded";
     LoadedScene gilded = load_scene(motion, options, 1.0f);
     ASSERT_NE(gilded.contents.material_numbers, loaded.contents.material_numbers);
-    lighting.follow(gilded);
+    lighting.rebase(gilded);
     lighting.apply(gilded);
     ASSERT_EQ(gilded.stage.lights.size(), 2u);
     EXPECT_EQ(quantity_of(gilded.stage.lights[0]), vec3(0.0f));

@@ -1,0 +1,385 @@
+#include "viewer/document/light_edits.hpp"
+
+#include "core/error.hpp"
+#include "gltf/write/edited_copy.hpp"
+#include "scene/lights/light.hpp"
+#include "scene/prepare.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <utility>
+
+namespace sr::viewer {
+namespace {
+
+using Kind = LightEdit::Kind;
+
+/// Gives a light the sizes of another one of its kind.
+void take_sizes(scene::Light& light, const scene::Light& from) {
+    const std::vector<scene::LightSize> sizes = scene::sizes_of(from);
+    const std::size_t count = scene::sizes_of(light).size();
+    const float across = sizes.size() < count ? 2.0f : 1.0f;   // a radius, where an ellipse became a circle
+    for (std::size_t i = 0; i < scene::sizes_of(light).size(); ++i) // an ellipse may become a circle on the way
+        set_size(light, i, across * sizes[std::min(i, sizes.size() - 1)].size);
+}
+
+scene::Light edited(const scene::Light& file, const LightEdit& edit) {
+    scene::Light light = edit.motion == mat4(1.0f) ? file : transformed(file, edit.motion);
+    if (edit.overrides_size) take_sizes(light, edit.light);
+    if (edit.overrides_quantity) set_quantity(light, quantity_of(edit.light));
+    return light;
+}
+
+auto found(std::vector<LightEdit>& edits, Kind kind, int source) {
+    return std::ranges::find_if(
+        edits, [=](const LightEdit& edit) { return edit.kind == kind && edit.source == source; });
+}
+
+/// Brings the edits of lights to another time. A light that was not seen before goes behind its predecessor.
+void rebase_lights(std::vector<LightEdit>& edits, const FileLights& now) {
+    std::ptrdiff_t at = 0;
+    for (const FileLights::Light& light : now.lights) {
+        auto known = found(edits, Kind::light, light.number);
+        if (known == edits.end()) {
+            LightEdit edit;
+            edit.source = light.number;
+            edit.light = light.light;
+            known = edits.insert(edits.begin() + at, std::move(edit));
+        } else {
+            known->light = edited(light.light, *known);
+            known->is_present = true;
+        }
+        at = known - edits.begin() + 1;
+    }
+}
+
+/// Brings the edits of materials to another variant. Edits of materials that it does not show are kept.
+void rebase_materials(std::vector<LightEdit>& edits, const FileLights& now) {
+    for (std::size_t m = 0; m < now.materials.size(); ++m) {
+        const FileLights::Material& material = now.materials[m];
+        auto known = found(edits, Kind::material, material.number);
+        if (known == edits.end()) {
+            LightEdit edit;
+            edit.kind = Kind::material;
+            edit.source = material.number;
+            known = edits.insert(edits.end(), std::move(edit));
+        }
+        known->is_present = true;
+        known->material = m;
+        known->name = material.name;
+        if (!known->overrides_quantity) known->emission = material.emission;
+    }
+}
+
+/// Brings edits to another time or variant: what a person set stays, all else is the file's.
+void rebase_edits(std::vector<LightEdit>& edits, const FileLights& now) {
+    for (LightEdit& edit : edits)
+        if (edit.kind != Kind::softbox && !edit.is_added()) edit.is_present = false;
+    rebase_lights(edits, now);
+    rebase_materials(edits, now);
+}
+
+gltf::StatedEmission emission_of(const LightEdit& edit, const scene::Scene& scene) {
+    const auto stated = [&](double value, scene::Quantity quantity, vec3 color) {
+        return gltf::StatedEmission{value, scene::name_of({quantity, scene.units}), color};
+    };
+    const bool is_on = edit.is_enabled;
+    if (edit.kind == Kind::material) {
+        const vec3 L = is_on ? edit.emission : vec3(0.0f);
+        return stated(scene::luminance(L), scene::Quantity::radiance, L);
+    }
+    const vec3 quantity = is_on ? quantity_of(edit.light) : vec3(0.0f);
+    if (!has_profile(edit.light)) return stated(scene::luminance(quantity), quantity_kind_of(edit.light), quantity);
+    const double flux = is_on ? scene::luminance(*scene::flux_of(edit.light, scene.profiles)) : 0.0;
+    return stated(flux, scene::Quantity::flux, quantity);
+}
+
+bool is_scaled(const mat4& by) {
+    constexpr float rounding = 1e-4f; // of a few turns
+    return std::abs(glm::determinant(mat3(by)) - 1.0f) > rounding;
+}
+
+/// Edits to a light of the file; absent if there are none.
+std::optional<gltf::NodeLightEdit> node_edit(const LightEdit& edit, const scene::Scene& scene) {
+    gltf::NodeLightEdit written;
+    written.is_removed = edit.is_removed;
+    if (edit.is_removed) return written;
+    // A flux makes another radiance of another size, so a new size restates the emission.
+    const bool is_resized = edit.overrides_size || is_scaled(edit.motion);
+    if (edit.overrides_quantity || !edit.is_enabled || is_resized)
+        written.emission = emission_of(edit, scene);
+    if (edit.overrides_size) written.sizes = scene::sizes_of(edit.light);
+    written.motion = edit.motion;
+    if (!written.emission && written.motion == mat4(1.0f)) return std::nullopt;
+    return written;
+}
+
+} // namespace
+
+void FileLights::read(const LoadedScene& loaded) {
+    lights.clear();
+    for (std::size_t i = 0; i < loaded.stage.scene.lights.size(); ++i) {
+        // The lights of a node come one after the other, and all or none of them are visible.
+        const int node = loaded.light_nodes[i];
+        const bool is_next = i > 0 && loaded.light_nodes[i - 1] == node;
+        const auto from = is_next ? nodes_.begin() + lights.back().number + 1 : nodes_.begin();
+        const auto known = std::find(from, nodes_.end(), node);
+        lights.push_back({loaded.stage.scene.lights[i], static_cast<int>(known - nodes_.begin())});
+        if (known == nodes_.end()) nodes_.push_back(node);
+    }
+    materials.clear();
+    for (std::size_t m = 0; m < loaded.emission.size(); ++m)
+        materials.push_back(
+            {loaded.contents.material_numbers[m], loaded.emission[m], loaded.stage.scene.materials[m].name});
+}
+
+bool FileLights::shares_its_node(int number) const { return std::ranges::count(nodes_, node_of(number)) > 1; }
+
+LightEditor::LightEditor(const LoadedScene& loaded, bool hides_emitters) : hides_emitters_(hides_emitters) {
+    const scene::Scene& scene = loaded.stage.scene;
+    int emitters = static_cast<int>(scene.lights.size());
+    for (std::size_t i = 0; i < loaded.base.instances; ++i)
+        emitters = std::max(emitters, scene.instances[i].emits_as.end);
+    file_.read(loaded);
+    rebase_edits(edits_, file_);
+    for (int i = emitters; i < static_cast<int>(loaded.stage.lights.size()); ++i) {
+        LightEdit edit;
+        edit.kind = Kind::softbox;
+        edit.source = i - emitters;
+        edit.light = loaded.stage.lights[static_cast<std::size_t>(i)];
+        edits_.push_back(std::move(edit));
+    }
+    staged_ = loaded.stage.lights;
+    list(loaded.stage, emitters);
+}
+
+std::optional<LightEntry> LightEditor::entry_of(const LightEdit& edit, const scene::Stage& stage, int& staged,
+                                                int first_softbox) const {
+    if (!edit.is_shown()) return std::nullopt;
+    LightEntry entry{edit.kind, edit.source, 0, edit.name, {}, edit.is_enabled};
+    if (edit.kind != Kind::material) {
+        entry.name = name_of(edit.light);
+        entry.lights.push_back(edit.kind == Kind::softbox ? first_softbox + staged : staged);
+        ++staged;
+        return entry;
+    }
+    for (const scene::Instance& instance : stage.scene.instances) {
+        const auto material = stage.scene.meshes[static_cast<std::size_t>(instance.mesh)].material;
+        if (static_cast<std::size_t>(material) != edit.material) continue;
+        for (int k = instance.emits_as.first; k < instance.emits_as.end; ++k) entry.lights.push_back(k);
+        if (entry.name.empty()) entry.name = instance.name;
+    }
+    return entry.lights.empty() ? std::nullopt : std::optional(entry);
+}
+
+void LightEditor::list(const scene::Stage& stage, int first_softbox) {
+    entries_.clear();
+    for (const Kind kind : {Kind::light, Kind::material, Kind::softbox}) {
+        int staged = 0;
+        for (std::size_t i = 0; i < edits_.size(); ++i) {
+            if (edits_[i].kind != kind) continue;
+            auto entry = entry_of(edits_[i], stage, staged, first_softbox);
+            if (!entry) continue;
+            entry->edit = i;
+            if (entry->name.empty()) entry->name = fmt::format("light {}", entries_.size());
+            entries_.push_back(*std::move(entry));
+        }
+    }
+}
+
+std::optional<std::size_t> LightEditor::entry_like(const LightEntry& entry) const {
+    const auto same = std::ranges::find_if(entries_, [&](const LightEntry& other) {
+        return other.kind == entry.kind && other.source == entry.source;
+    });
+    if (same == entries_.end()) return std::nullopt;
+    return static_cast<std::size_t>(same - entries_.begin());
+}
+
+std::optional<std::size_t> LightEditor::entry_of_instance(const scene::Stage& stage, int instance) const {
+    const scene::LightRange range = stage.scene.instances[static_cast<std::size_t>(instance)].emits_as;
+    for (std::size_t i = 0; i < entries_.size(); ++i)
+        if (std::ranges::any_of(entries_[i].lights, [&](int k) { return range.contains(k); })) return i;
+    return std::nullopt;
+}
+
+std::vector<scene::Light> LightEditor::lights_of(std::size_t entry) const {
+    std::vector<scene::Light> lights;
+    for (const int k : entries_[entry].lights) lights.push_back(staged_[static_cast<std::size_t>(k)]);
+    return lights;
+}
+
+void LightEditor::remember() {
+    if (is_step_open_) return;
+    constexpr std::size_t max_steps = 200;
+    if (undo_.size() == max_steps) undo_.erase(undo_.begin());
+    undo_.push_back(edits_);
+    redo_.clear();
+    is_step_open_ = true;
+}
+
+void LightEditor::set_quantity(std::size_t entry, vec3 quantity) {
+    if (quantity == vec3(0.0f)) return enable(entry, false); // a material without emission would be no light
+    remember();
+    LightEdit& edit = edit_of(entry);
+    edit.is_enabled = edit.overrides_quantity = true;
+    if (edit.kind == Kind::material)
+        edit.emission = quantity;
+    else
+        scene::set_quantity(edit.light, quantity);
+}
+
+void LightEditor::enable(std::size_t entry, bool is_enabled) {
+    remember();
+    edit_of(entry).is_enabled = is_enabled;
+}
+
+void LightEditor::solo(std::size_t entry) {
+    const bool is_alone = std::ranges::all_of(
+        entries_, [&](const LightEntry& other) { return other.is_enabled == (&other == &entries_[entry]); });
+    remember();
+    for (std::size_t i = 0; i < entries_.size(); ++i) edit_of(i).is_enabled = is_alone || i == entry;
+}
+
+bool LightEditor::transform(std::size_t entry, const mat4& by) {
+    if (!can_move(entry)) return false;
+    remember();
+    LightEdit& edit = edit_of(entry);
+    edit.light = transformed(edit.light, by);
+    edit.motion = by * edit.motion;
+    return true;
+}
+
+void LightEditor::set_size(std::size_t entry, std::size_t extent, float size) {
+    require(can_move(entry), "surfaces keep their sizes");
+    remember();
+    LightEdit& edit = edit_of(entry);
+    scene::set_size(edit.light, extent, size);
+    edit.overrides_size = true;
+}
+
+std::size_t LightEditor::add(scene::Light light) {
+    remember();
+    LightEdit edit;
+    edit.source = -1 - static_cast<int>(std::ranges::count_if(edits_, &LightEdit::is_added));
+    edit.light = std::move(light);
+    edit.overrides_quantity = true;
+    edits_.push_back(std::move(edit));
+    const auto lights = std::ranges::count_if(
+        edits_, [](const LightEdit& e) { return e.kind == Kind::light && e.is_shown(); });
+    return static_cast<std::size_t>(lights) - 1; // lights come first in the list
+}
+
+bool LightEditor::remove(std::size_t entry) {
+    if (!can_move(entry)) {
+        enable(entry, false);
+        return false;
+    }
+    remember();
+    edit_of(entry).is_removed = true;
+    return true;
+}
+
+bool LightEditor::undo() { return step(undo_, redo_); }
+bool LightEditor::redo() { return step(redo_, undo_); }
+
+bool LightEditor::step(std::vector<Edits>& from, std::vector<Edits>& to) {
+    is_step_open_ = false;
+    if (from.empty()) return false;
+    to.push_back(std::exchange(edits_, std::move(from.back())));
+    from.pop_back();
+    rebase_edits(edits_, file_); // the step may be of another time
+    return true;
+}
+
+void LightEditor::restart_step() {
+    if (!is_step_open_) return;
+    edits_ = undo_.back();
+    rebase_edits(edits_, file_);
+}
+
+void LightEditor::cancel_step() {
+    if (!is_step_open_) return;
+    restart_step();
+    undo_.pop_back();
+    is_step_open_ = false;
+}
+
+void LightEditor::rebase(const LoadedScene& loaded) {
+    file_.read(loaded);
+    rebase_edits(edits_, file_);
+}
+
+void LightEditor::apply(LoadedScene& loaded) {
+    scene::Scene& scene = loaded.stage.scene;
+    scene.instances.resize(loaded.base.instances);
+    scene.materials.resize(loaded.base.materials);
+    scene.meshes.resize(loaded.base.meshes);
+    scene.lights.clear();
+    std::vector<scene::Light> softboxes;
+    for (const LightEdit& edit : edits_) {
+        if (!edit.is_shown()) continue;
+        if (edit.kind == Kind::light) scene.lights.push_back(edit.light);
+        if (edit.kind == Kind::material) scene.materials[edit.material].emission = edit.emission;
+        if (edit.kind == Kind::softbox) softboxes.push_back(edit.light);
+    }
+    std::vector<scene::Light>& lights = loaded.stage.lights;
+    lights = scene::assign_emitters(scene);
+    const int first_softbox = static_cast<int>(lights.size());
+    lights.insert(lights.end(), softboxes.begin(), softboxes.end());
+    staged_ = lights;
+    list(loaded.stage, first_softbox);
+    // A disabled light keeps its place, so that all others keep their indices.
+    for (const LightEntry& entry : entries_) {
+        if (entry.is_enabled) continue;
+        for (const int k : entry.lights)
+            scene::set_quantity(lights[static_cast<std::size_t>(k)], vec3(0.0f));
+        if (entry.kind == Kind::material) scene.materials[edits_[entry.edit].material].emission = vec3(0.0f);
+        if (entry.kind == Kind::light) // its surface goes dark, too
+            scene::set_quantity(scene.lights[static_cast<std::size_t>(entry.lights.front())], vec3(0.0f));
+    }
+    if (hides_emitters_)
+        for (scene::Material& material : scene.materials) material.emission = vec3(0.0f);
+    else
+        scene::add_light_surfaces(scene);
+}
+
+void LightEditor::save(const LoadedScene& loaded, const scene::Camera* view,
+                       const std::string& target) const {
+    const scene::Scene& scene = loaded.stage.scene;
+    gltf::Edits written;
+    written.scene_index = loaded.scene_index;
+    written.origin = scene.origin;
+    if (view) written.first_camera = *view;
+    // A file with lights of its own gets no softboxes, so they are written once a light or one of them was
+    // edited.
+    const bool has_softboxes = std::ranges::any_of(edits_, [](const LightEdit& edit) {
+        return edit.kind == Kind::softbox ? edit.is_edited() || !edit.is_enabled
+                                          : edit.is_added() != edit.is_removed;
+    });
+    Edits ordered = edits_; // softboxes last
+    std::ranges::stable_sort(ordered, {}, [](const LightEdit& edit) { return edit.kind == Kind::softbox; });
+    for (const LightEdit& edit : ordered) {
+        if (edit.kind == Kind::material) {
+            const bool is_stated = edit.overrides_quantity || !edit.is_enabled;
+            if (edit.source >= 0 && is_stated)
+                written.materials.push_back({edit.source, emission_of(edit, scene)});
+        } else if (edit.kind == Kind::softbox || edit.is_added()) {
+            // The environment of the studio comes by itself.
+            const bool is_written = !edit.is_removed && (edit.is_added() || has_softboxes)
+                                    && !std::holds_alternative<scene::EnvironmentLight>(edit.light);
+            if (is_written) written.added_lights.push_back({edit.light, emission_of(edit, scene)});
+        } else if (auto edited = node_edit(edit, scene)) {
+            edited->node = file_.node_of(edit.source);
+            if (file_.shares_its_node(edit.source))
+                throw Error(
+                    {loaded.file},
+                    fmt::format("/nodes/{} has several lights, and one of them was edited", edited->node),
+                    "give each light a node of its own");
+            written.lights.push_back(*std::move(edited));
+        }
+    }
+    gltf::write_edited_copy(loaded.file, written, target);
+}
+
+} // namespace sr::viewer

@@ -1,0 +1,147 @@
+#pragma once
+// Light editor with undo and redo: the lights of a file, what a person changed, and the Stage that follows.
+// Plain data: no GL.
+#include "viewer/light_value.hpp"
+#include "viewer/loaded_scene.hpp"
+
+namespace sr::viewer {
+
+/// A light or an emission as a person edits it.
+struct LightEdit {
+    enum class Kind {
+        light,    // a light of the file, or an added one
+        material, // the emission of a material of the file, on all its surfaces
+        softbox,  // a light of the studio rig
+    };
+    Kind kind = Kind::light;
+    /// Number that stays at every time: FileLights::Light::number, or negative for an added light; the file's
+    /// number of the material; index of the softbox in the rig.
+    int source = 0;
+    scene::Light light;              // current value, of lights and softboxes
+    vec3 emission{0.0f};             // current value, of materials
+    std::size_t material = 0;        // index in the scene, of materials
+    std::string name{};              // of materials
+    bool is_enabled = true;          // a disabled light emits nothing and stays where it is
+    bool is_present = true;          // the file shows it at this time, in this variant
+    bool is_removed = false;         // by a person
+    bool overrides_quantity = false; // the quantity is a person's, at every time
+    bool overrides_size = false;     // likewise a size
+    mat4 motion{1.0f};               // from the place in the file to the current place, in the world
+
+    bool is_added() const { return kind == Kind::light && source < 0; }
+    bool is_shown() const { return is_present && !is_removed; }
+    bool is_edited() const {
+        return is_removed || overrides_quantity || overrides_size || motion != mat4(1.0f);
+    }
+};
+
+/// The lights of a file at one time, in one variant, before any edit.
+class FileLights {
+public:
+    struct Light {
+        scene::Light light;
+        int number = 0; // the same at every time
+    };
+    struct Material {
+        int number = 0; // in the file; negative for the default material of glTF
+        vec3 emission{0.0f};
+        std::string name{};
+    };
+    std::vector<Light> lights; // the visible ones
+    std::vector<Material> materials;
+
+    /// Takes the lights of `loaded`, which has no edits yet.
+    void read(const LoadedScene& loaded);
+
+    /// The node of a light.
+    int node_of(int number) const { return nodes_[static_cast<std::size_t>(number)]; }
+    /// True if the node has several lights.
+    bool shares_its_node(int number) const;
+
+private:
+    std::vector<int> nodes_; // of every light that was seen so far
+};
+
+/// A row in the list of lights.
+struct LightEntry {
+    LightEdit::Kind kind{};
+    int source = 0;
+    std::size_t edit = 0; // index in LightEditor::edits()
+    std::string name;
+    std::vector<int> lights; // of the Stage
+    bool is_enabled = true;
+};
+
+class LightEditor {
+public:
+    explicit LightEditor(const LoadedScene& loaded, bool hides_emitters);
+
+    /// Lights, emissive materials and softboxes, in this order. Indices stay until a light is added or
+    /// removed, or another time shows more or fewer.
+    const std::vector<LightEntry>& entries() const { return entries_; }
+    /// The entry of the same light; absent if it is not present now.
+    std::optional<std::size_t> entry_like(const LightEntry& entry) const;
+    std::optional<std::size_t> entry_of_instance(const scene::Stage& stage, int instance) const;
+    /// The lights of an entry, enabled or not. A material has one for each surface.
+    std::vector<scene::Light> lights_of(std::size_t entry) const;
+
+    // Edits, each of which can be undone. apply() brings them to the Stage.
+    void set_quantity(std::size_t entry, vec3 quantity); // zero disables
+    void enable(std::size_t entry, bool is_enabled);
+    /// Disables all other lights; if they are disabled already, enables all.
+    void solo(std::size_t entry);
+    /// Moves a light or a softbox. @return false for a material, whose surfaces stay
+    bool transform(std::size_t entry, const mat4& by);
+    /// Sets the size of a light or a softbox along one of its extents (extents.hpp) [m].
+    void set_size(std::size_t entry, std::size_t extent, float size);
+    bool can_move(std::size_t entry) const { return entries_[entry].kind != LightEdit::Kind::material; }
+    /// @return the index of its entry once apply() has run
+    std::size_t add(scene::Light light);
+    /// Removes a light or a softbox. @return false for a material, which is disabled instead
+    bool remove(std::size_t entry);
+
+    bool undo(); // @return false if there is nothing to undo
+    bool redo(); // @return false if there is nothing to redo
+    /// Begins an undo step, which lasts until the next call: a drag is one step.
+    void begin_step() { is_step_open_ = false; }
+    /// Restores the state at the beginning of the step, which stays open.
+    void restart_step();
+    /// Restores the state at the beginning of the step and drops the step.
+    void cancel_step();
+
+    bool is_changed() const { return !undo_.empty(); }
+    const std::vector<LightEdit>& edits() const { return edits_; }
+
+    /// Rebuilds everything of `loaded` that depends on lights. Images, textures and meshes of the file stay.
+    void apply(LoadedScene& loaded);
+
+    /// Carries the edits over to another time or another variant. `loaded` has no edits yet; apply() brings
+    /// them to its Stage.
+    void rebase(const LoadedScene& loaded);
+
+    /// Writes a copy of the file with the edits and, if `view` is given, a new first camera. What is edited
+    /// is stated in extras.steradian.
+    /// @throws Error as gltf::write_edited_copy(), and for an edited light that shares its node with another
+    void save(const LoadedScene& loaded, const scene::Camera* view, const std::string& target) const;
+
+private:
+    using Edits = std::vector<LightEdit>;
+
+    bool step(std::vector<Edits>& from, std::vector<Edits>& to);
+    void remember();
+    LightEdit& edit_of(std::size_t entry) { return edits_[entries_[entry].edit]; }
+    std::optional<LightEntry> entry_of(const LightEdit& edit, const scene::Stage& stage, int& staged,
+                                       int first_softbox) const;
+    void list(const scene::Stage& stage, int first_softbox);
+
+    Edits edits_;
+    FileLights file_;
+    std::vector<Edits> undo_;
+    std::vector<Edits> redo_; // the next one last
+    std::vector<LightEntry> entries_;
+    std::vector<scene::Light> staged_; // the Stage's lights as if all were enabled
+    bool hides_emitters_;
+    bool is_step_open_ = false;
+};
+
+} // namespace sr::viewer
