@@ -8,8 +8,8 @@
 #include "gltf/extensions.hpp"
 #include "gltf/load.hpp"
 #include "render/features.hpp"
-#include "scene/prepare.hpp"
 #include "scene/material_description.hpp"
+#include "scene/prepare.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>

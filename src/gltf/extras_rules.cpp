@@ -39,7 +39,7 @@ struct ExtrasRules {
 
     // clang-format off
     Rule node{.kind = Kind::record, .properties = {
-        {"shape", &shape}, {"corners", &corners}, {"quantity", &quantity}, {"color", &three_numbers},
+        {"corners", &corners}, {"quantity", &quantity}, {"color", &three_numbers},
         {"temperature", &number}, {"spectrum", &spectrum}, {"texture", &texture}, {"visible", &boolean},
         {"two_sided", &boolean}}, .is_closed = true, .is_ours = true};
     Rule light{.kind = Kind::record, .properties = {
@@ -63,26 +63,29 @@ struct ExtrasRules {
     Rule scene_extras{.kind = Kind::record, .properties = {{"steradian", &scene}}, .is_optional = true};
     Rule asset_extras{.kind = Kind::record, .properties = {{"steradian", &asset}}, .is_optional = true};
 
-    void add_size(Rule& to, std::string_view key) const {
-        const auto has_name = [&](const PropertyRule& property) { return property.name == key; };
-        if (std::ranges::none_of(to.properties, has_name)) to.properties.push_back({key, &number});
-    }
-
     ExtrasRules() {
         for (const scene::NamedUnit& named : scene::unit_names) unit.words.push_back(named.name);
+        std::vector<PropertyRule> of_node{{"shape", &shape}}, of_light;
+        const auto add = [&](std::vector<PropertyRule>& to, std::string_view key) {
+            if (std::ranges::find(to, key, &PropertyRule::name) == to.end()) to.push_back({key, &number});
+        };
         scene::for_each_light_kind([&]<class L>(std::type_identity<L>) {
-            if constexpr (requires { L::shapes; }) {
+            if constexpr (requires { L::shapes; })
                 for (const auto& named : L::shapes) {
                     shape.words.push_back(named.name);
-                    for (const auto& size : named.dimensions) add_size(node, size.key);
+                    for (const auto& size : named.dimensions) add(of_node, size.key);
                 }
-            } else if constexpr (requires { L::dimensions; }) { // of an extension
-                for (const auto& size : L::dimensions) {
-                    add_size(node, size.key);
-                    add_size(light, size.key);
-                }
-            }
         });
+        scene::for_each_light_kind([&]<class L>(std::type_identity<L>) { // lights of extensions
+            if constexpr (
+                requires { L::dimensions; } && !requires { L::shapes; })
+                for (const auto& size : L::dimensions) {
+                    add(of_node, size.key);
+                    add(of_light, size.key);
+                }
+        });
+        node.properties.insert(node.properties.begin(), of_node.begin(), of_node.end());
+        light.properties.insert(light.properties.begin(), of_light.begin(), of_light.end());
     }
 };
 

@@ -10,8 +10,13 @@ namespace sr::gltf {
 
 using glm::dvec3;
 
+double largest_axis(const PlacedNode& placed) {
+    const glm::dmat4& m = placed.world_from_node;
+    return std::max({glm::length(dvec3(m[0])), glm::length(dvec3(m[1])), glm::length(dvec3(m[2]))});
+}
+
 LightFrame frame_of(const Document& document, const PlacedNode& placed, const std::string& title) {
-    const dvec3 x(placed.world_from_node[0]), y(placed.world_from_node[1]), back(placed.world_from_node[2]);
+    const dvec3 y(placed.world_from_node[1]), back(placed.world_from_node[2]);
     if (!(glm::length(back) > 0.0))
         document.fail(
             fmt::format("{} at /nodes/{} is scaled to nothing and so points nowhere", title, placed.node),
@@ -23,7 +28,7 @@ LightFrame frame_of(const Document& document, const PlacedNode& placed, const st
     // A node that is flat across its light may still aim a spot; only what has a size needs u and v.
     frame.u = glm::length(across) > 0.0 ? glm::normalize(across) : dvec3(0.0);
     frame.v = glm::cross(frame.front, frame.u);
-    frame.scale = std::max({glm::length(x), glm::length(y), glm::length(back)});
+    frame.scale = largest_axis(placed);
     return frame;
 }
 
@@ -66,6 +71,18 @@ std::vector<vec3> polygon_corners(const Document& document, const tinygltf::Valu
             document.fail(fmt::format("{} stands beyond the range of 32-bit floats", title), "scale it down");
     }
     return result;
+}
+
+mat3 world_from_profile(const Document& document, const PlacedNode& placed, const LightFrame& frame,
+                        const std::string& title) {
+    const dvec3 x(placed.world_from_node[0]), y(placed.world_from_node[1]);
+    const dvec3 flat_x = x - glm::dot(x, frame.front) * frame.front;
+    if (!(glm::length(flat_x) > 0.0))
+        document.fail(fmt::format("{} is scaled to nothing", title),
+                      "give its node a scale that is not zero");
+    const dvec3 right = glm::normalize(flat_x);
+    const dvec3 up = glm::cross(right, frame.front);
+    return {vec3(right), vec3(-frame.front), vec3(glm::dot(up, y) < 0.0 ? up : -up)};
 }
 
 } // namespace sr::gltf

@@ -17,6 +17,9 @@ struct LightFrame {
     double scale = 1.0; // the largest of the node's axes: what the draft of EXT_lights_area scales sizes by
 };
 
+/// The longest of the node's axes.
+double largest_axis(const PlacedNode& placed);
+
 /// @throws Error naming the light if its node is scaled to nothing along its Z
 LightFrame frame_of(const Document& document, const PlacedNode& placed, const std::string& title);
 
@@ -27,8 +30,13 @@ LightFrame sided_frame_of(const Document& document, const PlacedNode& placed, co
 float scaled_size(const Document& document, double size, const LightFrame& frame, std::string_view what,
                   const std::string& title);
 
-/// A list of [x, y, z] [m] in a node's space, in the world, with the front (from where they go counter-clockwise) kept
-/// in front where the node mirrors.
+/// To the world from the axes of a profile: its X is the node's, its -Y is the node's -Z, its Z the node's
+/// -Y. A node that mirrors mirrors the profile.
+mat3 world_from_profile(const Document& document, const PlacedNode& placed, const LightFrame& frame,
+                        const std::string& title);
+
+/// A list of [x, y, z] [m] in a node's space, in the world, with the front (from where they go
+/// counter-clockwise) kept in front where the node mirrors.
 /// @throws Error calling the light `title`, unless they are the corners of a flat convex polygon
 std::vector<vec3> polygon_corners(const Document& document, const tinygltf::Value& list,
                                   const glm::dmat4& world_from_node, const std::string& title);

@@ -23,7 +23,8 @@ constexpr std::string_view without_lamp = "until then that lamp is off";
 /// The properties of extras.steradian that all lights have.
 constexpr std::array common_keys{"quantity", "color", "temperature", "spectrum", "visible"};
 
-/// What extras.steradian says of the lights that extensions put on a node: not what names a shape, a light of its own.
+/// What extras.steradian says of the lights that extensions put on a node: not what names a shape, a light of
+/// its own.
 const Value* extras_of_extension(const tinygltf::Node& node) {
     const Value* authored = steradian_in(node.extras);
     return authored && authored->Has("shape") ? nullptr : authored;
@@ -31,7 +32,8 @@ const Value* extras_of_extension(const tinygltf::Node& node) {
 
 template<class L>
 Conversion conversion_for(const L& light) {
-    return [&](scene::Quantity quantity, double value) { return scene::quantity_from(light, quantity, value); };
+    return
+        [&](scene::Quantity quantity, double value) { return scene::quantity_from(light, quantity, value); };
 }
 
 // KHR_lights_punctual.
@@ -107,11 +109,6 @@ Cone cone_of(const Document& document, const tinygltf::SpotLight& spot, const st
                      fmt::format("0 <= inner < outer <= pi/2 is required: taken for {:.6g} and {:.6g}",
                                  cone.inner, cone.outer));
     return cone;
-}
-
-double largest_axis(const PlacedNode& placed) {
-    const glm::dmat4& m = placed.world_from_node;
-    return std::max({glm::length(dvec3(m[0])), glm::length(dvec3(m[1])), glm::length(dvec3(m[2]))});
 }
 
 /// What KHR_lights_punctual itself says of a light.
@@ -193,8 +190,7 @@ std::vector<std::string> properties_without_shape(const tinygltf::Node& node) {
     take("KHR_lights_punctual", {"radius", "angular_diameter"});
     take("EXT_lights_area", {"texture", "two_sided"});
     take("EXT_lights_ies", {"radius"});
-    if (!known.empty())
-        known.insert(known.end(), common_keys.begin(), common_keys.end());
+    if (!known.empty()) known.insert(known.end(), common_keys.begin(), common_keys.end());
     return known;
 }
 
@@ -210,7 +206,8 @@ void set_emission(const Document& document, Area& light, const Value* authored, 
     light.is_visible = flag_in(authored, "visible", true);
     if constexpr (requires { light.is_two_sided; })
         light.is_two_sided = flag_in(authored, "two_sided", false);
-    light.L = emitted(document, parse_emission(document, authored, title), own, conversion_for(light), title, area_takes);
+    light.L = emitted(document, parse_emission(document, authored, title), own, conversion_for(light), title,
+                      area_takes);
 }
 
 // EXT_lights_area, as drafted in Khronos' glTF pull request 2525: flat emitters of constant luminance [nit].
@@ -218,7 +215,7 @@ void set_emission(const Document& document, Area& light, const Value* authored, 
 /// Half the edges of a rectangle, or the semi-axes of a disk, `size` high and `aspect` times as wide.
 template<class Flat>
 Flat flat_light(const Document& document, const LightFrame& frame, double size, double aspect,
-          const std::string& title) {
+                const std::string& title) {
     const double half_width = 0.5 * frame.scale * size * aspect;
     const double half_height = 0.5 * frame.scale * size;
     const double area = 4.0 * half_width * half_height;
@@ -233,14 +230,11 @@ Flat flat_light(const Document& document, const LightFrame& frame, double size, 
     return result;
 }
 
-/// What EXT_lights_area itself says of a light.
-struct AreaSource {
-    std::variant<scene::DiskLight, scene::RectangleLight> light; // its place and size
-    dvec3 own{0.0};                                              // colour times intensity
-};
+/// What EXT_lights_area itself says of a light: its place and size, and colour times intensity.
+using AreaSource = std::pair<std::variant<scene::DiskLight, scene::RectangleLight>, dvec3>;
 
 AreaSource area_source_of(const Document& document, const PlacedNode& placed, const Value& light,
-                     const std::string& title) {
+                          const std::string& title) {
     std::string type = text_in(light, "type");
     if (type.empty()) type = text_in(light, "shape"); // its name in the draft's first versions
     if (type != "rect" && type != "disk")
@@ -309,9 +303,9 @@ L shaped(const Document& document, const Value& authored, const scene::NamedShap
     return light;
 }
 
-// EXT_lights_ies (Khronos, vendor extension, complete): a point light whose intensities an IES file gives. Photometric
-// zero is the node's -Z and the horizontal angle turns from its X towards its Y, as the extension's "Coordinate System
-// Mapping" has it.
+// EXT_lights_ies (Khronos, vendor extension, complete): a point light whose intensities an IES file gives.
+// Photometric zero is the node's -Z and the horizontal angle turns from its X towards its Y, as the
+// extension's "Coordinate System Mapping" has it.
 
 constexpr std::string_view ies_takes =
     "an IES light has the intensities of its file: state its flux in lm or W";
@@ -321,20 +315,6 @@ dvec3 tint_of(const Document& document, const Value& instance, const std::string
     const dvec3 color = glm::min(color_in(instance), dvec3(1.0));
     const double multiplier = number_in(instance, "multiplier", 1.0);
     return emitted_color(document, color, multiplier, title);
-}
-
-/// To the world from the axes of a profile: its X is the node's, its -Y is the node's -Z, its Z the node's
-/// -Y. A node that mirrors mirrors the profile.
-mat3 world_from_profile(const Document& document, const PlacedNode& placed, const LightFrame& frame,
-                        const std::string& title) {
-    const dvec3 x(placed.world_from_node[0]), y(placed.world_from_node[1]);
-    const dvec3 flat_x = x - glm::dot(x, frame.front) * frame.front;
-    if (!(glm::length(flat_x) > 0.0))
-        document.fail(fmt::format("{} is scaled to nothing", title),
-                      "give its node a scale that is not zero");
-    const dvec3 right = glm::normalize(flat_x);
-    const dvec3 up = glm::cross(right, frame.front);
-    return {vec3(right), vec3(-frame.front), vec3(glm::dot(up, y) < 0.0 ? up : -up)};
 }
 
 } // namespace
@@ -402,10 +382,10 @@ void LightTable::append_area(const PlacedNode& placed, Warnings& warnings) {
         [&](auto& result) {
             result.name = name.empty() ? node.name : name;
             result.map = map_of(authored, placed);
-            set_emission(document_, result, authored, source->own, title);
+            set_emission(document_, result, authored, source->second, title);
             lights_.emplace_back(std::move(result));
         },
-        source->light);
+        source->first);
 }
 
 const std::pair<int, scene::IesLuminaire>& LightTable::luminaire(int index, const std::string& title) {

@@ -1,5 +1,6 @@
 #pragma once
-// The lights of a glTF: KHR_lights_punctual, EXT_lights_area, EXT_lights_ies, and the shapes of extras.steradian.
+// The lights of a glTF: KHR_lights_punctual, EXT_lights_area, EXT_lights_ies, and the shapes of
+// extras.steradian.
 #include "gltf/emission.hpp"
 #include "gltf/hierarchy.hpp"
 #include "gltf/texture.hpp"

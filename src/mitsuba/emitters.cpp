@@ -87,7 +87,8 @@ public:
 
     void operator()(const scene::RectangleLight& light) {
         if (light.map.is_present() || light.is_two_sided)
-            return mesh(as_triangles(flat_mesh(light, {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}})), emission_of(light));
+            return mesh(as_triangles(flat_mesh(light, {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}})),
+                        emission_of(light));
         open("rectangle");
         xml_.transform("to_world", placed(light.half_u, light.half_v, light.normal(), light.center));
         close(light.L);
@@ -111,7 +112,8 @@ public:
     }
 
     void operator()(const scene::PolygonLight& light) {
-        mesh(as_triangles(scene::fan_mesh(light.corners, light.normal())), {light.L, -1, mat3(1.0f), light.is_two_sided});
+        mesh(as_triangles(scene::fan_mesh(light.corners, light.normal())),
+             {light.L, -1, mat3(1.0f), light.is_two_sided});
     }
 
     void operator()(const scene::MeshLight& light) {

@@ -166,13 +166,16 @@ int Features::material_texture_count() const {
 
 Features light_features(std::span<const scene::Light> lights) {
     Features f;
-    for (const scene::Light& light : lights) std::visit([&f](const auto& any) { ask_for_light(f, any); }, light);
+    for (const scene::Light& light : lights)
+        std::visit([&f](const auto& any) { ask_for_light(f, any); }, light);
     // What a direction of the BRDF's choice can meet: has_lights_to_meet in shaders/light/sample_light.glsl.
     bool has_lights_to_meet = f.has_sun_disks;
     scene::for_each_light_kind([&]<class L>(std::type_identity<L>) {
-        constexpr bool is_met = !std::is_same_v<L, scene::PointLight> && !std::is_same_v<L, scene::SpotLight>
-                                && !std::is_same_v<L, scene::DirectionalLight>
-                                && !std::is_same_v<L, scene::MeshLight>;
+        constexpr bool is_met =
+            !std::is_same_v<
+                L,
+                scene::
+                    PointLight> && !std::is_same_v<L, scene::SpotLight> && !std::is_same_v<L, scene::DirectionalLight> && !std::is_same_v<L, scene::MeshLight>;
         has_lights_to_meet |= is_met && f.has<L>();
     });
     f.rays_per_light = has_lights_to_meet ? 2 : 1;

@@ -13,7 +13,8 @@
 namespace sr::render {
 
 struct Features {
-    std::array<bool, scene::light_kind_count> has_lights{}; // by kind; a point or spot with a radius is a sphere
+    std::array<bool, scene::light_kind_count>
+        has_lights{}; // by kind; a point or spot with a radius is a sphere
     bool has_sun_disks = false;
     bool has_profiles = false;
     bool has_emission_maps = false;

@@ -47,9 +47,9 @@ std::vector<Light> emitters_of(const Scene& scene);
 /// The same, and every instance learns which of these lights its surface is.
 std::vector<Light> assign_emitters(Scene& scene);
 
-/// Gives every visible light with an extent among scene.lights a surface of its own that emits and does not reflect
-/// (surface_of). To be called after assign_emitters, which would take these surfaces for more lights, and whose first
-/// lights are scene.lights.
+/// Gives every visible light with an extent among scene.lights a surface of its own that emits and does not
+/// reflect (surface_of). To be called after assign_emitters, which would take these surfaces for more lights,
+/// and whose first lights are scene.lights.
 /// @return how many instances were appended to scene.instances
 int add_light_surfaces(Scene& scene);
 

@@ -15,12 +15,12 @@ struct Grip {
     /// Of the world; of scaling the number of the extent. Absent: across the view, around the view,
     /// everything.
     std::optional<int> axis{};
-    bool is_free = false;          // begun by a key: a click or Enter ends it, not the release of a button
-    vec3 center{0.0f};             // what is turned and scaled around [m]
+    bool is_free = false; // begun by a key: a click or Enter ends it, not the release of a button
+    vec3 center{0.0f};    // what is turned and scaled around [m]
     std::vector<scene::LightSize> extents{}; // at the beginning
-    vec2 from{0.0f};               // where the pointer was, in the window
-    std::string typed{};           // a number: metres, degrees; of an extent metres, of the whole a factor
-    std::string words{};           // what was done so far; empty: nothing
+    vec2 from{0.0f};                         // where the pointer was, in the window
+    std::string typed{}; // a number: metres, degrees; of an extent metres, of the whole a factor
+    std::string words{}; // what was done so far; empty: nothing
 
     /// Takes another axis, or lets it go again; of scaling an extent that there is.
     void constrain_to(int other);

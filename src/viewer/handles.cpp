@@ -43,8 +43,8 @@ constexpr std::array letters{"X", "Y", "Z"};
 
 } // namespace
 
-Handles handles_of(const std::vector<scene::LightSize>& extents, vec3 center, bool moves, const Projection& projection,
-                   float scale) {
+Handles handles_of(const std::vector<scene::LightSize>& extents, vec3 center, bool moves,
+                   const Projection& projection, float scale) {
     Handles handles;
     const auto at = projection(center);
     const auto radius = metres_of(center, projection, ring_radius * scale);

@@ -19,8 +19,8 @@ struct Handles {
 
 /// Those of a light around `center`; `moves`: whether it is somewhere. `scale`: of a HiDPI screen. None
 /// behind the eye.
-Handles handles_of(const std::vector<scene::LightSize>& extents, vec3 center, bool moves, const Projection& projection,
-                   float scale);
+Handles handles_of(const std::vector<scene::LightSize>& extents, vec3 center, bool moves,
+                   const Projection& projection, float scale);
 
 /// The one that the pointer is on; absent: none.
 std::optional<Handle> handle_under(vec2 pointer, const Handles& handles);

@@ -113,9 +113,9 @@ struct NumericFlux {
         return integral([&](dvec3) { return luminance_of(l.I); }, 4);
     }
     double operator()(const scene::SpotLight& l) const {
-        const double inner = std::cos(l.inner_angle), outer = std::cos(l.outer_angle);
+        const scene::ConeFalloff cone = l.falloff(); // as it is drawn
         const auto I = [&](dvec3 w) {
-            const double t = (glm::dot(w, dvec3(l.direction)) - outer) / std::max(0.001, inner - outer);
+            const double t = glm::dot(w, dvec3(l.direction)) * cone.scale + cone.offset;
             return luminance_of(l.I) * std::pow(std::clamp(t, 0.0, 1.0), 2.0);
         };
         return integral(I, 800);

@@ -19,8 +19,9 @@ struct DirectionalLight {
         {{"angular_diameter", "rad", 2.0f, &DirectionalLight::angular_radius}}};
 
     bool has_extent() const { return angular_radius > 0.0f; }
-    /// Returns E from itself, or where the light is a disk from its radiance, E = π L sin²(angular radius). Absent: the
-    /// quantity does not determine it. What flux a parallel beam carries depends on how wide a scene it lights.
+    /// Returns E from itself, or where the light is a disk from its radiance, E = π L sin²(angular radius).
+    /// Absent: the quantity does not determine it. What flux a parallel beam carries depends on how wide a
+    /// scene it lights.
     std::optional<double> quantity_from(Quantity quantity, double value) const;
     void transform(const Motion& by) { direction = glm::normalize(by.rotation * direction); }
     EmitterPoint sample_point(vec3 u) const;

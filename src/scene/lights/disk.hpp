@@ -22,8 +22,10 @@ struct DiskLight {
     static constexpr std::array<Dimension<DiskLight>, 1> of_circle{
         {{"radius", "m", 1.0f, nullptr, &DiskLight::half_u, &DiskLight::half_v}}};
     static constexpr std::array<Dimension<DiskLight>, 2> of_ellipse{
-        {{"width", "m", 2.0f, nullptr, &DiskLight::half_u}, {"height", "m", 2.0f, nullptr, &DiskLight::half_v}}};
-    static constexpr std::array<NamedShape<DiskLight>, 2> shapes{{{"disk", of_circle}, {"ellipse", of_ellipse}}};
+        {{"width", "m", 2.0f, nullptr, &DiskLight::half_u},
+         {"height", "m", 2.0f, nullptr, &DiskLight::half_v}}};
+    static constexpr std::array<NamedShape<DiskLight>, 2> shapes{
+        {{"disk", of_circle}, {"ellipse", of_ellipse}}};
 
     /// A circle's, where the semi-axes have one length but for rounding; else an ellipse's.
     std::span<const Dimension<DiskLight>> sizes() const;

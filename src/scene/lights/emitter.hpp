@@ -1,9 +1,9 @@
 #pragma once
 // The vocabulary that all emitters share: their sizes, totals, points and surfaces.
 //
-// An emitter is a struct with plain members, in world space, each in its own unit. Colours are folded into its
-// quantity: I, E and L are RGB. A photometric scene (glTF) counts in cd, lx and cd/m²; a radiometric one in W/sr, W/m²
-// and W/(m² sr). The members of one name mean the same in all emitters:
+// An emitter is a struct with plain members, in world space, each in its own unit. Colours are folded into
+// its quantity: I, E and L are RGB. A photometric scene (glTF) counts in cd, lx and cd/m²; a radiometric one
+// in W/sr, W/m² and W/(m² sr). The members of one name mean the same in all emitters:
 //   position, center     where it is [m]
 //   half_u, half_v       half edges or semi-axes [m], perpendicular
 //   half_axis            from the center to an end [m]
@@ -22,8 +22,8 @@
 
 namespace sr::scene {
 
-/// A size of the emitter L, by its key in extras.steradian. The member is a number, or one or two axes that grow with
-/// the size.
+/// A size of the emitter L, by its key in extras.steradian. The member is a number, or one or two axes that
+/// grow with the size.
 template<class L>
 struct Dimension {
     std::string_view key;
@@ -68,8 +68,9 @@ struct Radiator {
     std::optional<double> axis_area;
 };
 
-/// Returns L of a radiator for a flux (Φ / (π flux_area)), an intensity on the axis (I / axis_area) or a radiance.
-/// Absent: this quantity does not determine it (irradiance does not, nor does an intensity without an axis).
+/// Returns L of a radiator for a flux (Φ / (π flux_area)), an intensity on the axis (I / axis_area) or a
+/// radiance. Absent: this quantity does not determine it (irradiance does not, nor does an intensity without
+/// an axis).
 std::optional<double> radiance_from(Quantity quantity, double value, const Radiator& radiator);
 
 /// A point on an emitter, uniform over the area of a flat one. Of a sphere or tube it is a point within, as

@@ -23,7 +23,8 @@ std::span<const Dimension<L>> sizes_in(const L& light) {
     if constexpr (requires { light.sizes(); })
         return light.sizes();
     else if constexpr (requires { light.radius; })
-        return light.radius > 0.0f ? std::span<const Dimension<L>>(L::dimensions) : std::span<const Dimension<L>>{};
+        return light.radius > 0.0f ? std::span<const Dimension<L>>(L::dimensions)
+                                   : std::span<const Dimension<L>>{};
     else
         return {};
 }

@@ -20,7 +20,7 @@ struct MeshLight {
     bool is_two_sided = false;
     int texture = -1; // index into Scene::textures; negative: none
 
-    float area() const; // [m²]
+    float area() const;  // [m²]
     vec3 center() const; // the mean of all corners
     /// It has no axis, and so no intensity.
     Radiator radiator() const;

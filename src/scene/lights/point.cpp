@@ -7,7 +7,8 @@ namespace sr::scene {
 std::optional<double> PointLight::quantity_from(Quantity quantity, double value) const {
     if (quantity == Quantity::flux) return value / (4.0 * pi64);
     if (quantity == Quantity::intensity) return value;
-    if (quantity == Quantity::radiance && radius > 0.0f) return value * pi64 * double{radius} * double{radius};
+    if (quantity == Quantity::radiance && radius > 0.0f)
+        return value * pi64 * double{radius} * double{radius};
     return std::nullopt;
 }
 

@@ -20,11 +20,12 @@ struct PointLight {
     mat3 world_from_profile{1.0f};
     bool is_visible = true; // false: the camera does not see the sphere
 
-    static constexpr std::array<Dimension<PointLight>, 1> dimensions{{{"radius", "m", 1.0f, &PointLight::radius}}};
+    static constexpr std::array<Dimension<PointLight>, 1> dimensions{
+        {{"radius", "m", 1.0f, &PointLight::radius}}};
 
     bool has_extent() const { return radius > 0.0f; }
-    /// Returns I from Φ (Φ / 4π) or from itself; with a radius also from the radiance of its sphere, L π radius².
-    /// Absent: the quantity does not determine it. Without a profile.
+    /// Returns I from Φ (Φ / 4π) or from itself; with a radius also from the radiance of its sphere, L π
+    /// radius². Absent: the quantity does not determine it. Without a profile.
     std::optional<double> quantity_from(Quantity quantity, double value) const;
     vec3 flux(const std::vector<LightProfile>& profiles) const; // [lm]
     Bounds bounds() const;

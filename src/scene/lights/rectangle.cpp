@@ -4,7 +4,9 @@
 
 namespace sr::scene {
 
-Radiator RectangleLight::radiator() const { return flat_radiator(*this, 4.0 * parallelogram(half_u, half_v)); }
+Radiator RectangleLight::radiator() const {
+    return flat_radiator(*this, 4.0 * parallelogram(half_u, half_v));
+}
 
 Bounds RectangleLight::bounds() const { return box_around(center, glm::abs(half_u) + glm::abs(half_v)); }
 

@@ -60,8 +60,7 @@ Mesh capsule_mesh(vec3 center, vec3 half_axis, float radius, int around) {
         const float angle = 0.5f * pi * static_cast<float>(latitude) / static_cast<float>(quarter);
         for (int i = 0; i < around; ++i) {
             const vec2 c = on_circle(i, around);
-            const vec3 n =
-                std::cos(angle) * (c.x * frame[0] + c.y * frame[1]) + std::sin(angle) * frame[2];
+            const vec3 n = std::cos(angle) * (c.x * frame[0] + c.y * frame[1]) + std::sin(angle) * frame[2];
             mesh.normals.push_back(n);
             mesh.positions.push_back(middle + radius * n);
         }

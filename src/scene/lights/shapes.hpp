@@ -15,8 +15,8 @@ vec2 in_disk(vec2 u);
 /// Returns barycentric weights of the second and third corner, uniform over a triangle (Turk 1990).
 vec2 in_triangle(vec2 u);
 
-/// Returns a point of a ball as a map's sample of a sphere has it: of the unit 3-sphere a uniform point, less its last
-/// coordinate, which has a density over √(1 - r²) (Shoemake 1992, "Uniform random rotations").
+/// Returns a point of a ball as a map's sample of a sphere has it: of the unit 3-sphere a uniform point, less
+/// its last coordinate, which has a density over √(1 - r²) (Shoemake 1992, "Uniform random rotations").
 EmitterPoint in_ball(vec3 center, float radius, vec3 u);
 
 /// The random numbers of in_ball() that choose its center: the coordinate that is dropped is all.
@@ -43,8 +43,8 @@ float triangle_area(vec3 a, vec3 b, vec3 c);
 /// Point i of `count` around the unit circle.
 vec2 on_circle(int i, int count);
 
-/// The corners of a round mesh around its axis, a multiple of four. A chord of 1/128 of a turn leaves the circle by
-/// 1 - cos(π/128) = 0.03 % of the radius.
+/// The corners of a round mesh around its axis, a multiple of four. A chord of 1/128 of a turn leaves the
+/// circle by 1 - cos(π/128) = 0.03 % of the radius.
 inline constexpr int corners_around = 128;
 
 /// Tessellates a flat outline as a fan around its first corner.
@@ -53,7 +53,8 @@ Mesh fan_mesh(const std::vector<vec3>& corners, vec3 normal);
 /// Tessellates all points within `radius` of the axis from center - half_axis to center + half_axis.
 Mesh capsule_mesh(vec3 center, vec3 half_axis, float radius, int around = corners_around);
 
-/// Tessellates the polygon center + s*half_u + t*half_v for the corners (s, t), with the texture coordinates of its map.
+/// Tessellates the polygon center + s*half_u + t*half_v for the corners (s, t), with the texture coordinates
+/// of its map.
 template<class Flat>
 Mesh flat_mesh(const Flat& light, const std::vector<vec2>& st) {
     std::vector<vec3> corners;
@@ -79,7 +80,8 @@ EmitterPoint point_on_plane(const Flat& light, vec2 st) {
             light.map.origin + st.x * light.map.along_u + st.y * light.map.along_v, light.is_two_sided};
 }
 
-/// The totals of a flat light of that area: Φ = ∫ L A cosθ dω over its hemisphere = π A L, I = L A on its normal.
+/// The totals of a flat light of that area: Φ = ∫ L A cosθ dω over its hemisphere = π A L, I = L A on its
+/// normal.
 template<class Flat>
 Radiator flat_radiator(const Flat& light, double area) {
     return {light.is_two_sided ? 2.0 * area : area, area};

@@ -16,7 +16,8 @@ struct SphereLight {
     vec3 L{1.0f};        // radiance [cd/m²]
     bool is_visible = true;
 
-    static constexpr std::array<Dimension<SphereLight>, 1> dimensions{{{"radius", "m", 1.0f, &SphereLight::radius}}};
+    static constexpr std::array<Dimension<SphereLight>, 1> dimensions{
+        {{"radius", "m", 1.0f, &SphereLight::radius}}};
     static constexpr std::array<NamedShape<SphereLight>, 1> shapes{{{"sphere", dimensions}}};
 
     std::span<const Dimension<SphereLight>> sizes() const { return dimensions; }

@@ -27,7 +27,8 @@ double SpotLight::solid_angle() const {
 std::optional<double> SpotLight::quantity_from(Quantity quantity, double value) const {
     if (quantity == Quantity::flux) return value / solid_angle();
     if (quantity == Quantity::intensity) return value;
-    if (quantity == Quantity::radiance && radius > 0.0f) return value * pi64 * double{radius} * double{radius};
+    if (quantity == Quantity::radiance && radius > 0.0f)
+        return value * pi64 * double{radius} * double{radius};
     return std::nullopt;
 }
 

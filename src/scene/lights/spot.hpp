@@ -6,14 +6,15 @@
 
 namespace sr::scene {
 
-/// The falloff of a spot as saturate(scale · cosθ + offset)², θ from its axis (KHR_lights_punctual, "Inner and Outer
-/// Cone Angles"). A hard edge is a ramp of a millionth in cosθ, inside the outer angle.
+/// The falloff of a spot as saturate(scale · cosθ + offset)², θ from its axis (KHR_lights_punctual, "Inner
+/// and Outer Cone Angles"). A hard edge is a ramp of a millionth in cosθ, inside the outer angle.
 struct ConeFalloff {
     float scale = 0.0f;
     float offset = 0.0f;
 };
 
-/// A point light within a cone. KHR_lights_punctual: full intensity up to the inner angle, none beyond the outer.
+/// A point light within a cone. KHR_lights_punctual: full intensity up to the inner angle, none beyond the
+/// outer.
 struct SpotLight {
     static constexpr std::string_view kind = "spot";
 
@@ -27,15 +28,17 @@ struct SpotLight {
     float radius = 0.0f;           // [m], as a point light's
     bool is_visible = true;
 
-    static constexpr std::array<Dimension<SpotLight>, 1> dimensions{{{"radius", "m", 1.0f, &SpotLight::radius}}};
+    static constexpr std::array<Dimension<SpotLight>, 1> dimensions{
+        {{"radius", "m", 1.0f, &SpotLight::radius}}};
 
     bool has_extent() const { return radius > 0.0f; }
     ConeFalloff falloff() const;
     /// ∫ falloff dω [sr]. With c = cosθ, w = cos inner - cos outer:
-    /// 2π ((1 - cos inner) + ∫₀^w (t/w)² dt) = 2π (1 - cos inner + w / 3). A hard cone's is 2π (1 - cos outer).
+    /// 2π ((1 - cos inner) + ∫₀^w (t/w)² dt) = 2π (1 - cos inner + w / 3). A hard cone's is 2π (1 - cos
+    /// outer).
     double solid_angle() const;
-    /// Returns I on the axis from Φ (Φ / solid_angle()) or from itself; with a radius also from the radiance on the axis.
-    /// Absent: the quantity does not determine it.
+    /// Returns I on the axis from Φ (Φ / solid_angle()) or from itself; with a radius also from the radiance
+    /// on the axis. Absent: the quantity does not determine it.
     std::optional<double> quantity_from(Quantity quantity, double value) const;
     vec3 flux(const std::vector<LightProfile>& profiles) const; // [lm]
     Bounds bounds() const;

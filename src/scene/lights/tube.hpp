@@ -6,8 +6,8 @@
 
 namespace sr::scene {
 
-/// A capsule, all points within `radius` of the axis from center - half_axis to center + half_axis. Emits the radiance
-/// L outwards.
+/// A capsule, all points within `radius` of the axis from center - half_axis to center + half_axis. Emits the
+/// radiance L outwards.
 struct TubeLight {
     static constexpr std::string_view kind = "tube";
 
@@ -24,8 +24,8 @@ struct TubeLight {
 
     std::span<const Dimension<TubeLight>> sizes() const { return dimensions; }
     float area() const { return 4.0f * pi * radius * (radius + glm::length(half_axis)); } // [m²]
-    /// Φ = π A L, as each element's is; I across the axis is L times the projection, a stadium of 4 r h + π r² for the
-    /// half length h.
+    /// Φ = π A L, as each element's is; I across the axis is L times the projection, a stadium of 4 r h + π
+    /// r² for the half length h.
     Radiator radiator() const;
     Bounds bounds() const;
     void transform(const Motion& by);

@@ -19,8 +19,9 @@ using Kind = LightEdit::Kind;
 void take_sizes(scene::Light& light, const scene::Light& from) {
     const std::vector<scene::LightSize> sizes = scene::sizes_of(from);
     const std::size_t count = scene::sizes_of(light).size();
-    const float across = sizes.size() < count ? 2.0f : 1.0f;   // a radius, where an ellipse became a circle
-    for (std::size_t i = 0; i < scene::sizes_of(light).size(); ++i) // an ellipse may become a circle on the way
+    const float across = sizes.size() < count ? 2.0f : 1.0f; // a radius, where an ellipse became a circle
+    for (std::size_t i = 0; i < scene::sizes_of(light).size();
+         ++i) // an ellipse may become a circle on the way
         set_size(light, i, across * sizes[std::min(i, sizes.size() - 1)].size);
 }
 
@@ -90,7 +91,8 @@ gltf::StatedEmission emission_of(const LightEdit& edit, const scene::Scene& scen
         return stated(scene::luminance(L), scene::Quantity::radiance, L);
     }
     const vec3 quantity = is_on ? quantity_of(edit.light) : vec3(0.0f);
-    if (!has_profile(edit.light)) return stated(scene::luminance(quantity), quantity_kind_of(edit.light), quantity);
+    if (!has_profile(edit.light))
+        return stated(scene::luminance(quantity), quantity_kind_of(edit.light), quantity);
     const double flux = is_on ? scene::luminance(*scene::flux_of(edit.light, scene.profiles)) : 0.0;
     return stated(flux, scene::Quantity::flux, quantity);
 }
@@ -332,8 +334,7 @@ void LightEditor::apply(LoadedScene& loaded) {
     // A disabled light keeps its place, so that all others keep their indices.
     for (const LightEntry& entry : entries_) {
         if (entry.is_enabled) continue;
-        for (const int k : entry.lights)
-            scene::set_quantity(lights[static_cast<std::size_t>(k)], vec3(0.0f));
+        for (const int k : entry.lights) scene::set_quantity(lights[static_cast<std::size_t>(k)], vec3(0.0f));
         if (entry.kind == Kind::material) scene.materials[edits_[entry.edit].material].emission = vec3(0.0f);
         if (entry.kind == Kind::light) // its surface goes dark, too
             scene::set_quantity(scene.lights[static_cast<std::size_t>(entry.lights.front())], vec3(0.0f));

@@ -1,6 +1,5 @@
 #include "scene/prepare.hpp"
 
-
 #include "support/address.hpp"
 
 #include <glm/gtc/matrix_transform.hpp>
