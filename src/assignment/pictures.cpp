@@ -1,8 +1,8 @@
 #include "assignment/pictures.hpp"
 
+#include "compare/compare.hpp"
 #include "core/error.hpp"
 #include "gltf/load.hpp"
-#include "golden/compare.hpp"
 
 #include <algorithm>
 
@@ -45,10 +45,10 @@ scene::Scene scene_of(const fs::path& file, const Parameters& parameters) {
     return gltf::load(folder.path / file.filename()).scene;
 }
 
-golden::Comparison compared(const image::Image& picture, const image::Image& reference, const Check& check) {
-    golden::CompareOptions options;
-    options.tolerances = golden::parsed_tolerances(check.tolerances);
-    return golden::compare(picture, reference, options);
+compare::Comparison compared(const image::Image& picture, const image::Image& reference, const Check& check) {
+    compare::CompareOptions options;
+    options.tolerances = compare::parse_tolerances(check.tolerances);
+    return compare::compare(picture, reference, options);
 }
 
 /// Where two pictures differ most, relative to the larger value there and no less than a hundredth of the
@@ -135,7 +135,7 @@ Finding Pictures::check(const Check& check, const Codes& codes) {
     Finding finding;
     finding.reference = reference(check);
     finding.picture = rendered(check, codes);
-    const golden::Comparison comparison = compared(*finding.picture, *finding.reference, check);
+    const compare::Comparison comparison = compared(*finding.picture, *finding.reference, check);
     finding.passed = comparison.passed;
     const auto place = furthest(*finding.picture, *finding.reference);
     finding.got = pixel_text(*finding.picture, place);
@@ -143,7 +143,7 @@ Finding Pictures::check(const Check& check, const Codes& codes) {
     finding.at = fmt::format("pixel {},{}", place.first, place.second);
     if (finding.passed) return finding;
     finding.is_implemented = !is_magenta_anywhere(*finding.picture);
-    for (const golden::Verdict& verdict : comparison.verdicts)
+    for (const compare::Verdict& verdict : comparison.verdicts)
         if (!verdict.passed && finding.message.empty()) finding.message = verdict.line;
     if (!finding.is_implemented) finding.message = "not implemented";
     return finding;
@@ -157,7 +157,7 @@ std::optional<Named> Pictures::diagnosed(const Task& task, const Check& check, c
             && !compared(picture, *finding.reference, check).passed)
             return Named{variant.name, task.hints.at(variant.name)};
     }
-    const golden::Comparison comparison = compared(*finding.picture, *finding.reference, check);
+    const compare::Comparison comparison = compared(*finding.picture, *finding.reference, check);
     if (!comparison.diagnosis) return std::nullopt;
     return Named{comparison.diagnosis->name, comparison.diagnosis->statement};
 }

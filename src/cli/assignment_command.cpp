@@ -11,7 +11,7 @@
 #include "core/text.hpp"
 #include "gl/context.hpp"
 #include "golden/bytes_of_file.hpp"
-#include "viewer/watch.hpp"
+#include "viewer/document/watch.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>

@@ -1,11 +1,10 @@
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
+#include "compare/compare.hpp"
+#include "compare/pictures.hpp"
 #include "core/error.hpp"
 #include "core/output.hpp"
 #include "core/text.hpp"
-#include "golden/compare.hpp"
-#include "golden/comparison_json.hpp"
-#include "golden/pictures.hpp"
 #include "image/whole_file.hpp"
 
 #include <CLI/CLI.hpp>
@@ -33,7 +32,7 @@ struct CompareCommand {
     std::string exposures;
     std::string heat_map;
     std::string side_by_side;
-    golden::CompareOptions options;
+    compare::CompareOptions options;
     bool json = false;
 };
 
@@ -46,8 +45,8 @@ bool is_for_screens(const std::string& file) {
     return std::ranges::find(screen_formats, extension) != screen_formats.end();
 }
 
-golden::Encoding encoding_of(const CompareCommand& command) {
-    using enum golden::Encoding;
+compare::Encoding encoding_of(const CompareCommand& command) {
+    using enum compare::Encoding;
     if (command.encoding == "linear") return scene_referred;
     if (command.encoding == "srgb") return display_referred;
     const bool test = is_for_screens(command.test), reference = is_for_screens(command.reference);
@@ -57,8 +56,8 @@ golden::Encoding encoding_of(const CompareCommand& command) {
     return test && reference ? display_referred : scene_referred;
 }
 
-std::optional<golden::Region> parsed_region(const std::string& text) {
-    golden::Region region;
+std::optional<compare::Region> parsed_region(const std::string& text) {
+    compare::Region region;
     int end = 0;
     const int fields =
         std::sscanf(text.c_str(), "%d,%d,%dx%d%n", &region.x, &region.y, &region.width, &region.height, &end);
@@ -66,8 +65,8 @@ std::optional<golden::Region> parsed_region(const std::string& text) {
     return region;
 }
 
-std::optional<golden::Exposures> parsed_exposures(const std::string& text) {
-    golden::Exposures exposures;
+std::optional<compare::Exposures> parsed_exposures(const std::string& text) {
+    compare::Exposures exposures;
     int end = 0;
     const int fields =
         std::sscanf(text.c_str(), "%lf,%lf,%d%n", &exposures.start, &exposures.stop, &exposures.count, &end);
@@ -90,18 +89,18 @@ image::Image read_noise(const std::string& text) {
     return noise;
 }
 
-golden::CompareOptions options_of(const CompareCommand& command) {
-    golden::CompareOptions options = command.options;
+compare::CompareOptions options_of(const CompareCommand& command) {
+    compare::CompareOptions options = command.options;
     options.encoding = encoding_of(command);
     if (!command.region.empty()) options.region = parsed_region(command.region);
     if (!command.exposures.empty()) options.exposures = parsed_exposures(command.exposures);
     if (!command.mask.empty()) options.mask = image::read(command.mask);
     for (const std::string& noise : command.noise) options.noise.push_back(read_noise(noise));
-    options.tolerances = golden::parsed_tolerances(command.limits);
+    options.tolerances = compare::parse_tolerances(command.limits);
     return options;
 }
 
-void print_metrics(const golden::Metrics& m) {
+void print_metrics(const compare::Metrics& m) {
     if (m.pixels == 0) return;
     print_data("  {:<7} max_abs {:.4g}, mean_abs {:.4g}, rmse {:.4g}; max_rel {:.4g}, mean_rel {:.4g}, "
                "rel_mse {:.4g}\n",
@@ -113,10 +112,10 @@ void print_metrics(const golden::Metrics& m) {
                100.0 * m.failing_fraction, m.pixels, 100.0 * m.density);
 }
 
-void print(const golden::Comparison& comparison, const CompareCommand& command) {
+void print(const compare::Comparison& comparison, const CompareCommand& command) {
     print_data("{} {} against {}\n", comparison.passed ? "PASS" : "FAIL", shown(command.test),
                shown(command.reference));
-    for (const golden::Verdict& verdict : comparison.verdicts)
+    for (const compare::Verdict& verdict : comparison.verdicts)
         print_data("  {:<7} {}\n", verdict.passed ? "ok" : "FAIL", shown(verdict.line));
     print_metrics(comparison.metrics);
     if (const auto& diagnosis = comparison.diagnosis)
@@ -126,9 +125,9 @@ void print(const golden::Comparison& comparison, const CompareCommand& command) 
         print_data("  {:<7} no mistake with a name explains the difference\n", "cause");
 }
 
-void print_json(const golden::Comparison& comparison, const CompareCommand& command) {
+void print_json(const compare::Comparison& comparison, const CompareCommand& command) {
     nlohmann::ordered_json json{{"test", command.test}, {"reference", command.reference}};
-    json.update(golden::json_of(comparison));
+    json.update(compare::json_of(comparison));
     write_json(json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
 }
 
@@ -144,13 +143,13 @@ void check_outputs_of(const CompareCommand& command) {
 ExitStatus compare(const CompareCommand& command) {
     check_outputs_of(command);
     const image::Image test = image::read(command.test), reference = image::read(command.reference);
-    const golden::CompareOptions options = options_of(command);
-    const golden::Comparison comparison = golden::compare(test, reference, options);
+    const compare::CompareOptions options = options_of(command);
+    const compare::Comparison comparison = compare::compare(test, reference, options);
     image::WholeFiles files;
     if (!command.heat_map.empty())
-        files.add(golden::heat_map(comparison), command.heat_map, image::SampleType::integer8);
+        files.add(compare::heat_map(comparison), command.heat_map, image::SampleType::integer8);
     if (!command.side_by_side.empty())
-        files.add(golden::side_by_side(test, reference, comparison, options), command.side_by_side,
+        files.add(compare::side_by_side(test, reference, comparison, options), command.side_by_side,
                   image::SampleType::integer8);
     files.put_in_place();
     if (command.json)
@@ -170,7 +169,7 @@ std::function<std::string(const std::string&)> accepted_by(Parse parse, const ch
 
 std::string refusal_of_limit(const std::string& text) {
     try {
-        golden::parsed_tolerance(text);
+        compare::parse_tolerance(text);
         return {};
     } catch (const Error& error) {
         return error.what();

@@ -7,7 +7,7 @@
 #include "core/error.hpp"
 #include "core/output.hpp"
 #include "gl/lost_display.hpp"
-#include "viewer/session.hpp"
+#include "viewer/app.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -120,13 +120,13 @@ void view(const ViewCommand& command) {
     const Interruption interruption;
     viewer::Options options = viewer_options(command);
     if (!command.submission.empty()) take_assignment(options, command.submission);
-    viewer::Session session(std::move(options));
+    viewer::App app(std::move(options));
     gl::when_display_is_lost([] {
-        write_remark("window: its display is gone: start again on one that can be reached");
+        write_remark("window: lost the connection to the display: start again with a DISPLAY that can be reached");
         std::_Exit(worlds_fault);
     });
-    session.run([&] { return interruption.has_come(); });
-    if (command.rendering.json) write_json(summary(session.statistics()).dump(2));
+    app.run([&] { return interruption.has_come(); });
+    if (command.rendering.json) write_json(summary(app.statistics()).dump(2));
 }
 
 } // namespace

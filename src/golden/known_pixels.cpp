@@ -1,6 +1,6 @@
 #include "golden/known_pixels.hpp"
 
-#include "golden/colour_channels.hpp"
+#include "compare/align.hpp"
 
 #include <cmath>
 #include <fmt/format.h>
@@ -8,7 +8,7 @@
 namespace sr::golden {
 
 std::string wrong_known_pixels(const image::Image& image, std::span<const KnownPixel> pixels) {
-    const auto channels = colour_channels(image);
+    const auto channels = compare::color_channels(image);
     for (const KnownPixel& pixel : pixels) {
         if (pixel.x >= image.width || pixel.y >= image.height)
             return fmt::format("the known pixel ({}, {}) lies outside the image", pixel.x, pixel.y);

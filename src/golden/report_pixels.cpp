@@ -1,7 +1,7 @@
 #include "golden/report_pixels.hpp"
 
+#include "compare/align.hpp"
 #include "core/error.hpp"
-#include "golden/colour_channels.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +24,7 @@ float scale_of(const image::Image& image) {
 std::string byte_planes(const image::Image& image, float scale) {
     const std::size_t count = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
     const auto stride = static_cast<std::size_t>(image.channels);
-    const auto channels = colour_channels(image);
+    const auto channels = compare::color_channels(image);
     std::string planes(6 * count, '\0');
     for (std::size_t c = 0; c < 3; ++c)
         for (std::size_t i = 0; i < count; ++i) {

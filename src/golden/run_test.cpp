@@ -1,10 +1,10 @@
 #include "golden/run_test.hpp"
 
+#include "compare/compare.hpp"
 #include "core/error.hpp"
 #include "golden/alternate.hpp"
 #include "golden/bytes_of_file.hpp"
 #include "golden/child.hpp"
-#include "golden/comparison_json.hpp"
 #include "golden/escape.hpp"
 #include "golden/fingerprint.hpp"
 #include "golden/known_pixels.hpp"
@@ -78,20 +78,21 @@ std::string renderer_of(const image::Image& image) {
     return text;
 }
 
-CompareOptions compare_options(const GoldenTest& test) {
-    CompareOptions options;
+compare::CompareOptions compare_options(const GoldenTest& test) {
+    compare::CompareOptions options;
     options.tolerances = test.tolerances;
     options.allow_nonfinite = test.allow_nonfinite;
     options.region = test.region;
-    options.encoding = test.extension == ".png" ? Encoding::display_referred : Encoding::scene_referred;
+    options.encoding =
+        test.extension == ".png" ? compare::Encoding::display_referred : compare::Encoding::scene_referred;
     if (!test.mask.empty()) options.mask = image::read(test.mask);
     for (const fs::path& file : test.noise) options.noise.push_back(image::read(file));
     return options;
 }
 
 /// What failed first, and the diagnosis if there is one.
-std::string summary(const Comparison& comparison) {
-    const auto failed = std::ranges::find(comparison.verdicts, false, &Verdict::passed);
+std::string summary(const compare::Comparison& comparison) {
+    const auto failed = std::ranges::find(comparison.verdicts, false, &compare::Verdict::passed);
     std::string text = failed == comparison.verdicts.end() ? "differs from its golden" : failed->line;
     if (comparison.diagnosis)
         text += fmt::format(" [{}: {}]", comparison.diagnosis->name, comparison.diagnosis->statement);
@@ -109,12 +110,12 @@ bool passes_alternate(TestResult& result, const image::Image& candidate, const S
         const image::Image reference = image::read(file);
         const std::string renderer = renderer_of(reference);
         if (renderer.empty() || driver_of(renderer) != driver_of(result.candidate_renderer)) continue;
-        const Comparison comparison = compare(candidate, reference, compare_options(test));
+        const compare::Comparison comparison = compare::compare(candidate, reference, compare_options(test));
         if (!comparison.passed) continue;
         result.alternate = label;
         result.golden = seen_from(suite, file);
         result.golden_renderer = renderer;
-        result.comparison = json_of(comparison);
+        result.comparison = compare::json_of(comparison);
         return true;
     }
     return false;
@@ -134,8 +135,8 @@ void judge(TestResult& result, const image::Image& candidate, const Suite& suite
     }
     const image::Image reference = image::read(golden);
     result.golden_renderer = renderer_of(reference);
-    const Comparison comparison = compare(candidate, reference, compare_options(test));
-    result.comparison = json_of(comparison);
+    const compare::Comparison comparison = compare::compare(candidate, reference, compare_options(test));
+    result.comparison = compare::json_of(comparison);
     const bool agrees = comparison.passed || passes_alternate(result, candidate, suite, test);
     result.outcome = agrees && wrong.empty() ? Outcome::passed : Outcome::differs;
     if (!agrees) result.message = summary(comparison);

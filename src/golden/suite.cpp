@@ -93,15 +93,15 @@ void read_comparison(GoldenTest& test, const SuiteReader& entry, const SuiteRead
                      const fs::path& folder) {
     const SuiteReader& tolerance = holder(entry, defaults, "tolerance");
     try {
-        test.tolerances = parsed_tolerances(tolerance.texts("tolerance"));
+        test.tolerances = compare::parse_tolerances(tolerance.texts("tolerance"));
     } catch (const Error& error) { // says what may stand there, and not where it stands
         tolerance.fail_at("tolerance", "a tolerance that does not parse", error.what());
     }
     test.allow_nonfinite = holder(entry, defaults, "allow_nonfinite").flag("allow_nonfinite", false);
     if (entry.has("region")) {
         const auto r = entry.numbers("region", 4);
-        test.region = Region{static_cast<int>(r[0]), static_cast<int>(r[1]), static_cast<int>(r[2]),
-                             static_cast<int>(r[3])};
+        test.region = compare::Region{static_cast<int>(r[0]), static_cast<int>(r[1]), static_cast<int>(r[2]),
+                                      static_cast<int>(r[3])};
     }
     if (entry.has("mask")) test.mask = entry.path("mask", entry.text("mask", ""), folder);
     for (const std::string& file : entry.texts("noise"))

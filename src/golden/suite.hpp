@@ -1,6 +1,6 @@
 #pragma once
 // A suite of golden-image tests: one JSON file (assets/golden_suite.schema.json), one entry a test.
-#include "golden/compare.hpp"
+#include "compare/options.hpp"
 
 #include <array>
 #include <filesystem>
@@ -28,9 +28,9 @@ struct GoldenTest {
     std::string scene;              // as written in the suite; empty for an external command
     std::string extension = ".exr"; // of its image
     double time_limit = 60.0;       // [s]
-    std::vector<Tolerance> tolerances;
+    std::vector<compare::Tolerance> tolerances;
     bool allow_nonfinite = false;
-    std::optional<Region> region;
+    std::optional<compare::Region> region;
     std::filesystem::path mask;               // empty: none
     std::vector<std::filesystem::path> noise; // standard errors; empty: none
     std::vector<KnownPixel> pixels;

@@ -30,7 +30,7 @@ constexpr auto table = std::to_array<Binding>({
     {GLFW_KEY_KP_SUBTRACT, 0, dolly_out},
     {GLFW_KEY_LEFT_BRACKET, 0, roll_left, "[ ]", "roll", "Camera"},
     {GLFW_KEY_RIGHT_BRACKET, 0, roll_right},
-    {GLFW_KEY_L, shift, level, "Shift L", "level: no roll", "Camera"},
+    {GLFW_KEY_L, shift, level, "Shift L", "remove roll", "Camera"},
     {GLFW_KEY_A, 0, frame_all, "A, Home", "frame all", "Camera"},
     {GLFW_KEY_HOME, 0, frame_all},
     {GLFW_KEY_F, 0, frame_selection, "F", "frame the selected light, or all", "Camera"},
@@ -56,58 +56,58 @@ constexpr auto table = std::to_array<Binding>({
     {GLFW_KEY_0, 0, file_camera, "0", "back to the file's camera", "Camera"},
     {GLFW_KEY_KP_0, 0, file_camera},
     {GLFW_KEY_C, 0, next_camera, "C", "the file's next camera", "Camera"},
-    {GLFW_KEY_C, control, copy_view, "Ctrl C", "copy the view, as render's --camera", "Camera"},
+    {GLFW_KEY_C, control, copy_view, "Ctrl C", "copy the view as arguments of render", "Camera"},
     {GLFW_KEY_V, control, paste_view, "Ctrl V", "go to a copied view", "Camera"},
     {GLFW_KEY_COMMA, 0, darker, ", .", "darker, brighter by 1/3 EV", "Picture"},
     {GLFW_KEY_PERIOD, 0, brighter},
     {GLFW_KEY_X, 0, auto_exposure, "X", "automatic exposure", "Picture"},
     {GLFW_KEY_T, 0, next_tone_curve, "T", "next tone curve", "Picture"},
     {GLFW_KEY_Y, 0, false_color, "Y", "luminance as false colour", "Picture"},
-    {GLFW_KEY_B, 0, compare, "B", "compare with a kept picture", "Picture"},
+    {GLFW_KEY_B, 0, compare, "B", "keep a reference, then compare with it", "Picture"},
     {GLFW_KEY_F12, 0, screenshot_png, "F12", "write a PNG", "Picture"},
     {GLFW_KEY_F12, shift, screenshot_exr, "Shift F12", "write an EXR", "Picture"},
     {GLFW_KEY_F12, control, turntable, "Ctrl F12", "write a turntable of PNGs", "Picture"},
     {GLFW_KEY_TAB, 0, next_light, "Tab", "select the next light", "Lights"},
     {GLFW_KEY_ENTER, 0, edit_light, "Enter", "type its value: 800 lm, 6500 K", "Lights"},
     {GLFW_KEY_KP_ENTER, 0, edit_light},
-    {GLFW_KEY_SPACE, 0, switch_light, "Space", "switch it off and on", "Lights"},
-    {GLFW_KEY_SPACE, shift, solo_light, "Shift Space", "it alone", "Lights"},
+    {GLFW_KEY_SPACE, 0, switch_light, "Space", "disable, enable it", "Lights"},
+    {GLFW_KEY_SPACE, shift, solo_light, "Shift Space", "enable it alone", "Lights"},
     {GLFW_KEY_DELETE, 0, delete_light, "Delete", "remove it", "Lights"},
-    {GLFW_KEY_G, 0, move_light, "G R S", "move, turn, scale it; X Y Z, a number", "Lights"},
+    {GLFW_KEY_G, 0, move_light, "G R S", "move, turn, scale it; then X Y Z or a number", "Lights"},
     {GLFW_KEY_R, 0, turn_light},
     {GLFW_KEY_S, 0, scale_light},
-    {GLFW_KEY_Z, control, undo_light, "Ctrl (Shift) Z", "undo a light's change, do it again", "Lights"},
+    {GLFW_KEY_Z, control, undo_light, "Ctrl (Shift) Z", "undo, redo an edit of a light", "Lights"},
     {GLFW_KEY_Z, control | shift, redo_light},
     {GLFW_KEY_Y, control, redo_light},
-    {GLFW_KEY_P, 0, ask, "P", "ask the pixel under the pointer", "Lights"},
+    {GLFW_KEY_P, 0, probe_pixel, "P", "probe the pixel under the pointer", "Lights"},
     {GLFW_KEY_K, 0, play, "K, Space", "play, pause (Space: no light selected)", "Animation"},
-    {GLFW_KEY_LEFT, alt, frame_back, "Alt left, right", "a frame back, on (on the bar without Alt)",
+    {GLFW_KEY_LEFT, alt, frame_back, "Alt left, right", "a frame back, forward (over the bar without Alt)",
      "Animation"},
     {GLFW_KEY_RIGHT, alt, frame_forward},
-    {GLFW_KEY_HOME, alt, first_frame, "Alt Home, End", "to the beginning, the end (likewise)", "Animation"},
+    {GLFW_KEY_HOME, alt, first_frame, "Alt Home, End", "to the start, the end (likewise)", "Animation"},
     {GLFW_KEY_END, alt, last_frame},
     {GLFW_KEY_N, 0, next_variant, "N", "the next material variant", "Animation"},
     {GLFW_KEY_O, control, open_file, "Ctrl O", "open a file, or drop it here", "Program"},
     {GLFW_KEY_S, control, save_as, "Ctrl S", "save lights and view as a new glTF", "Program"},
-    {GLFW_KEY_F5, 0, reload, "F5", "read scene and shaders anew", "Program"},
+    {GLFW_KEY_F5, 0, reload, "F5", "reload scene and shaders", "Program"},
     {GLFW_KEY_F11, 0, fullscreen, "F11", "full screen", "Program"},
     {GLFW_KEY_H, 0, panels, "H", "hide or show the panels", "Program"},
     {GLFW_KEY_F1, 0, help, "F1, ?", "this help", "Program"},
     {GLFW_KEY_SLASH, shift, help},
-    {GLFW_KEY_ESCAPE, 0, cancel, "Esc", "close, select nothing", "Program"},
+    {GLFW_KEY_ESCAPE, 0, cancel, "Esc", "close, deselect, cancel", "Program"},
     {GLFW_KEY_Q, control, quit, "Ctrl Q", "quit", "Program"},
 });
 
 constexpr auto mouse = std::to_array<Gesture>({
     {"left or middle drag", "orbit"},
     {"Shift drag", "pan"},
-    {"Ctrl drag, wheel", "closer, farther; the wheel to what is under the pointer"},
+    {"Ctrl drag, wheel", "closer, farther; the wheel towards the pointer"},
     {"Alt left, middle, right", "orbit, pan, closer: as in Maya"},
     {"right drag", "look around; with W A S D, Q E: fly (Shift: faster)"},
     {"two fingers", "closer, farther; sideways: pan"},
-    {"click", "select a light, or ask the pixel"},
-    {"drop a file", "glTF: open; EXR, HDR, PNG, JPEG: compare with"},
-    {"arrow, ring, square", "move, turn, size the light; Ctrl: in steps"},
+    {"click", "select a light, or probe the pixel"},
+    {"drop a file", "open a glTF; compare with an EXR, HDR, PNG or JPEG"},
+    {"arrow, ring, square", "move, turn, resize the light; Ctrl: in steps"},
 });
 
 } // namespace
@@ -118,6 +118,18 @@ std::optional<Command> command_of(int key, int modifiers) {
     const auto found = std::ranges::find_if(
         table, [=](const Binding& b) { return b.key == key && b.modifiers == modifiers; });
     return found == table.end() ? std::nullopt : std::optional(found->command);
+}
+
+bool works_in_text_fields(Command command) {
+    switch (command) {
+    case quit:
+    case open_file:
+    case save_as:
+    case reload:
+    case fullscreen:
+    case cancel: return true;
+    default: return false;
+    }
 }
 
 std::span<const Gesture> gestures() { return mouse; }

@@ -1,5 +1,5 @@
 #pragma once
-// Which key does what: one table for the keyboard, for the help and for tests.
+// Key bindings: one table for the keyboard, the help and the tests.
 #include <optional>
 #include <span>
 
@@ -51,7 +51,7 @@ enum class Command {
     turn_light,
     scale_light,
     compare,
-    ask,
+    probe_pixel,
     play,
     frame_back,
     frame_forward,
@@ -78,18 +78,21 @@ struct Binding {
     int key = 0; // as GLFW numbers them
     int modifiers = no_modifier;
     Command command{};
-    const char* keys = ""; // as the help shows them; empty: a second way, which the help leaves out
+    const char* keys = ""; // for the help; empty: another key for the same command, which the help omits
     const char* what = "";
     const char* group = "";
 };
 
-/// All of them, group by group.
+/// All bindings, group by group.
 std::span<const Binding> bindings();
 
-/// What a key means with these modifiers; absent: nothing.
+/// The command of a key with these modifiers; absent if it has none.
 std::optional<Command> command_of(int key, int modifiers);
 
-/// What the mouse does, for the help: pairs of gesture and meaning.
+/// True if a key of the command also works while a text field has the keyboard.
+bool works_in_text_fields(Command command);
+
+/// Gestures of the mouse, for the help.
 struct Gesture {
     const char* gesture = "";
     const char* what = "";

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <fmt/format.h>
 #include <fstream>
 #include <sstream>
 
@@ -13,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Remembering is a courtesy: where it fails, the viewer works on.
+/// Failing to remember is no error.
 void write_lines(const fs::path& file, const std::vector<std::string>& lines) {
     if (file.empty()) return;
     const fs::path unfinished = file.string() + ".tmp";
@@ -67,14 +68,14 @@ std::vector<std::string> recent_files() {
 }
 
 void remember_file(const std::string& file) {
-    constexpr std::size_t most = 10;
+    constexpr std::size_t max_files = 10;
     std::error_code failure;
     const std::string whole = fs::absolute(file, failure).lexically_normal().string();
     if (failure) return;
     std::vector<std::string> files = recent_files();
     std::erase(files, whole);
     files.insert(files.begin(), whole);
-    files.resize(std::min(files.size(), most));
+    files.resize(std::min(files.size(), max_files));
     write_lines(file_named("recent"), files);
 }
 
@@ -88,6 +89,15 @@ WindowSize remembered_size() {
 
 void remember_size(WindowSize size) {
     write_lines(file_named("window"), {std::to_string(size.width) + " " + std::to_string(size.height)});
+}
+
+std::string free_name(const std::string& scene_file, const std::string& extension) {
+    const std::string stem = std::filesystem::path(scene_file).stem().string();
+    for (int number = 1;; ++number) {
+        std::string name = fmt::format("{}-{:03}{}", stem, number, extension);
+        std::error_code ignored;
+        if (!std::filesystem::exists(name, ignored)) return name;
+    }
 }
 
 } // namespace sr::viewer

@@ -1,25 +1,28 @@
 #pragma once
-// What the viewer remembers between two runs.
+// Files of the viewer: settings that it remembers between two runs, names of screenshots.
 #include <filesystem>
 #include <string>
 #include <vector>
 
 namespace sr::viewer {
 
-/// $XDG_CONFIG_HOME/steradian, or ~/.config/steradian; made if it is not there. Empty if neither can be: then
+/// $XDG_CONFIG_HOME/steradian or ~/.config/steradian, which it creates. Empty if neither is possible; then
 /// nothing is remembered.
 std::filesystem::path config_folder();
 
-/// The files that were opened last, the newest first, at most ten; those that are gone are left out.
+/// At most ten recent files, the newest first, without missing ones.
 std::vector<std::string> recent_files();
 void remember_file(const std::string& file);
 
-/// The window's size when it was closed [screen coordinates]; {0, 0} if none is known.
+/// Size of the window when it was last closed [screen coordinates]; {0, 0} if unknown.
 struct WindowSize {
     int width = 0;
     int height = 0;
 };
 WindowSize remembered_size();
 void remember_size(WindowSize size);
+
+/// "STEM-001.EXT" in the working directory, or the first number after that is free.
+std::string free_name(const std::string& scene_file, const std::string& extension);
 
 } // namespace sr::viewer

@@ -87,13 +87,26 @@ std::vector<Event> Input::take() { return std::exchange(events_, {}); }
 
 bool Input::take_damage() { return std::exchange(is_damaged_, false); }
 
-bool Input::wants_to_stop() const {
+bool Input::has_cancel() const {
     return std::ranges::any_of(events_, [](const Event& event) {
         const auto* key = std::get_if<KeyEvent>(&event);
         return std::holds_alternative<CloseEvent>(event)
                || (key && key->is_down && key->key == GLFW_KEY_ESCAPE);
     });
 }
+
+vec2 Input::window_size() const {
+    int width = 1, height = 1;
+    glfwGetWindowSize(window_, &width, &height);
+    return {static_cast<float>(std::max(1, width)), static_cast<float>(std::max(1, height))};
+}
+
+std::string Input::clipboard() const {
+    const char* text = glfwGetClipboardString(window_);
+    return text ? text : "";
+}
+
+void Input::set_clipboard(const std::string& text) { glfwSetClipboardString(window_, text.c_str()); }
 
 bool Input::is_down(int key) const { return glfwGetKey(window_, key) == GLFW_PRESS; }
 

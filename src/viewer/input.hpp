@@ -1,9 +1,10 @@
 #pragma once
-// What a person did since the last frame, in the order in which it happened.
+// Events of the window, in order, and events that tools send.
 #include "core/math.hpp"
 #include "viewer/bindings.hpp"
 
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -34,14 +35,24 @@ struct DropEvent {
     std::vector<std::string> files;
 };
 struct CloseEvent {};
+struct CommandEvent { // a key's or a button's
+    Command command{};
+};
+struct ClickEvent { // the left button, pressed and released in one place
+    vec2 at{0.0f};
+};
+struct FileEvent { // a file to open or to compare with
+    std::string file;
+};
 
-using Event = std::variant<KeyEvent, ButtonEvent, MotionEvent, ScrollEvent, DropEvent, CloseEvent>;
+using Event = std::variant<KeyEvent, ButtonEvent, MotionEvent, ScrollEvent, DropEvent, CloseEvent,
+                           CommandEvent, ClickEvent, FileEvent>;
 
-/// The keys that were pressed and released since the last frame.
+/// Keys that were pressed and released within `events`.
 std::vector<KeyEvent> taps_among(const std::vector<Event>& events);
 
-/// Collects the events of a window. It takes the window's user pointer and callbacks, so it comes before
-/// whoever else wants to be called (Dear ImGui chains).
+/// Collects the events of a window. Input takes the user pointer and the callbacks of the window, so it must
+/// be made before other users of callbacks (Dear ImGui chains).
 class Input {
 public:
     explicit Input(GLFWwindow* window);
@@ -49,18 +60,24 @@ public:
     Input(const Input&) = delete;
     Input& operator=(const Input&) = delete;
 
-    /// What came since the last call.
+    /// Takes the events since the last call.
     std::vector<Event> take();
-    /// Whether the window's contents must be drawn anew: it was resized or uncovered.
+    /// Tells, once, that the window must be redrawn because it was resized or uncovered.
     bool take_damage();
 
-    /// Whether Esc or closing the window waits to be taken: for work that looks up in between.
-    bool wants_to_stop() const;
+    /// True if Esc or closing the window is among the events to take: cancels long work.
+    bool has_cancel() const;
 
     bool is_down(int key) const;
     vec2 pointer() const;
+    vec2 window_size() const; // in the unit of the pointer
+    std::string clipboard() const;
+    void set_clipboard(const std::string& text);
 
-    void put(Event event) { events_.push_back(std::move(event)); }
+    template<class AnyEvent>
+    void put(AnyEvent event) {
+        events_.emplace_back(std::move(event));
+    }
     void damage() { is_damaged_ = true; }
 
 private:

@@ -1,5 +1,5 @@
 #pragma once
-// Colours that everybody tells apart (Okabe & Ito 2008), for what is drawn over the picture.
+// Colours of overlays, which all kinds of colour vision tell apart (Okabe & Ito 2008).
 #include <array>
 #include <imgui.h>
 

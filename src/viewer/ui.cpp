@@ -9,6 +9,7 @@
 #include <backends/imgui_impl_opengl3.h>
 #include <imgui.h>
 #include <imgui_internal.h>
+#include <utility>
 
 namespace sr::viewer {
 namespace {
@@ -98,15 +99,28 @@ int Ui::panel_flags() const {
     return ImGuiWindowFlags_AlwaysAutoResize | (has_keyboard() ? 0 : ImGuiWindowFlags_NoNavInputs);
 }
 bool Ui::has_keyboard() const { return ImGui::GetIO().WantTextInput; }
-bool Ui::has_active_item() const { return ImGui::IsAnyItemActive(); }
 
-/// Dear ImGui 1.87 and later hand a widget about one key a frame, and keep the others for later frames.
-bool Ui::has_queued_input() const {
-#if IMGUI_VERSION_NUM >= 18700
-    return !ImGui::GetCurrentContext()->InputEventsQueue.empty();
+bool Ui::needs_frame() {
+    const bool is_active = ImGui::IsAnyItemActive();
+    const bool has_changed = std::exchange(had_active_item_, is_active) != is_active;
+#if IMGUI_VERSION_NUM >= 18700 // hands a widget about one key a frame, and keeps the others for later frames
+    return has_changed || !ImGui::GetCurrentContext()->InputEventsQueue.empty();
 #else
-    return false;
+    return has_changed; // the keyboard follows a frame later
 #endif
+}
+
+bool Ui::took_keyboard() { return !std::exchange(had_keyboard_, has_keyboard()) && had_keyboard_; }
+
+void keep_in_viewport() {
+    const ImGuiViewport& viewport = *ImGui::GetMainViewport();
+    const ImVec2 at = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+    const auto kept = [](float begin, float length, float from, float room) {
+        return std::max(from, std::min(begin, from + room - length));
+    };
+    const ImVec2 inside{kept(at.x, size.x, viewport.Pos.x, viewport.Size.x),
+                        kept(at.y, size.y, viewport.Pos.y, viewport.Size.y)};
+    if (inside.x != at.x || inside.y != at.y) ImGui::SetWindowPos(inside);
 }
 
 } // namespace sr::viewer

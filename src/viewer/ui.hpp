@@ -1,5 +1,5 @@
 #pragma once
-// Dear ImGui on a window, for as long as this lives.
+// Dear ImGui on a window, during the lifetime of a Ui.
 #include "viewer/input.hpp"
 
 #include <string>
@@ -7,27 +7,46 @@
 
 namespace sr::viewer {
 
+/// Request for the keyboard by a text field. A new panel takes a frame or two to appear, so the request is
+/// repeated until the field has the keyboard, or for as many frames as that can take (the panel may be
+/// collapsed).
+class FocusRequest {
+public:
+    void begin() { frames_left_ = 10; }
+    bool is_pending() const { return frames_left_ > 0; }
+    /// Reports, once a frame, whether the field has the keyboard.
+    void update(bool has_keyboard) { frames_left_ = has_keyboard ? 0 : frames_left_ - 1; }
+
+private:
+    int frames_left_ = 0;
+};
+
+/// Moves the current ImGui window back into the viewport, between its Begin() and End().
+void keep_in_viewport();
+
 class Ui {
 public:
-    /// Remembers where panels are in $XDG_CONFIG_HOME/steradian/panels.ini (or ~/.config).
+    /// Saves the places of panels to $XDG_CONFIG_HOME/steradian/panels.ini (or ~/.config).
     explicit Ui(GLFWwindow* window);
     ~Ui();
     Ui(const Ui&) = delete;
     Ui& operator=(const Ui&) = delete;
 
-    /// Between the two, panels are described. `taps`: the keys that were pressed and released since the last
-    /// frame, which Dear ImGui before 1.87 would not see.
+    /// Panels are described between begin() and end(). `taps`: the keys that were pressed and released since
+    /// the last frame, which Dear ImGui before 1.87 would miss.
     void begin(std::vector<KeyEvent> taps);
     void end();
 
-    /// Whether the pointer is on a panel, and whether a text field has the keyboard.
+    /// True if the pointer is on a panel; if a text field has the keyboard.
     bool has_pointer() const;
     bool has_keyboard() const;
-    /// ImGuiWindowFlags of a panel. Tab goes from one field to the next, but into the first by a click or
-    /// Enter: until then it is the next light's key.
+    /// ImGuiWindowFlags of a panel. Tab selects the next light until a field has the keyboard; then it goes
+    /// to the next field.
     int panel_flags() const;
-    bool has_active_item() const;          // a field or a button is in use
-    bool has_queued_input() const;         // some input waits for the next frame
+    /// True if panels need another frame: an item became active or inactive, or input is queued.
+    bool needs_frame();
+    /// True once after a text field took the keyboard.
+    bool took_keyboard();
     float scale() const { return scale_; } // of a HiDPI screen
 
 private:
@@ -36,6 +55,8 @@ private:
     GLFWwindow* window_;
     std::vector<KeyEvent> taps_;
     float scale_ = 0.0f;
+    bool had_active_item_ = false;
+    bool had_keyboard_ = false;
     std::string layout_file_;
 };
 

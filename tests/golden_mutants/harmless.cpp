@@ -82,9 +82,9 @@ std::vector<Mutant> harmless() {
                              {"exposure_0.3_percent", scaled(right, 1.003f), right, true, {}, {}, {}}};
     list.push_back({"scattered_1_percent", with_stray_pixels(right, 10), right, true, {}, {}, {}});
     const std::vector<std::string> one_percent{"rel=0.02@99%", "energy=0.02"};
-    list.back().options.tolerances = golden::parsed_tolerances(one_percent);
+    list.back().options.tolerances = compare::parse_tolerances(one_percent);
     list.push_back({"png_off_by_one_code", codes(right, true), codes(right, false), true, {}, {}, {}});
-    list.back().options.encoding = golden::Encoding::display_referred;
+    list.back().options.encoding = compare::Encoding::display_referred;
     for (Mutant& mutant : noise_at_its_floor(right)) list.push_back(std::move(mutant));
     return list;
 }

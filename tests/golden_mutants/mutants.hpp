@@ -1,6 +1,6 @@
 #pragma once
 // Right and wrong versions of a picture, and what a comparator must say of each.
-#include "golden/compare.hpp"
+#include "compare/compare.hpp"
 
 #include <string>
 #include <vector>
@@ -14,7 +14,7 @@ struct Mutant {
     bool passes = false;   // what the verdict must be
     std::string diagnosis; // its name; empty: none may be claimed
     std::string layer;     // of the diagnosis
-    golden::CompareOptions options;
+    compare::CompareOptions options;
 };
 
 /// What is no mistake: rounding, another driver, noise at its floor, a few stray pixels.

@@ -22,8 +22,8 @@ int main(int argc, char** argv) {
                              sr::image::SampleType::floating);
             sr::image::write(mutant.reference, folder / (mutant.name + ".reference.exr"),
                              sr::image::SampleType::floating);
-            const auto comparison = sr::golden::compare(mutant.test, mutant.reference, mutant.options);
-            const bool are_codes = mutant.options.encoding == sr::golden::Encoding::display_referred;
+            const auto comparison = sr::compare::compare(mutant.test, mutant.reference, mutant.options);
+            const bool are_codes = mutant.options.encoding == sr::compare::Encoding::display_referred;
             rows.push_back({{"name", mutant.name},
                             {"passes", mutant.passes},
                             {"are_codes", are_codes},

@@ -58,7 +58,7 @@ std::vector<Mutant> in_part(const Image& right) {
                              {"wrong_inside_region", wrong, right, false, "exposure", {}, {}},
                              {"wrong_behind_mask", wrong, right, true, {}, {}, {}}};
     const std::vector<std::string> one_percent{"rel=0.02@99%", "energy=0.02"};
-    list[0].options.tolerances = golden::parsed_tolerances(one_percent);
+    list[0].options.tolerances = compare::parse_tolerances(one_percent);
     list[1].options.region = {0, 0, 60, 96};
     list[2].options.region = {40, 0, 56, 96};
     Image mask(right.width, right.height, 1);

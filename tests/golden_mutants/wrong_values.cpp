@@ -82,10 +82,10 @@ std::vector<Mutant> wrong_curves(const Image& right) {
     const auto code = [](float x) { return std::round(255.0f * srgb(clamped(0.25f * x))) / 255.0f; };
     Image codes = with_colors(right, code);
     list.push_back({"png_srgb_twice", with_colors(codes, srgb), codes, false, "srgb_applied", {}, {}});
-    list.back().options.encoding = golden::Encoding::display_referred;
+    list.back().options.encoding = compare::Encoding::display_referred;
     const auto half_code = [](float x) { return std::round(255.0f * srgb(clamped(0.125f * x))) / 255.0f; };
     list.push_back({"png_half", with_colors(right, half_code), codes, false, "factor_half", {}, {}});
-    list.back().options.encoding = golden::Encoding::display_referred;
+    list.back().options.encoding = compare::Encoding::display_referred;
     return list;
 }
 

@@ -1,4 +1,4 @@
-#include "golden/compare.hpp"
+#include "compare/compare.hpp"
 #include "image/file.hpp"
 #include "render/renderer.hpp"
 #include "scene/prepare.hpp"
@@ -78,7 +78,7 @@ double noise_floor(const image::Image& reference, const image::Image& noise, dou
 }
 
 struct Distance {
-    golden::Metrics metrics;
+    compare::Metrics metrics;
     double noise_floor = 0.0;
 };
 
@@ -88,8 +88,8 @@ Distance distance(std::string_view name, const How& how) {
     image::Image reference = layer(stored, "");
     const image::Image noise = layer(stored, "noise.");
     const image::Image ours = without_alpha(rendered(name, how));
-    if (how.size < reference.width) return {golden::compare(ours, halved(reference)).metrics};
-    const golden::Metrics metrics = golden::compare(ours, reference).metrics;
+    if (how.size < reference.width) return {compare::compare(ours, halved(reference)).metrics};
+    const compare::Metrics metrics = compare::compare(ours, reference).metrics;
     return {metrics, noise_floor(reference, noise, metrics.floor)};
 }
 

@@ -38,7 +38,7 @@ def reload(viewer: Viewer, count: int):
             print(f"after {i:4} reloads: {resident(viewer):.0f} MB")
         if i < count:
             viewer.key("F5")
-            viewer.wait(lambda: viewer.errors().count("read anew") > i, "a reload")
+            viewer.wait(lambda: viewer.errors().count("reloaded.") > i, "a reload")
 
 
 def play(viewer: Viewer, seconds: float):

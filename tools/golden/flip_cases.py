@@ -2,7 +2,7 @@
 """Makes the stored cases that our FLIP and SSIM are tested against.
 
     python3 -m venv venv && venv/bin/pip install flip-evaluator==1.7 scikit-image==0.26.0
-    venv/bin/python tools/golden/flip_cases.py > tests/unit/golden/data/appearance.json
+    venv/bin/python tools/golden/flip_cases.py > tests/unit/compare/data/appearance.json
 
 Development only: the test reads the stored file and needs neither package. Images are small, and their values
 have few digits, so that the file can be read by people too. FLIP is BSD-3-Clause, scikit-image too; only their

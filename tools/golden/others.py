@@ -5,7 +5,7 @@
     build/golden_mutants /tmp/mutants > /tmp/mutants.json
     venv/bin/python tools/golden/others.py /tmp/mutants /tmp/mutants.json
 
-Prints the Markdown table of src/golden/README.md and the counts under it. Development only. Each tool gets a fair
+Prints the Markdown table of src/compare/README.md and the counts under it. Development only. Each tool gets a fair
 setting: idiff the relative tolerance and share of pixels that `steradian compare` has by default, FLIP a mean of
 0.01, with its own exposures for images of light. A mutant whose verdict rests on an option that the other tool
 lacks (noise, region, mask, other limits) is judged without it, marked *.

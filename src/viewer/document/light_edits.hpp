@@ -1,8 +1,8 @@
 #pragma once
 // Light editor with undo and redo: the lights of a file, what a person changed, and the Stage that follows.
 // Plain data: no GL.
+#include "viewer/document/loaded_scene.hpp"
 #include "viewer/light_value.hpp"
-#include "viewer/loaded_scene.hpp"
 
 namespace sr::viewer {
 

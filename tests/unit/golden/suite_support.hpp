@@ -3,6 +3,10 @@
 #include "golden/approve.hpp"
 #include "golden/run.hpp"
 
+// Before any `using namespace sr`: fmt 9 calls a friend `compare` that it does not declare, and a compiler
+// that reads several test files as one would find the namespace sr::compare.
+#include <fmt/format.h>
+
 namespace sr::testing {
 
 /// Writes `text` as a file and returns its path.

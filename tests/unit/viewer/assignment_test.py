@@ -55,7 +55,7 @@ def main():
     display = Display(SCRATCH / "display", 320, 240)
     try:
         viewer = Viewer(display, STERADIAN, SCRATCH / "run", "--assignment", FOLDER, "--size", SIZE, "--samples", "2")
-        viewer.wait(lambda: "shaders read anew" in viewer.errors(), "a check that ends")
+        viewer.wait(lambda: "Shaders reloaded." in viewer.errors(), "a check that ends")
         viewer.changed_by(lambda: None) if viewer.converged() < 2 else None
         camera = re.findall(r"--camera '([^']*)'", viewer.errors())[-1]
         shaders = ASSIGNMENTS / "a3-brdf/shaders", ASSIGNMENTS / "a3-brdf/overlay"

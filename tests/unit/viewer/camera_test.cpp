@@ -1,12 +1,11 @@
-// How the viewer's cameras move: what stays where, whatever the hand does.
+// Cameras of the viewer: what each move keeps.
 #include "core/error.hpp"
 #include "scene/look_at.hpp"
 #include "support/address.hpp"
 #include "viewer/bindings.hpp"
-#include "viewer/eye.hpp"
-#include "viewer/hand.hpp"
-#include "viewer/resolution.hpp"
+#include "viewer/tools/navigate.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <set>
@@ -148,11 +147,11 @@ const Test rays("unit.viewer.viewpoint.rays_go_through_their_pixels", [] {
     }
 });
 
-const Test click_and_drag("unit.viewer.hand.a_click_is_no_drag", [] {
-    Hand hand;
+const Test click_and_drag("unit.viewer.navigation.a_click_is_no_drag", [] {
+    Navigation navigation;
     Viewpoint view;
     const auto nothing = [](vec2) { return std::optional<vec3>{}; };
-    const auto take = [&](const Event& event) { return hand.take(event, view, {100, 100}, nothing); };
+    const auto take = [&](const Event& event) { return navigation.handle(event, view, {100, 100}, nothing); };
     take(MotionEvent{{50, 50}});
     take(ButtonEvent{Button::left, no_modifier, true});
     EXPECT_FALSE(take(MotionEvent{{52, 51}}).has_moved);
@@ -162,29 +161,29 @@ const Test click_and_drag("unit.viewer.hand.a_click_is_no_drag", [] {
     EXPECT_FALSE(take(ButtonEvent{Button::left, no_modifier, false}).clicked);
 });
 
-const Test inertia("unit.viewer.hand.glides_only_if_asked_and_let_go_in_motion", [] {
+const Test inertia("unit.viewer.navigation.glides_only_if_asked_and_let_go_in_motion", [] {
     const auto nothing = [](vec2) { return std::optional<vec3>{}; };
     const auto frames_of_gliding = [&](bool has_inertia, double last_frame, float by) {
-        Hand hand(has_inertia);
+        Navigation navigation(has_inertia);
         Viewpoint view;
-        const auto take = [&](const Event& event) { hand.take(event, view, {100, 100}, nothing); };
+        const auto take = [&](const Event& event) { navigation.handle(event, view, {100, 100}, nothing); };
         take(MotionEvent{{50, 50}});
         take(ButtonEvent{Button::left, shift, true});
         for (int i = 1; i <= 10; ++i) {
             take(MotionEvent{{50.0f + by * static_cast<float>(i), 50}});
-            hand.advance(i < 10 ? 0.02 : last_frame, view);
+            navigation.advance(i < 10 ? 0.02 : last_frame, view);
         }
         take(ButtonEvent{Button::left, shift, false});
         int frames = 0;
-        for (float before = view.pivot.x; hand.advance(0.02, view); before = view.pivot.x, ++frames)
-            EXPECT_GT((view.pivot.x - before) * -by, 0.0f) << "it goes on the way it went";
-        EXPECT_FALSE(hand.is_gliding());
+        for (float before = view.pivot.x; navigation.advance(0.02, view); before = view.pivot.x, ++frames)
+            EXPECT_GT((view.pivot.x - before) * -by, 0.0f) << "it glides on in the direction of the drag";
+        EXPECT_FALSE(navigation.is_gliding());
         return frames;
     };
     EXPECT_EQ(frames_of_gliding(false, 0.02, 4.0f), 0);
     EXPECT_GT(frames_of_gliding(true, 0.02, 4.0f), 10);
     EXPECT_GT(frames_of_gliding(true, 0.02, 4.0f), frames_of_gliding(true, 0.02, 1.0f));
-    EXPECT_EQ(frames_of_gliding(true, 10.0, 4.0f), 0) << "the hand rested before it let go";
+    EXPECT_EQ(frames_of_gliding(true, 10.0, 4.0f), 0) << "the pointer rested before the release";
 });
 
 const Test keys("unit.viewer.bindings.every_command_has_one_key_and_no_key_two", [] {
@@ -206,7 +205,7 @@ std::vector<float> scales(double whole, double fixed, double others, int frames)
     Resolution resolution(frame);
     std::vector<float> result;
     for (int i = 0; i < frames; ++i) {
-        resolution.others_took(others);
+        resolution.took_besides(others);
         resolution.took(fixed + whole * resolution.scale() * resolution.scale());
         result.push_back(resolution.scale());
     }

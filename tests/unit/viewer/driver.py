@@ -121,7 +121,7 @@ class Viewer:
     def type(self, text: str):
         """Into the field that has the keyboard, and Enter."""
         self.fields += 1
-        self.wait(lambda: self.errors().count("a field has the keyboard") >= self.fields, "a field to type into")
+        self.wait(lambda: self.errors().count("text field focused") >= self.fields, "a field to type into")
         self.display.do("type", "--delay", "20", text)
         self.key("Return")
 

@@ -192,7 +192,7 @@ const Test undone("unit.viewer.lights.undoing_goes_back_step_by_step", [] {
     EXPECT_NEAR(luminance_of(loaded.stage.lights[0]), 6.0f, 1e-5f);
     lighting.begin_step();
     lighting.set_quantity(0, vec3(7.0f));
-    EXPECT_FALSE(lighting.redo()) << "what was undone is another story now";
+    EXPECT_FALSE(lighting.redo()) << "a new edit drops what was undone";
     lighting.begin_step();
     lighting.set_quantity(0, vec3(8.0f));
     lighting.cancel_step();

@@ -1,5 +1,5 @@
 // The lobe of a pixel: where its directions lie, and how its values are drawn.
-#include "viewer/lobe.hpp"
+#include "viewer/panels/lobe.hpp"
 
 #include "support/address.hpp"
 
@@ -41,7 +41,7 @@ const Test radius("unit.viewer.lobe.radii_are_shares_of_the_largest_value", [] {
     lobe.n = lobe.wo = vec3(0, 0, 1);
     lobe.wi = lobe_directions(lobe.n, lobe.wo);
     lobe.f_r.assign(lobe.wi.size(), 0.25f); // a Lambert surface: f_r is a half sphere, f_r cosθ a whole one
-    const LobeLook plain{false, false}, cosine{true, false}, logarithmic{false, true};
+    const LobeSettings plain{false, false}, cosine{true, false}, logarithmic{false, true};
     EXPECT_FLOAT_EQ(scale_of(lobe, plain).largest, 0.25f);
     EXPECT_FLOAT_EQ(scale_of(lobe, cosine).largest, 0.25f);
     const vec3 slanted = glm::normalize(vec3(1, 0, 1));

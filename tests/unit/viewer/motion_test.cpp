@@ -2,7 +2,7 @@
 #include "core/error.hpp"
 #include "support/address.hpp"
 #include "viewer/document/light_edits.hpp"
-#include "viewer/playback.hpp"
+#include "viewer/document/playback.hpp"
 
 #include <glm/gtc/matrix_transform.hpp>
 

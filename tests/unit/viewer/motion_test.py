@@ -37,7 +37,7 @@ def playing(viewer: Viewer, scene: Path):
     assert arguments_of(viewer)[1:] == ["--at", "0.333333333"], arguments_of(viewer)
     assert not same(first, viewer.shot()), "a frame on it is the same"
     viewer.key("space")
-    viewer.wait(lambda: "playing" in viewer.errors(), "an animation that plays")
+    viewer.wait(lambda: "Playing." in viewer.errors(), "an animation that plays")
     first_color = viewer.screen(150, 250)
     viewer.wait(lambda: viewer.screen(150, 250) != first_color, "another picture while it plays", 10)
     viewer.changed_by(lambda: viewer.key("k"))
@@ -67,7 +67,7 @@ def dropping(viewer: Viewer, display: Display):
     subprocess.run(["oiiotool", "--pattern", "constant:color=0.2,0.6,0.4", SIZE, "3", "-d", "uint8", "-o", picture], check=True)
     text.write_text("no picture")
     drop(display.environment["DISPLAY"], window, [picture])
-    viewer.wait(lambda: "beside my picture.png" in viewer.errors(), "a picture to compare with")
+    viewer.wait(lambda: "Comparing with my picture.png" in viewer.errors(), "a picture to compare with")
     viewer.wait(lambda: viewer.screen(300, 150) == (51, 153, 102), "the dropped picture's colours", 10)
     drop(display.environment["DISPLAY"], window, [text])
     viewer.wait(lambda: "notes.txt: is neither" in viewer.errors(), "a clear line")

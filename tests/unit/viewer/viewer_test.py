@@ -90,7 +90,7 @@ def editing_lights(viewer: Viewer, scene: Path, first: Path):
     Ctrl Z takes it back, Space switches it off."""
     relit = scene.with_name("relit.gltf")
     viewer.click(*brightest(first))
-    viewer.wait(lambda: "selected " in viewer.errors(), "a selected light")
+    viewer.wait(lambda: "Selected " in viewer.errors(), "a selected light")
     viewer.key("h", "Return")
     viewer.changed_by(lambda: viewer.type("1600 lm"))
     assert same(first, viewer.shot(), 2.0), "twice the flux is not twice the radiance"
@@ -109,7 +109,7 @@ def editing_lights(viewer: Viewer, scene: Path, first: Path):
 def asking_and_comparing(viewer: Viewer):
     """A pixel answers with its lights and its lobe; a wipe shows a kept picture beside the new one."""
     viewer.click(WIDTH // 2, HEIGHT - 40)
-    viewer.wait(lambda: f"pixel {WIDTH // 2},{HEIGHT - 40} answers" in viewer.errors(), "an answer")
+    viewer.wait(lambda: f"Probed pixel {WIDTH // 2},{HEIGHT - 40}." in viewer.errors(), "an answer")
     lobe = (0, 158, 115)
     viewer.pause()
     assert viewer.count(lobe) == 0, "it is drawn among the panels, which are hidden"
@@ -118,7 +118,7 @@ def asking_and_comparing(viewer: Viewer):
     viewer.wait(lambda: viewer.count(lobe) > 100, "a lobe", 10)
     viewer.click(21, 20)
     viewer.key("h", "Escape", "b")
-    viewer.wait(lambda: "kept: " in viewer.errors(), "a kept picture")
+    viewer.wait(lambda: "Reference kept." in viewer.errors(), "a kept picture")
     places = (WIDTH // 4, HEIGHT // 2), (3 * WIDTH // 4, HEIGHT // 2)
     viewer.pause()
     before = [viewer.screen(*place) for place in places]
@@ -183,7 +183,7 @@ def gripping(viewer: Viewer, folder: Path):
     viewer.key("g")
     viewer.move(230, 120)
     viewer.key("Escape")
-    viewer.wait(lambda: "it is as it was" in viewer.errors(), "a move that was given up")
+    viewer.wait(lambda: "Change discarded." in viewer.errors(), "a move that was given up")
     viewer.key("h", "ctrl+s", "ctrl+a")
     viewer.type(str(saved))
     viewer.wait(saved.exists, "a saved file", 10)
@@ -200,9 +200,9 @@ def gripping(viewer: Viewer, folder: Path):
 def keys_beside_fields(viewer: Viewer):
     """Tab goes through the lights, not into a panel's fields; in a field Ctrl Q still quits."""
     for name in ("plate", "spot", "plate"):
-        before = viewer.errors().count(f"selected {name}")
+        before = viewer.errors().count(f"Selected {name}.")
         viewer.key("Tab")
-        viewer.wait(lambda: viewer.errors().count(f"selected {name}") > before, f"the {name} by Tab", 10)
+        viewer.wait(lambda: viewer.errors().count(f"Selected {name}.") > before, f"the {name} by Tab", 10)
     viewer.key("Return")
     viewer.close()
 
@@ -239,7 +239,7 @@ def losing_the_display():
     viewer.done()
     display.close()
     assert viewer.process.wait(20) == 3, viewer.process.returncode
-    assert "display is gone" in viewer.errors().splitlines()[-1], viewer.errors()
+    assert "lost the connection to the display" in viewer.errors().splitlines()[-1], viewer.errors()
 
 
 def main() -> int:

@@ -1,0 +1,178 @@
+#include "compare/diagnose.hpp"
+
+#include "compare/hypotheses/hypothesis.hpp"
+#include "compare/planes.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <utility>
+
+namespace sr::compare {
+namespace {
+
+using image::Image;
+
+constexpr std::size_t max_pixels = 1 << 16;
+constexpr std::size_t min_failing = 32; // fewer fit too many mistakes
+constexpr double nearly_all = 0.9;      // of the compared pixels: then the whole image says more
+
+/// At most `max_pixels` of the pixels, evenly spaced.
+std::vector<std::size_t> sampled(const std::vector<std::size_t>& pixels) {
+    if (pixels.size() <= max_pixels) return pixels;
+    std::vector<std::size_t> sample;
+    for (std::size_t k = 0; k < max_pixels; ++k) sample.push_back(pixels[k * pixels.size() / max_pixels]);
+    return sample;
+}
+
+std::vector<float> as_light(const image::Image& image, std::size_t colors, Encoding encoding) {
+    std::vector<float> light;
+    const auto channels = static_cast<std::size_t>(image.channels);
+    for (std::size_t i = 0; i < image.pixels.size(); i += channels)
+        for (std::size_t c = 0; c < colors; ++c) {
+            const float value = image.pixels[i + c];
+            light.push_back(encoding == Encoding::display_referred ? srgb_decoded(value) : value);
+        }
+    return light;
+}
+
+/// Whether the reference varies by half over these pixels: otherwise any factor fits any change.
+bool varies(const DiagnosisInput& in, const std::vector<std::size_t>& pixels) {
+    std::vector<float> values;
+    for (const std::size_t i : pixels)
+        for (std::size_t c = 0; c < in.colors; ++c) values.push_back(in.r(i, c));
+    std::ranges::sort(values);
+    const float low = values[values.size() / 10], high = values[values.size() - 1 - values.size() / 10];
+    return high > 1.5f * std::max(low, in.floor);
+}
+
+std::string region_text(const std::vector<std::size_t>& pixels, std::size_t width, std::size_t compared) {
+    std::size_t left = width, right = 0;
+    for (const std::size_t i : pixels) {
+        left = std::min(left, i % width);
+        right = std::max(right, i % width);
+    }
+    return fmt::format("in {:.2g} % of the pixels (columns {} to {}, rows {} to {})",
+                       100.0 * static_cast<double>(pixels.size()) / static_cast<double>(compared), left,
+                       right, pixels.front() / width, pixels.back() / width);
+}
+
+std::vector<std::size_t> significant(const AlignedImages& images, const PixelValues& z) {
+    std::vector<std::size_t> pixels;
+    for (std::size_t k = 0; k < z.size(); ++k)
+        if (z[k] > 4.0f) pixels.push_back(images.compared[k]);
+    return pixels;
+}
+
+/// All compared pixels; if the noise is known (z-scores), those that differ by more than four standard
+/// errors.
+DiagnosisInput whole_input(const AlignedImages& images, Encoding encoding, const PixelValues* z) {
+    DiagnosisInput in;
+    in.width = images.reference.width;
+    in.height = images.reference.height;
+    in.colors = static_cast<std::size_t>(images.colors);
+    in.test = as_light(images.test, in.colors, encoding);
+    in.reference = as_light(images.reference, in.colors, encoding);
+    for (const PixelState pixel : images.pixels) in.known.push_back(pixel == PixelState::compared);
+    in.fitted = sampled(images.compared);
+    in.pixels = sampled(z ? significant(images, *z) : images.compared);
+    in.floor = static_cast<float>(relative_floor(images));
+    if (encoding == Encoding::display_referred) {
+        in.max_value = 1.0f;
+        in.floor = std::max(in.floor, srgb_decoded(4.0f / 255.0f)); // 8-bit codes are coarse below
+    }
+    in.where = "everywhere";
+    return in;
+}
+
+/// The failing pixels alone, as the error map tells; absent if they are too few or too alike to tell one
+/// mistake from another, or nearly all.
+std::optional<DiagnosisInput> failing_input(const DiagnosisInput& whole, const AlignedImages& images,
+                                            const image::Image& error) {
+    std::vector<std::size_t> failing;
+    for (const std::size_t i : images.compared)
+        if (error.pixels[i] > 1.0f) failing.push_back(i);
+    if (failing.size() < min_failing) return std::nullopt;
+    if (static_cast<double>(failing.size()) > nearly_all * static_cast<double>(images.compared.size()))
+        return std::nullopt;
+    if (!varies(whole, failing)) return std::nullopt;
+    DiagnosisInput in = whole;
+    in.is_whole = false;
+    in.where = region_text(failing, static_cast<std::size_t>(whole.width), images.compared.size());
+    in.pixels = in.fitted = sampled(failing);
+    return in;
+}
+
+// A hypothesis explains the difference if a fifth of it is left, or a tenth with more degrees of freedom:
+// numbers are fitted, or the pixels were chosen because they differ.
+constexpr double max_residual = 0.2;
+constexpr double max_residual_of_fits = 0.1;
+constexpr int max_freedom_without_fits = 2;
+// Pixels chosen because noise does not explain them differ by more than the mistake itself: a fit to them is
+// wrong, a hypothesis with nothing to fit is not.
+constexpr std::size_t min_significant = 32;
+constexpr double as_good = 0.02; // residuals this near to the best explain as much
+
+bool explains(const Hypothesis& hypothesis) {
+    const bool fits = hypothesis.degrees_of_freedom > max_freedom_without_fits;
+    return hypothesis.diagnosis.residual <= (fits ? max_residual_of_fits : max_residual);
+}
+
+/// The hypothesis with the fewest degrees of freedom of those that explain as much as the best one.
+std::optional<Diagnosis> best_of(Hypotheses tried) {
+    std::erase_if(tried, [](const Hypothesis& h) { return !explains(h); });
+    if (tried.empty()) return std::nullopt;
+    const auto residual_of = [](const Hypothesis& h) { return h.diagnosis.residual; };
+    const double least = residual_of(std::ranges::min(tried, {}, residual_of));
+    std::erase_if(tried, [&](const Hypothesis& h) { return residual_of(h) > least + as_good; });
+    return std::ranges::min(
+               tried, {},
+               [&](const Hypothesis& h) { return std::pair(h.degrees_of_freedom, residual_of(h)); })
+        .diagnosis;
+}
+
+} // namespace
+
+std::optional<Diagnosis> diagnose(const AlignedImages& images, const Image& error, const Image& reference,
+                                  const CompareOptions& options, const PixelValues* z) {
+    const DiagnosisInput whole = whole_input(images, options.encoding, z);
+    if (whole.floor == 0.0f) return std::nullopt; // a black reference explains nothing
+    if (z && whole.pixels.size() < min_significant) return std::nullopt;
+    Hypotheses tried;
+    hypotheses_blank(whole, tried);
+    hypotheses_factors(whole, tried);
+    hypotheses_curves(whole, tried);
+    hypotheses_channel_orders(whole, tried);
+    hypotheses_geometric(whole, tried);
+    if (options.layer.empty() && options.encoding == Encoding::scene_referred) {
+        hypotheses_lights(whole, reference, tried);
+        hypotheses_terms(whole, reference, tried);
+    }
+    if (z)
+        std::erase_if(tried,
+                      [](const Hypothesis& h) { return h.degrees_of_freedom > max_freedom_without_fits; });
+    if (auto diagnosis = best_of(tried); diagnosis || z) return diagnosis;
+
+    const auto failing = failing_input(whole, images, error);
+    if (!failing) return std::nullopt;
+    Hypotheses local;
+    hypotheses_factors(*failing, local);
+    hypotheses_curves(*failing, local);
+    hypotheses_channel_orders(*failing, local);
+    std::erase_if(local, [](const Hypothesis& h) { return h.diagnosis.residual > max_residual_of_fits; });
+    return best_of(local);
+}
+
+std::optional<Diagnosis> diagnose_unequal_sizes(const Image& test, const Image& reference,
+                                                const CompareOptions& options) {
+    if (test.width != reference.height || test.height != reference.width) return std::nullopt;
+    const auto test_layer = layer_of(test, options.layer),
+               reference_layer = layer_of(reference, options.layer);
+    if (!test_layer || !reference_layer || test_layer->colors.size() != reference_layer->colors.size())
+        return std::nullopt;
+    const Image t = extract(test, test_layer->colors), r = extract(reference, reference_layer->colors);
+    Hypotheses tried;
+    hypotheses_turned(t, r, tried);
+    return best_of(tried);
+}
+
+} // namespace sr::compare

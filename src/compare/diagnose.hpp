@@ -1,0 +1,34 @@
+#pragma once
+// Diagnosis of a difference: the mistake that would turn the reference into the test image.
+#include "compare/metrics.hpp"
+
+#include <optional>
+#include <string>
+
+namespace sr::compare {
+
+/// A mistake that explains the difference.
+struct Diagnosis {
+    std::string name;      // "pi_missing", "flipped_y", "light_missing", …: README.md lists them
+    std::string statement; // one sentence for people: "test = 3.1416 × reference everywhere: …"
+    double residual = 1.0; // share of the difference that is left after applying the mistake to the
+                           // reference: 0 all is explained, 1 nothing; at most 0.2, for fits 0.1
+    std::string layer;     // the light, where the mistake is one light's ("key"); else empty
+};
+
+/// Finds the mistake that explains the difference best, if it leaves at most 0.2 of it: over the whole image,
+/// or, for a mistake that acts within a pixel, over the failing pixels alone (then at most 0.1).
+/// @param error      Comparison::error, which tells the failing pixels
+/// @param reference  the file as read: its layers are the lights that may be missing
+/// @param z the z-scores, if the noise is known: then only hypotheses with nothing to fit are tried, on the
+///          pixels that noise does not explain
+std::optional<Diagnosis> diagnose(const AlignedImages& images, const image::Image& error,
+                                  const image::Image& reference, const CompareOptions& options,
+                                  const PixelValues* z);
+
+/// Finds whether the test is the reference turned on its side. Here the residual is relative to an image of
+/// one colour, the reference's mean.
+std::optional<Diagnosis> diagnose_unequal_sizes(const image::Image& test, const image::Image& reference,
+                                                const CompareOptions& options);
+
+} // namespace sr::compare

@@ -1,0 +1,173 @@
+#include "compare/hypotheses/hypothesis.hpp"
+#include "compare/planes.hpp"
+
+#include <array>
+#include <fmt/format.h>
+#include <numbers>
+
+namespace sr::compare {
+namespace {
+
+struct NamedFactor {
+    double factor; // test = factor × reference
+    const char* name;
+    const char* meaning;
+};
+
+constexpr double pi = std::numbers::pi;
+constexpr std::array named_factors{NamedFactor{pi, "pi_missing", "a division by π is missing"},
+                                   NamedFactor{1.0 / pi, "pi_twice", "a division by π too many"},
+                                   NamedFactor{2.0, "factor_two", "a factor of two too much"},
+                                   NamedFactor{0.5, "factor_half", "a factor of two is missing"},
+                                   NamedFactor{2.0 * pi, "two_pi_missing", "a division by 2π is missing"},
+                                   NamedFactor{0.5 / pi, "two_pi_twice", "a division by 2π too many"},
+                                   NamedFactor{4.0 * pi, "four_pi_missing", "a division by 4π is missing"},
+                                   NamedFactor{0.25 / pi, "four_pi_twice", "a division by 4π too many"},
+                                   NamedFactor{683.0, "lumens_for_watts", "683 lm/W applied once too often"},
+                                   NamedFactor{1.0 / 683.0, "watts_for_lumens", "683 lm/W is missing"}};
+constexpr double same_factor = 0.01; // relative: what a median still misses in a noisy image
+
+/// The median; 0 of no values.
+float median(std::vector<float> values) {
+    if (values.empty()) return 0.0f;
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::ranges::nth_element(values, middle);
+    return *middle;
+}
+
+/// Whether a value tells a factor: above the floor, and not where a screen clips.
+bool tells(const DiagnosisInput& in, float t, float r) {
+    return r > in.floor && t > 0.0f && r < 0.98f * in.max_value && t < 0.98f * in.max_value;
+}
+
+/// The median of t / r over the channels from `first` up to `last`; 1 where nothing tells.
+float fitted_factor(const DiagnosisInput& in, std::size_t first, std::size_t last) {
+    std::vector<float> ratios;
+    for (const std::size_t i : in.fitted)
+        for (std::size_t c = first; c < last; ++c)
+            if (tells(in, in.t(i, c), in.r(i, c))) ratios.push_back(in.t(i, c) / in.r(i, c));
+    return ratios.empty() ? 1.0f : median(std::move(ratios));
+}
+
+void add_factor(const DiagnosisInput& in, Hypotheses& out) {
+    const float fitted = fitted_factor(in, 0, in.colors);
+    for (const NamedFactor& named : named_factors) {
+        if (std::abs(static_cast<double>(fitted) / named.factor - 1.0) > same_factor) continue;
+        const auto k = static_cast<float>(named.factor);
+        const double left = residual(in, [&](std::size_t i, std::size_t c) { return k * in.r(i, c); });
+        out.push_back({{named.name,
+                        fmt::format("test = {:.5g} × reference {}: {}", k, in.where, named.meaning),
+                        left,
+                        {}},
+                       1});
+    }
+    const double left = residual(in, [&](std::size_t i, std::size_t c) { return fitted * in.r(i, c); });
+    out.push_back({{"exposure",
+                    fmt::format("test = {:.4g} × reference {}: {:+.2f} EV of exposure or intensity", fitted,
+                                in.where, std::log2(fitted)),
+                    left,
+                    {}},
+                   3});
+}
+
+void add_gains(const DiagnosisInput& in, Hypotheses& out) {
+    std::array<float, 3> gains{};
+    for (std::size_t c = 0; c < 3; ++c) gains[c] = fitted_factor(in, c, c + 1);
+    const auto [low, high] = std::ranges::minmax(gains);
+    if (high < 1.01f * low) return; // one factor says it all
+    const double left = residual(in, [&](std::size_t i, std::size_t c) { return gains[c] * in.r(i, c); });
+    out.push_back({{"channel_gains",
+                    fmt::format("test = ({:.4g}, {:.4g}, {:.4g}) × reference {}: a tint or a white balance",
+                                gains[0], gains[1], gains[2], in.where),
+                    left,
+                    {}},
+                   5});
+}
+
+void add_offset(const DiagnosisInput& in, Hypotheses& out) {
+    std::array<float, 3> offsets{};
+    for (std::size_t c = 0; c < in.colors; ++c) {
+        std::vector<float> differences;
+        for (const std::size_t i : in.pixels)
+            if (in.t(i, c) < 0.98f * in.max_value) differences.push_back(in.t(i, c) - in.r(i, c));
+        offsets[c] = median(std::move(differences));
+    }
+    const bool adds = offsets[0] > 0.0f || offsets[1] > 0.0f || offsets[2] > 0.0f;
+    const double left = residual(in, [&](std::size_t i, std::size_t c) { return offsets[c] + in.r(i, c); });
+    out.push_back({{adds ? "ambient_added" : "offset",
+                    fmt::format("test = reference + ({:.4g}, {:.4g}, {:.4g}) {}: {}", offsets[0],
+                                offsets[in.colors / 2], offsets[in.colors - 1], in.where,
+                                adds ? "a constant, such as an ambient term" : "a black level"),
+                    left,
+                    {}},
+                   5});
+}
+
+} // namespace
+
+void hypotheses_blank(const DiagnosisInput& in, Hypotheses& out) {
+    std::array<float, 3> first{};
+    for (std::size_t c = 0; c < in.colors; ++c) first[c] = in.t(in.pixels.front(), c);
+    bool is_black = true, is_uniform = true, reference_is_uniform = true;
+    for (const std::size_t i : in.pixels)
+        for (std::size_t c = 0; c < in.colors; ++c) {
+            is_black = is_black && std::abs(in.t(i, c)) <= 1e-3f * in.floor;
+            is_uniform = is_uniform && in.t(i, c) == first[c];
+            reference_is_uniform = reference_is_uniform && in.r(i, c) == in.r(in.pixels.front(), c);
+        }
+    if (is_black)
+        out.push_back(
+            {{"black", "test is black everywhere: nothing was drawn, or no light is on", 0.0, {}}, 0});
+    else if (is_uniform && !reference_is_uniform)
+        out.push_back(
+            {{"uniform",
+              fmt::format("test is ({:.4g}, {:.4g}, {:.4g}) everywhere: a clear colour or a sentinel",
+                          first[0], first[in.colors / 2], first[in.colors - 1]),
+              0.0,
+              {}},
+             0});
+}
+
+void hypotheses_factors(const DiagnosisInput& in, Hypotheses& out) {
+    add_factor(in, out);
+    if (!in.is_whole) return; // a few pixels fit too many tints
+    if (in.colors == 3) add_gains(in, out);
+    add_offset(in, out);
+}
+
+void hypotheses_curves(const DiagnosisInput& in, Hypotheses& out) {
+    const auto add_curve = [&](const char* name, const char* statement, auto curve) {
+        const double left = residual(in, [&](std::size_t i, std::size_t c) { return curve(in.r(i, c)); });
+        out.push_back({{name, fmt::format("test = {} {}", statement, in.where), left, {}}, 2});
+    };
+    const auto clamped = [](float value) { return std::clamp(value, 0.0f, 1.0f); };
+    const auto power = [](float value, float exponent) { return std::pow(std::max(value, 0.0f), exponent); };
+    add_curve("srgb_applied", "the sRGB code of the reference", srgb_encoded_unclamped);
+    add_curve("srgb_applied", "the sRGB code of the reference, clamped to 1,",
+              [&](float r) { return srgb_encoded_unclamped(clamped(r)); });
+    add_curve("srgb_applied_twice", "the sRGB code of the sRGB code of the reference",
+              [](float r) { return srgb_encoded_unclamped(srgb_encoded_unclamped(r)); });
+    add_curve("srgb_applied_twice", "the sRGB code of the sRGB code of the reference, clamped to 1,",
+              [&](float r) { return srgb_encoded_unclamped(srgb_encoded_unclamped(clamped(r))); });
+    add_curve("srgb_missing", "the reference as if it were an sRGB code, decoded,", srgb_decoded);
+    add_curve("gamma_applied", "reference^(1/2.2)", [&](float r) { return power(r, 1.0f / 2.2f); });
+    add_curve("gamma_missing", "reference^2.2", [&](float r) { return power(r, 2.2f); });
+    if (in.max_value > 1.0f) add_curve("clamped", "the reference clamped to 0..1", clamped);
+}
+
+void hypotheses_channel_orders(const DiagnosisInput& in, Hypotheses& out) {
+    if (in.colors != 3) return;
+    constexpr std::array<const char*, 3> letters{"R", "G", "B"};
+    std::array<std::size_t, 3> order{0, 1, 2};
+    while (std::ranges::next_permutation(order).found) {
+        const double left = residual(in, [&](std::size_t i, std::size_t c) { return in.r(i, order[c]); });
+        out.push_back({{"channels_swapped",
+                        fmt::format("test's R, G, B are the reference's {}, {}, {} {}", letters[order[0]],
+                                    letters[order[1]], letters[order[2]], in.where),
+                        left,
+                        {}},
+                       2});
+    }
+}
+
+} // namespace sr::compare

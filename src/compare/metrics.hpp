@@ -1,0 +1,99 @@
+#pragma once
+// Metrics of a comparison: errors by pixel and in sum, the clustering of failures, SSIM, z-scores.
+#include "compare/align.hpp"
+#include "compare/planes.hpp"
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace sr::compare {
+
+/// The value of a metric that cannot be computed.
+inline constexpr double not_measured = std::numeric_limits<double>::quiet_NaN();
+
+/// Every number of a comparison. Colours are R, G and B (or grey); alpha is one more channel where both
+/// images have it. All but the non-finite counts cover the compared pixels: inside the region and the mask,
+/// and finite in both images.
+struct Metrics {
+    std::size_t pixels = 0;         // compared
+    std::size_t nonfinite_test = 0; // pixels with a NaN or an infinity, inside the region and mask
+    std::size_t nonfinite_reference = 0;
+    double floor = not_measured; // values below it count as this large in relative errors: 1 % of the median
+                                 // of the reference's values that are not 0
+    double max_abs = not_measured;  // max |t - r| over pixels and channels
+    double mean_abs = not_measured; // mean |t - r|
+    double max_rel = not_measured;  // max |t - r| / max(|r|, floor)
+    double mean_rel = not_measured;
+    double rmse = not_measured;    // sqrt(mean (t - r)²)
+    double rel_mse = not_measured; // mean (t - r)² / (r² + floor²)
+    std::array<double, 3> energy_ratio{not_measured, not_measured,
+                                       not_measured}; // Σ t / Σ r; 1 if both are 0
+    double flip = not_measured;             // mean LDR-FLIP (Andersson 2020) of the displayed images, 0..1
+    double hdr_flip = not_measured;         // mean HDR-FLIP (Andersson 2021); scene-referred images only
+    double ssim = not_measured;             // mean SSIM (Wang 2004) of the displayed images' luma; 1 is equal
+    double failing_fraction = not_measured; // of the compared pixels: over a limit on pixels
+    double density = not_measured;          // largest share of failing pixels in any 16×16 window
+    double max_z = not_measured;            // with known noise: max |t - r| / σ over pixels and channels,
+    double max_block_z = not_measured;      // of the sums over 16×16 blocks,
+    double total_z = not_measured;          // and of the sums over the image
+};
+
+/// One number for each compared pixel, in the order of AlignedImages::compared: the largest of its channels.
+using PixelValues = std::vector<float>;
+
+/// The smallest divisor of a relative error: 1 % of the median of the reference's colours that are not 0, so
+/// that neither a dark picture nor a bright lamp moves it. 0 for an all-black reference.
+double relative_floor(const AlignedImages& images);
+
+/// |t - r|.
+PixelValues absolute_differences(const AlignedImages& images);
+
+/// |t - r| / max(|r|, floor) of the colours, and |t - r| of alpha. Infinite where the divisor is 0 and t is
+/// not.
+PixelValues relative_differences(const AlignedImages& images, double floor);
+
+/// Fills the abs, rel, rmse, rel_mse and energy numbers, and the counts.
+void measure_differences(const AlignedImages& images, Metrics& metrics);
+
+inline constexpr int density_window = 16; // [pixels] edge
+
+/// The largest share of failing pixels in any window of 16×16 pixels (or of the image, along an edge that is
+/// shorter). `fails` has one entry for each compared pixel; all other pixels pass.
+double densest_window(const AlignedImages& images, const std::vector<bool>& fails);
+
+/// The mean structural similarity of two planes in 0..1; 1 if they are equal. The mean covers the windows
+/// inside the image (11×11, Gaussian of σ = 1.5), or all windows of a smaller image.
+/// Wang, Bovik, Sheikh, Simoncelli 2004, "Image quality assessment: from error visibility to structural
+/// similarity".
+double ssim(const Plane& test, const Plane& reference);
+
+/// The largest |z| that equal images exceed once in a thousand comparisons, at each of three scales that
+/// share this chance equally (Bonferroni): single values, sums over blocks, sums over the image.
+struct NoiseLimits {
+    double pixel = 0.0;
+    double block = 0.0;
+    double total = 0.0;
+};
+
+/// z-scores of a comparison. The sums over 16×16 blocks find differences below the noise of one pixel.
+struct NoiseScores {
+    PixelValues pixels; // largest |z| over the colours
+    double max_block = 0.0;
+    double total = 0.0;
+    NoiseLimits limits;
+};
+
+inline constexpr int noise_block = 16; // [pixels] edge of a block
+
+/// Divides differences by the standard errors in `noise`. Their squares add up, and so does the rounding of a
+/// float (1e-6 of the reference). Alpha is left out: its noise is not known.
+/// @throws Error if a noise image is neither of the images' size nor 1×1, or has a value that is negative or
+/// not finite.
+NoiseScores score_noise(const AlignedImages& images, const std::vector<image::Image>& noise);
+
+/// The z that a standard normal variable exceeds in absolute value with the given chance.
+double two_sided_z(double chance);
+
+} // namespace sr::compare

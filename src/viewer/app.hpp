@@ -1,0 +1,61 @@
+#pragma once
+// Application of the viewer: the window, the loop, and the one place that applies what tools change.
+#include "viewer/tools/tool.hpp"
+
+#include <array>
+#include <functional>
+
+namespace sr::viewer {
+
+class App {
+public:
+    /// Opens the window and begins to load the scene. @throws Error
+    explicit App(Options options);
+    ~App();
+    App(const App&) = delete;
+    App& operator=(const App&) = delete;
+
+    /// Runs until the window is closed or `is_interrupted` returns true. @throws Error if the first scene
+    /// cannot be shown
+    void run(const std::function<bool()>& is_interrupted);
+
+    const Statistics& statistics() const { return workspace_.statistics; }
+
+private:
+    using Clock = std::chrono::steady_clock;
+
+    void wait() const;
+    bool draws_again() const;
+    Activity activity() const;
+    void resize();
+    Changes update(double seconds);
+    Changes dispatch(const Event& event);
+    Changes dispatch_to_tools(const Event& event);
+    Changes dispatch_key(const KeyEvent& key);
+    bool belongs_to_panel(const Event& event) const;
+    Changes execute(Command command);
+    void apply(Changes changes);
+    void advance(double seconds);
+    void present();
+    Changes draw_panels();
+    Changes draw_main_panel();
+    std::string under_pointer() const;
+    void update_title();
+    void toggle_fullscreen();
+
+    gl::Window window_;
+    Input input_;
+    Ui ui_;
+    Workspace workspace_;
+    Presenter presenter_;
+    std::vector<std::unique_ptr<Tool>> tools_; // in the order in which they get events and draw
+    int frames_to_draw_ = 0;
+    bool is_closing_ = false;
+    bool has_panels_ = true;
+    bool has_help_ = false;
+    std::string title_;
+    std::array<int, 4> windowed_{40, 40, 1280,
+                                 720}; // place and size of the window before it became fullscreen
+};
+
+} // namespace sr::viewer

@@ -1,0 +1,44 @@
+#pragma once
+// Loaded file with its Stage: everything of a scene that needs no GL, so that any thread can load it.
+#include "gltf/asset.hpp"
+#include "viewer/options.hpp"
+#include "viewer/view/camera_controller.hpp"
+
+#include <filesystem>
+
+namespace sr::viewer {
+
+/// Counts before surfaces of lights and softboxes were added.
+struct BaseCounts {
+    std::size_t meshes = 0;
+    std::size_t materials = 0;
+    std::size_t instances = 0;
+    std::size_t file_lights = 0;
+};
+
+struct LoadedScene {
+    std::string file;
+    scene::Stage stage;
+    scene::Bounds bounds;           // of the file's contents
+    std::optional<int> scene_index; // that was requested
+    BaseCounts base;
+    gltf::Contents contents;
+    std::optional<gltf::Asset> asset; // poses the scene; absent if it has no animations
+    gltf::Moment moment;              // current time; the rest pose if it has no animations
+    std::vector<int> animations;      // that Options::animation names
+    std::string variant;              // current material variant; empty: none
+    std::vector<int> light_nodes;     // of the file's lights at the current time
+    std::vector<vec3> emission;       // of each of the file's materials, even where emitters are hidden
+    std::vector<std::string> remarks; // one line each: warnings, and decisions that nobody asked for
+    double seconds = 0.0;             // of loading
+};
+
+/// Loads a file. @throws Error; but while reloading, an animation, a time or a variant that the file has lost
+/// is a remark
+LoadedScene load_scene(const std::string& file, const Options& options, float aspect_ratio);
+
+/// Poses the file's contents at another time, without surfaces of lights and softboxes. Needs an asset.
+/// @throws Error if a value makes no sense then; the scene must be posed again
+void pose(LoadedScene& loaded, const gltf::Moment& moment);
+
+} // namespace sr::viewer

@@ -1,0 +1,112 @@
+#include "viewer/panels/animation.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <imgui.h>
+
+namespace sr::viewer {
+namespace {
+
+using Animations = std::span<const gltf::Contents::Animation>;
+
+std::string argument_of(Animations all, std::size_t i) {
+    const std::string& name = all[i].name;
+    const bool is_unique = !name.empty() && name != "all"
+                           && name.find_first_not_of("0123456789") != std::string::npos
+                           && name.find('\'') == std::string::npos
+                           && std::ranges::count(all, name, &gltf::Contents::Animation::name) == 1;
+    return is_unique ? name : std::to_string(i);
+}
+
+void clip_combo(AnimationRequest& request, const Playback& playback, Animations all, float width) {
+    const std::string now = animation_argument(all, playback.animations);
+    const auto shown = static_cast<std::size_t>(playback.animations.front());
+    const std::string title = now == "all" ? "all at once" : fmt::format("{} {}", shown, all[shown].name);
+    ImGui::SetNextItemWidth(width);
+    if (!ImGui::BeginCombo("##animation", title.c_str())) return;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const std::string argument = argument_of(all, i);
+        const std::string label = fmt::format("{} {} ({:.2f} s)##{}", i, all[i].name, all[i].duration, i);
+        if (ImGui::Selectable(label.c_str(), argument == now)) request.animation = argument;
+    }
+    if (all.size() > 1 && ImGui::Selectable("all at once", now == "all")) request.animation = "all";
+    ImGui::EndCombo();
+}
+
+void buttons(AnimationRequest& request, const Playback& playback, float width) {
+    const auto button = [&](const char* label, Command command, const char* tip) {
+        if (ImGui::Button(label)) request.command = command;
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", tip);
+        ImGui::SameLine();
+    };
+    button("|<", Command::first_frame, "Home over the bar: to the start");
+    button("<", Command::frame_back, "left over the bar: a frame back");
+    if (ImGui::Button(playback.is_playing ? "pause" : "play", {width, 0.0f})) request.command = Command::play;
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Space while no light is selected, or K");
+    ImGui::SameLine();
+    button(">", Command::frame_forward, "right over the bar: a frame forward");
+    button(">|", Command::last_frame, "End over the bar: to the end");
+    if (ImGui::Button("rest")) request.rests = true;
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("rest pose, without animations");
+    ImGui::SameLine();
+}
+
+} // namespace
+
+std::string animation_argument(Animations all, std::span<const int> chosen) {
+    if (chosen.size() == 1) return argument_of(all, static_cast<std::size_t>(chosen.front()));
+    return "all";
+}
+
+AnimationRequest animation_bar(Playback& playback, Animations all, float scale) {
+    AnimationRequest request;
+    const ImGuiViewport& viewport = *ImGui::GetMainViewport();
+    const float line = ImGui::GetFrameHeight(); // height of the status line below
+    const float height = line + 10.0f * scale;
+    ImGui::SetNextWindowPos({viewport.Pos.x, viewport.Pos.y + viewport.Size.y - line - height});
+    ImGui::SetNextWindowSize({viewport.Size.x, height});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1.0f, 1.0f});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {6.0f * scale, 5.0f * scale});
+    ImGui::Begin("animation", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings
+                     | ImGuiWindowFlags_NoBringToFrontOnFocus);
+    buttons(request, playback, 46.0f * scale);
+    const float others = 300.0f * scale; // right of the time
+    const auto duration = static_cast<float>(playback.duration);
+    auto time = static_cast<float>(playback.seconds.value_or(0.0));
+    ImGui::SetNextItemWidth(std::max(60.0f * scale, ImGui::GetContentRegionAvail().x - others));
+    const std::string format = playback.seconds ? fmt::format("%.3f / {:.3f} s", playback.duration)
+                                                : fmt::format("rest pose / {:.3f} s", playback.duration);
+    if (ImGui::SliderFloat("##time", &time, 0.0f, duration, format.c_str(), ImGuiSliderFlags_AlwaysClamp))
+        request.time = static_cast<double>(time);
+    ImGui::SameLine();
+    clip_combo(request, playback, all, 90.0f * scale);
+    ImGui::SameLine();
+    auto speed = static_cast<float>(playback.speed);
+    ImGui::SetNextItemWidth(54.0f * scale);
+    if (ImGui::SliderFloat("##speed", &speed, static_cast<float>(Playback::min_speed),
+                           static_cast<float>(Playback::max_speed), "%.2fx",
+                           ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic))
+        playback.speed = static_cast<double>(speed);
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("speed; Ctrl click to type it");
+    ImGui::SameLine();
+    ImGui::Checkbox("back", &playback.is_reversed);
+    ImGui::SameLine();
+    ImGui::Checkbox("loop", &playback.loops);
+    request.has_pointer = ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
+    ImGui::End();
+    ImGui::PopStyleVar(2);
+    return request;
+}
+
+std::optional<std::string> variants_section(std::span<const std::string> variants, const std::string& shown) {
+    std::optional<std::string> chosen;
+    if (variants.empty() || !ImGui::CollapsingHeader("Variants", ImGuiTreeNodeFlags_DefaultOpen))
+        return chosen;
+    if (ImGui::RadioButton("none##variant", shown.empty())) chosen = "";
+    for (const std::string& name : variants)
+        if (ImGui::RadioButton((name + "##variant").c_str(), shown == name)) chosen = name;
+    return chosen;
+}
+
+} // namespace sr::viewer

@@ -1,0 +1,221 @@
+#include "viewer/panels/lights.hpp"
+
+#include "core/error.hpp"
+#include "scene/lights/light.hpp"
+#include "viewer/palette.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <glm/gtc/matrix_transform.hpp>
+#include <imgui.h>
+
+namespace sr::viewer {
+namespace {
+
+LightGroup group_of(const std::vector<scene::Light>& lights, const scene::Scene& scene) {
+    return {lights, scene.profiles, scene.units};
+}
+
+/// True for a light without a surface in the picture.
+bool needs_mark(const LightEditor& editor, std::size_t entry) {
+    if (editor.entries()[entry].kind == LightEdit::Kind::softbox) return true;
+    const auto lights = editor.lights_of(entry);
+    return lights.size() == 1
+           && (std::holds_alternative<scene::PointLight>(lights[0])
+               || std::holds_alternative<scene::SpotLight>(lights[0]));
+}
+
+scene::RectangleLight new_rectangle(vec3 at) {
+    scene::RectangleLight light;
+    light.name = "new rectangle";
+    light.center = at;
+    light.half_u = vec3(0.25f, 0.0f, 0.0f);
+    light.half_v = vec3(0.0f, 0.0f, 0.25f); // it shines downwards
+    light.L = vec3(1000.0f);
+    return light;
+}
+
+constexpr Changes shape = Change::lights | Change::shadows; // a light was moved, resized, added or removed
+
+} // namespace
+
+std::optional<vec3> center_of(const LightEditor& editor, std::size_t entry) {
+    vec3 sum(0.0f);
+    float count = 0.0f;
+    for (const scene::Light& light : editor.lights_of(entry))
+        if (const auto center = center_of(light)) {
+            sum += *center;
+            count += 1.0f;
+        }
+    return count > 0.0f ? std::optional(sum / count) : std::nullopt;
+}
+
+Changes LightsPanel::draw(LightEditor& editor, const LoadedScene& loaded,
+                          std::optional<std::size_t>& selected, vec3 new_light_at, std::string& message) {
+    if (selected && *selected >= editor.entries().size()) selected.reset();
+    if (selected != was_selected_) {
+        turn_ = vec3(0.0f);
+        scale_ = 1.0f;
+        typed_.fill('\0');
+        was_selected_ = selected;
+    }
+    if (focus_.is_pending()) ImGui::SetNextItemOpen(true);
+    if (!ImGui::CollapsingHeader("Lights", ImGuiTreeNodeFlags_DefaultOpen)) return {};
+    Changes changes = draw_list(editor, loaded, selected);
+    if (selected) {
+        changes |= draw_value(editor, loaded, *selected, message);
+        changes |= draw_place(editor, *selected);
+        changes |= draw_sizes(editor, *selected);
+    }
+    changes |= draw_new(editor, selected, new_light_at);
+    return focus_.is_pending() ? changes | Change::redraw : changes;
+}
+
+Changes LightsPanel::draw_list(LightEditor& editor, const LoadedScene& loaded,
+                               std::optional<std::size_t>& selected) {
+    Changes change;
+    for (std::size_t i = 0; i < editor.entries().size(); ++i) {
+        const LightEntry& entry = editor.entries()[i];
+        const auto lights = editor.lights_of(i);
+        ImGui::PushID(static_cast<int>(i));
+        bool is_on = entry.is_enabled;
+        if (ImGui::Checkbox("##on", &is_on)) {
+            editor.begin_step();
+            editor.enable(i, is_on);
+            change |= Change::lights;
+        }
+        ImGui::SameLine();
+        if (ImGui::Selectable(entry.name.c_str(), selected == i)) selected = i;
+        if (ImGui::IsItemHovered())
+            ImGui::SetTooltip("%s", value_text(group_of(lights, loaded.stage.scene)).c_str());
+        ImGui::PopID();
+    }
+    return change;
+}
+
+Changes LightsPanel::draw_value(LightEditor& editor, const LoadedScene& loaded, std::size_t selected,
+                                std::string& message) {
+    const auto lights = editor.lights_of(selected);
+    const LightGroup group = group_of(lights, loaded.stage.scene);
+    Changes change;
+    ImGui::TextDisabled("%s", value_text(group).c_str());
+    if (focus_.is_pending()) ImGui::SetKeyboardFocusHere();
+    const bool is_entered = ImGui::InputTextWithHint("value", "800 lm, 6500 K", typed_.data(), typed_.size(),
+                                                     ImGuiInputTextFlags_EnterReturnsTrue);
+    focus_.update(ImGui::IsItemActive());
+    if (is_entered) {
+        try {
+            const vec3 quantity = typed_quantity(typed_.data(), group);
+            editor.begin_step();
+            editor.set_quantity(selected, quantity);
+            message = fmt::format("{}: {}", editor.entries()[selected].name, typed_.data());
+            change |= Change::lights;
+            typed_.fill('\0');
+        } catch (const Error& error) {
+            message = error.what();
+        }
+    }
+    vec3 color = quantity_of(lights.front());
+    const float brightest = std::max({color.r, color.g, color.b, 1e-30f});
+    color /= brightest;
+    const bool is_changed = ImGui::ColorEdit3("colour", &color.x, ImGuiColorEditFlags_Float);
+    if (ImGui::IsItemActivated()) editor.begin_step();
+    if (is_changed && color != vec3(0.0f)) {
+        editor.set_quantity(selected, color * brightest);
+        change |= Change::lights;
+    }
+    return change;
+}
+
+Changes LightsPanel::draw_place(LightEditor& editor, std::size_t selected) {
+    if (!editor.can_move(selected)) return {};
+    Changes change;
+    const auto transform = [&](const mat4& by) {
+        if (ImGui::IsItemActivated()) editor.begin_step();
+        editor.transform(selected, by);
+        change |= shape;
+    };
+    const auto center = center_of(editor, selected);
+    const vec3 pivot = center.value_or(vec3(0.0f));
+    if (center) {
+        vec3 moved = pivot;
+        if (ImGui::DragFloat3("place [m]", &moved.x, 0.01f, 0.0f, 0.0f, "%.3f"))
+            transform(glm::translate(mat4(1.0f), moved - pivot));
+    }
+    vec3 turn = turn_;
+    if (ImGui::DragFloat3("turn [deg]", &turn.x, 1.0f, -360.0f, 360.0f, "%.0f")) {
+        mat4 rotation(1.0f);
+        for (int axis = 0; axis < 3; ++axis) {
+            rotation = glm::rotate(mat4(1.0f), glm::radians(turn[axis] - turn_[axis]), axis_direction(axis))
+                       * rotation;
+        }
+        turn_ = turn;
+        transform(around(pivot, rotation));
+    }
+    float scale = scale_;
+    if (center
+        && ImGui::DragFloat("size [x]", &scale, 0.01f, 0.01f, 100.0f, "%.2f", ImGuiSliderFlags_AlwaysClamp)) {
+        const float by = scale / scale_;
+        scale_ = scale;
+        transform(around(pivot, glm::scale(mat4(1.0f), vec3(by))));
+    }
+    return change;
+}
+
+Changes LightsPanel::draw_sizes(LightEditor& editor, std::size_t selected) {
+    if (!editor.can_move(selected)) return {};
+    Changes change;
+    const std::vector<scene::LightSize> extents = scene::sizes_of(editor.lights_of(selected).front());
+    for (std::size_t i = 0; i < extents.size(); ++i) {
+        float size = extents[i].size;
+        const std::string label = fmt::format("{} [m]", extents[i].key);
+        const bool is_changed = ImGui::DragFloat(label.c_str(), &size, 0.01f * size, 1e-4f, 1e4f, "%.4g",
+                                                 ImGuiSliderFlags_AlwaysClamp);
+        if (ImGui::IsItemActivated()) editor.begin_step();
+        if (!is_changed) continue;
+        editor.set_size(selected, i, size);
+        change |= shape;
+    }
+    return change;
+}
+
+Changes LightsPanel::draw_new(LightEditor& editor, std::optional<std::size_t>& selected, vec3 at) {
+    const auto add = [&](scene::Light light) {
+        editor.begin_step();
+        selected = editor.add(std::move(light));
+        return shape;
+    };
+    if (ImGui::Button("+ point")) return add(scene::PointLight{"new point", at, vec3(100.0f)});
+    ImGui::SameLine();
+    if (ImGui::Button("+ rectangle")) return add(new_rectangle(at));
+    ImGui::SameLine();
+    if (ImGui::Button("+ sphere")) return add(scene::SphereLight{"new sphere", at, 0.1f, vec3(3000.0f)});
+    return Changes();
+}
+
+void draw_light_marks(const LightEditor& editor, std::optional<std::size_t> selected,
+                      const Projection& projection, float scale) {
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    constexpr ImU32 faint = IM_COL32(220, 220, 220, 160);
+    for (std::size_t i = 0; i < editor.entries().size(); ++i) {
+        const bool is_selected = selected == i;
+        const auto center = center_of(editor, i);
+        const auto at = center ? projection(*center) : std::nullopt;
+        if (!at || (!is_selected && !needs_mark(editor, i))) continue;
+        list.AddCircle({at->x, at->y}, 6.0f * scale, is_selected ? palette::orange : faint, 0,
+                       is_selected ? 2.5f : 1.5f);
+    }
+}
+
+std::optional<std::size_t> mark_under(const LightEditor& editor, const Projection& projection, vec2 pointer) {
+    constexpr float mark_slack = 9.0f; // [pixels]
+    for (std::size_t i = 0; i < editor.entries().size(); ++i) {
+        if (!needs_mark(editor, i)) continue;
+        const auto center = center_of(editor, i);
+        const auto at = center ? projection(*center) : std::nullopt;
+        if (at && glm::distance(*at, pointer) <= mark_slack) return i;
+    }
+    return std::nullopt;
+}
+
+} // namespace sr::viewer

@@ -1,0 +1,60 @@
+#pragma once
+// Probe panel: the equation at a pixel as the table of `steradian probe`, and the BRDF lobe there.
+#include "render/probe.hpp"
+#include "viewer/document/light_edits.hpp"
+#include "viewer/panels/lobe.hpp"
+#include "viewer/view/projection.hpp"
+
+namespace sr::viewer {
+
+/// Terms of the equation at a pixel.
+struct ProbeResult {
+    render::PixelTerms terms;
+    std::optional<render::PixelTerms> reference; // at the same pixel, by the reference of an assignment
+    std::optional<Lobe> lobe;                    // absent where nothing reflects
+    int column = 0;
+    int row = 0;
+    int height = 0; // of the picture
+    int samples = 0;
+};
+
+/// Lobe in the scene, and as a curve in the plane of incidence.
+class LobePanel {
+public:
+    /// Draws the settings and the curve in the current window. `hovered`: the light whose row is under the
+    /// pointer, or -1.
+    void draw(const Lobe& lobe, int hovered, float scale);
+
+    /// Draws the lobe around x with a constant size on the screen; of a mirror an arrow.
+    void draw_in_scene(const Lobe& lobe, vec3 x, const Projection& projection, float scale) const;
+
+private:
+    bool is_shown_ = true;
+    LobeSettings settings_;
+};
+
+class ProbePanel {
+public:
+    std::optional<ProbeResult> result;
+
+    /// Draws the table, if there is a result. A click on a row selects its light in `selected`. `avoided`: a
+    /// window that the panel does not open over.
+    void draw(const scene::Stage& stage, const LightEditor& lights, std::optional<std::size_t>& selected,
+              const char* avoided, float scale);
+
+    /// Draws n, wo, the mean wi of every light and the lobe at x.
+    void draw_directions(const scene::Stage& stage, const Projection& projection, float scale) const;
+
+private:
+    void place(const char* avoided);
+    void draw_row(int light, const scene::Stage& stage, const LightEditor& lights,
+                  std::optional<std::size_t>& selected);
+
+    LobePanel lobe_;
+    int hovered_ = -1;
+    vec2 size_{700.0f, 300.0f}; // at the last frame
+    bool is_placed_ = false;
+    int frames_to_place_ = 0; // a new window learns its size by being drawn
+};
+
+} // namespace sr::viewer

@@ -1,0 +1,239 @@
+#include "viewer/tools/compare.hpp"
+
+#include "compare/compare.hpp"
+#include "compare/flip.hpp"
+#include "compare/planes.hpp"
+#include "core/error.hpp"
+#include "image/file.hpp"
+#include "render/provenance.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <chrono>
+#include <filesystem>
+#include <fmt/format.h>
+#include <imgui.h>
+#include <utility>
+
+namespace sr::viewer {
+namespace {
+
+/// In the order of Comparison.
+constexpr std::array modes{"render alone", "wipe", "difference", "FLIP map"};
+
+constexpr const char* how_to_compare = "Press B to cycle comparisons.";
+
+/// An image with one or two channels as RGB.
+image::Image with_colors(image::Image film) {
+    if (film.channels >= 3) return film;
+    image::Image rgb(film.width, film.height, 3);
+    for (std::size_t i = 0; i < rgb.pixels.size(); ++i)
+        rgb.pixels[i] = film.pixels[i / 3 * static_cast<std::size_t>(film.channels)];
+    return rgb;
+}
+
+bool is_picture(const std::string& file) {
+    constexpr std::array extensions{".exr", ".hdr", ".png", ".jpg", ".jpeg"};
+    std::string extension = std::filesystem::path(file).extension().string();
+    std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
+    return std::ranges::find(extensions, extension) != extensions.end();
+}
+
+/// Reads radiance from EXR and HDR, the light of a screen from PNG and JPEG. @throws Error
+Reference read_reference(const std::string& file) {
+    const bool is_display_referred = !image::is_scene_referred(file);
+    image::Image film = with_colors(image::read(file));
+    if (is_display_referred)
+        for (float& value : film.pixels) value = compare::srgb_decoded(value);
+    return {std::filesystem::path(file).filename().string(), std::move(film), is_display_referred};
+}
+
+/// HDR-ꟻLIP of two films, or ꟻLIP of what a screen shows of `film` and a display-referred reference.
+/// @throws Error if their sizes differ
+FlipMap flip_map(const image::Image& film, const DisplaySettings& display, const image::Image& reference,
+                 bool is_display_referred) {
+    if (film.width != reference.width || film.height != reference.height)
+        throw Error(fmt::format("the pictures have {}x{} and {}x{} pixels", film.width, film.height,
+                                reference.width, reference.height),
+                    "give the window the size of the reference: --size");
+    const float pixels_per_degree = compare::CompareOptions{}.pixels_per_degree;
+    compare::Plane plane;
+    if (is_display_referred) {
+        image::Image shown = image::displayed(film, display.ev100, display.curve);
+        for (float& value : shown.pixels) value = compare::srgb_decoded(value);
+        plane = compare::flip(shown, reference, pixels_per_degree);
+    } else {
+        plane = compare::hdr_flip(film, reference, compare::exposures_for(reference), pixels_per_degree);
+    }
+    FlipMap map{image::Image(film.width, film.height, 1), compare::mean(plane)};
+    std::copy(plane.values.begin(), plane.values.end(), map.film.pixels.begin());
+    map.film = with_colors(std::move(map.film));
+    return map;
+}
+
+/// Combo box of named values. @return the value that was chosen
+template<class Value, std::size_t count>
+std::optional<Value> choice(const char* label, Value now,
+                            const std::array<std::pair<const char*, Value>, count>& all) {
+    std::optional<Value> chosen;
+    const char* name = "";
+    for (const auto& [text, value] : all)
+        if (value == now) name = text;
+    if (!ImGui::BeginCombo(label, name)) return chosen;
+    for (const auto& [text, value] : all)
+        if (ImGui::Selectable(text, value == now) && value != now) chosen = value;
+    ImGui::EndCombo();
+    return chosen;
+}
+
+} // namespace
+
+std::optional<Changes> Compare::handle(const Event& event) {
+    if (const auto* dropped = std::get_if<FileEvent>(&event))
+        return is_picture(dropped->file) ? std::optional(load(dropped->file)) : std::nullopt;
+    const auto command = command_in(event);
+    if (command == Command::compare) return next_mode();
+    if (command != Command::cancel) return std::nullopt;
+    dialog_.close();
+    ws_.display.comparison = Comparison::none;
+    return Change::display;
+}
+
+Changes Compare::keep_render() {
+    const ProgressiveRender& render = ws_.scene->render();
+    if (render.sample_count() == 0) return {};
+    ws_.reference.emplace(fmt::format("{} samples, {}, {}", render.sample_count(),
+                                      render::name_of(ws_.options.rendering.estimator),
+                                      ws_.camera->argument()),
+                          render.film());
+    if (ws_.display.comparison == Comparison::none) ws_.display.comparison = Comparison::wipe;
+    ws_.messages.notify(fmt::format("Reference kept. {}", how_to_compare));
+    return Change::display;
+}
+
+Changes Compare::load(const std::string& file) {
+    try {
+        ws_.reference = read_reference(file);
+        if (ws_.display.comparison == Comparison::none) ws_.display.comparison = Comparison::wipe;
+        ws_.messages.clear_error();
+        ws_.messages.notify(fmt::format("Comparing with {}. {}", ws_.reference->name(), how_to_compare));
+    } catch (const Error& error) {
+        ws_.messages.fail("Cannot compare with this file.", error.what());
+    }
+    return Change::display;
+}
+
+Changes Compare::next_mode() {
+    if (!ws_.reference && ws_.options.submission.empty()) return keep_render();
+    // There is no FLIP map against the reference of an assignment, which still gathers samples.
+    const std::size_t count = ws_.reference ? modes.size() : modes.size() - 1;
+    const std::size_t next = (static_cast<std::size_t>(ws_.display.comparison) + 1) % count;
+    ws_.display.comparison = static_cast<Comparison>(next);
+    if (ws_.display.comparison == Comparison::flip) begin_flip();
+    ws_.messages.notify(fmt::format("Comparison: {}.", modes[next]));
+    return Change::display;
+}
+
+/// Runs on a thread: a large picture takes seconds.
+void Compare::begin_flip() {
+    if (flipping_ || !ws_.reference || ws_.scene->render().sample_count() == 0) return;
+    flip_result_ = "computing ...";
+    flipping_ = std::async(std::launch::async, flip_map, ws_.scene->render().film(), ws_.display,
+                           ws_.reference->film(), ws_.reference->is_display_referred());
+}
+
+Changes Compare::update(double /*seconds*/) {
+    if (!flipping_ || flipping_->wait_for(std::chrono::seconds(0)) != std::future_status::ready) return {};
+    auto flipping = std::exchange(flipping_, std::nullopt);
+    try {
+        FlipMap map = flipping->get();
+        flip_result_ = fmt::format("mean FLIP {:.4f}", map.mean);
+        flip_.emplace("FLIP", std::move(map.film));
+    } catch (const Error& error) {
+        flip_result_ = error.what();
+    }
+    ws_.messages.notify(flip_result_);
+    return Change::display;
+}
+
+FilmSum Compare::reference_film() const {
+    if (ws_.display.comparison == Comparison::flip) return flip_ ? flip_->sum() : FilmSum{};
+    return ws_.reference ? ws_.reference->sum() : FilmSum{};
+}
+
+Changes Compare::draw(const Overlay& /*overlay*/) {
+    const auto file = dialog_.draw();
+    return file ? load(*file) : dialog_.wants_focus() ? Changes(Change::redraw) : Changes();
+}
+
+Changes Compare::draw_section() {
+    if (!ImGui::CollapsingHeader("Compare")) return {};
+    Changes changes = draw_methods();
+    if (ImGui::Button("keep this render")) changes |= keep_render();
+    ImGui::SameLine();
+    if (ImGui::Button("load a picture")) dialog_.show(FileDialog::Purpose::compare, ws_.scene->loaded().file);
+    return ws_.reference ? changes | draw_modes() : changes;
+}
+
+Changes Compare::draw_methods() {
+    using render::Estimator;
+    using render::Visibility;
+    Changes changes;
+    constexpr std::array<std::pair<const char*, Estimator>, 2> estimators{
+        {{"sampled", Estimator::sampled}, {"analytic", Estimator::analytic}}};
+    constexpr std::array<std::pair<const char*, Visibility>, 4> visibilities{
+        {{"ray", Visibility::ray},
+         {"ray-cpu", Visibility::ray_on_cpu},
+         {"ray-glsl", Visibility::ray_in_glsl},
+         {"none", Visibility::none}}};
+    if (const auto chosen = choice("estimator", ws_.options.rendering.estimator, estimators))
+        changes |= set_estimator(*chosen);
+    if (const auto chosen = choice("visibility", ws_.options.visibility, visibilities))
+        changes |= set_visibility(*chosen);
+    return changes;
+}
+
+Changes Compare::draw_modes() {
+    Changes changes;
+    ImGui::TextDisabled("reference: %s", ws_.reference->name().c_str());
+    int mode = static_cast<int>(ws_.display.comparison);
+    if (ImGui::Combo("show", &mode, modes.data(), static_cast<int>(modes.size()))) {
+        ws_.display.comparison = static_cast<Comparison>(mode);
+        if (ws_.display.comparison == Comparison::flip) begin_flip();
+        changes |= Change::display;
+    }
+    if (ws_.display.comparison == Comparison::wipe)
+        ImGui::SliderFloat("wipe", &ws_.display.wipe, 0.0f, 1.0f, "%.2f");
+    if (ws_.display.comparison == Comparison::difference)
+        ImGui::TextWrapped("Blue: darker than the reference. Orange: brighter. Saturated at half of it.");
+    if (ws_.display.comparison == Comparison::flip) {
+        ImGui::TextWrapped("%s", flip_result_.c_str());
+        if (ImGui::Button("compute again")) begin_flip();
+    }
+    return changes;
+}
+
+Changes Compare::set_estimator(render::Estimator estimator) {
+    const render::Estimator before = std::exchange(ws_.options.rendering.estimator, estimator);
+    try {
+        ws_.scene->restart(ws_.options, ws_.camera->camera(), ws_.width, ws_.height);
+        return Change::materials;
+    } catch (const Error& error) {
+        ws_.options.rendering.estimator = before;
+        ws_.messages.fail("Cannot use this estimator.", error.what());
+        return Change::redraw;
+    }
+}
+
+Changes Compare::set_visibility(render::Visibility visibility) {
+    try {
+        ws_.scene->set_visibility(ws_.options, visibility, ws_.camera->camera(), ws_.width, ws_.height);
+        return Change::materials;
+    } catch (const Error& error) {
+        ws_.messages.fail("Cannot use this visibility method.", error.what());
+        return Change::redraw;
+    }
+}
+
+} // namespace sr::viewer

@@ -1,0 +1,116 @@
+#include "viewer/tools/files.hpp"
+
+#include "core/error.hpp"
+#include "gltf/named_files.hpp"
+#include "render/provenance.hpp"
+#include "viewer/config.hpp"
+
+#include <filesystem>
+#include <fmt/format.h>
+
+namespace sr::viewer {
+
+Files::Files(Workspace& workspace) : Tool(workspace) {
+    shader_watch_.set({ws_.options.shaders.begin(), ws_.options.shaders.end()});
+}
+
+std::optional<Changes> Files::handle(const Event& event) {
+    if (const auto* dropped = std::get_if<FileEvent>(&event)) {
+        const std::string extension = std::filesystem::path(dropped->file).extension().string();
+        if (extension != ".gltf" && extension != ".glb") return std::nullopt;
+        ws_.open(dropped->file);
+        return Change::redraw;
+    }
+    const auto command = command_in(event);
+    if (!command) return std::nullopt;
+    switch (*command) {
+    case Command::open_file:
+        dialog_.show(FileDialog::Purpose::open, ws_.options.scene);
+        return Change::redraw;
+    case Command::save_as:
+        dialog_.show(FileDialog::Purpose::save, ws_.scene->loaded().file);
+        return Change::redraw;
+    case Command::reload: return reload();
+    case Command::screenshot_png: return write_png();
+    case Command::screenshot_exr: return write_exr();
+    case Command::cancel: dialog_.close(); return Change::redraw;
+    default: return std::nullopt;
+    }
+}
+
+Changes Files::reload() {
+    ++ws_.statistics.reloads;
+    ws_.reload(false);
+    return Change::redraw;
+}
+
+/// Reloads what was saved. Shaders of an assignment are checked first, by its tool.
+Changes Files::update(double /*seconds*/) {
+    const std::string& file = ws_.scene->loaded().file;
+    if (watched_ != file || ws_.has_new_files) {
+        std::vector<std::filesystem::path> files = gltf::named_files(file);
+        files.emplace_back(file);
+        scene_watch_.set(std::move(files));
+        watched_ = file;
+        ws_.has_new_files = false;
+    }
+    Changes changes;
+    if (ws_.options.submission.empty() && shader_watch_.has_changed()) changes |= ws_.reload_shaders();
+    if (!ws_.loading && scene_watch_.has_changed()) changes |= reload();
+    return changes;
+}
+
+Changes Files::write(const image::Image& picture, const std::string& file, image::SampleType type) {
+    try {
+        image::write(picture, file, type);
+        ws_.messages.notify(fmt::format("Wrote {}.", file));
+    } catch (const Error& error) {
+        ws_.messages.fail("Cannot write the picture.", error.what());
+    }
+    return Change::redraw;
+}
+
+Changes Files::write_png() {
+    return write(image::displayed(ws_.scene->render().film(), ws_.display.ev100, ws_.display.curve),
+                 free_name(ws_.scene->loaded().file, ".png"), image::SampleType::integer8);
+}
+
+Changes Files::write_exr() {
+    const ProgressiveRender& render = ws_.scene->render();
+    const render::RenderOptions& rendering = ws_.options.rendering;
+    image::Image film = render.film();
+    film.channel_names = {"R", "G", "B", "A"};
+    film.attributes =
+        render::attributes_of({.unit = std::string(scene::radiance_unit(ws_.scene->stage().scene.units)),
+                               .camera = ws_.camera->argument(),
+                               .estimator = rendering.estimator,
+                               .analytic_points = rendering.analytic_points,
+                               .visibility = ws_.options.visibility,
+                               .samples = render.sample_count(),
+                               .seed = rendering.seed,
+                               .error = render.error(),
+                               .seconds = ws_.playback.seconds},
+                              ws_.window.info());
+    return write(film, free_name(ws_.scene->loaded().file, ".exr"), image::SampleType::floating);
+}
+
+Changes Files::draw(const Overlay& /*overlay*/) {
+    const auto purpose = dialog_.purpose();
+    const auto file = dialog_.draw();
+    if (file && purpose == FileDialog::Purpose::open) ws_.open(*file);
+    if (file && purpose == FileDialog::Purpose::save) save(*file);
+    return file || dialog_.wants_focus() ? Changes(Change::redraw) : Changes();
+}
+
+/// Saves lights and, if the camera is free, the view.
+void Files::save(const std::string& file) {
+    const bool is_free = scene::is_look_at(ws_.camera->argument());
+    try {
+        ws_.scene->lights().save(ws_.scene->loaded(), is_free ? &ws_.camera->camera() : nullptr, file);
+        ws_.messages.notify(fmt::format("Saved {}.", file));
+    } catch (const Error& error) {
+        ws_.messages.fail("Cannot save the scene.", error.what());
+    }
+}
+
+} // namespace sr::viewer

@@ -1,0 +1,58 @@
+#pragma once
+// Interface of a tool of the viewer: handles events, draws, and returns what it changed.
+#include "viewer/workspace.hpp"
+
+namespace sr::viewer {
+
+/// What panels and overlays are drawn with.
+struct Overlay {
+    Projection projection;
+    float scale = 1.0f; // of a HiDPI screen
+};
+
+/// How often a tool needs update() while there are no events.
+enum class Activity {
+    idle,    // now and then
+    waiting, // often: it waits for work on another thread
+    active,  // every frame
+};
+
+/// The App calls tools once the first scene is shown. A new tool is a class, a line in make_tools() and, if
+/// it has keys, lines in bindings.
+class Tool {
+public:
+    explicit Tool(Workspace& workspace) : ws_(workspace) {}
+    virtual ~Tool() = default;
+    Tool(const Tool&) = delete;
+    Tool& operator=(const Tool&) = delete;
+
+    /// Handles an event. An event goes to one tool after the other until one handles it; MotionEvents and
+    /// Command::cancel go to all. @return what changed; absent if the tool does not handle the event
+    virtual std::optional<Changes> handle(const Event& /*event*/) { return std::nullopt; }
+    /// Advances by `seconds`, at least five times a second.
+    virtual Changes update(double /*seconds*/) { return {}; }
+    /// Is told what any tool changed.
+    virtual void notice(Changes /*changes*/) {}
+
+    /// Draws over the picture: handles, marks, windows of its own.
+    virtual Changes draw(const Overlay& /*overlay*/) { return {}; }
+    /// Draws a section of the main panel.
+    virtual Changes draw_section() { return {}; }
+
+    /// A film to compare the render with; none by default.
+    virtual FilmSum reference_film() const { return {}; }
+    /// True during a drag, in which events belong to the tool even over a panel.
+    virtual bool holds_pointer() const { return false; }
+    virtual Activity activity() const { return Activity::idle; }
+
+protected:
+    Workspace& ws_;
+};
+
+/// The command of an event; absent if the event is another one.
+inline std::optional<Command> command_in(const Event& event) {
+    const auto* command = std::get_if<CommandEvent>(&event);
+    return command ? std::optional(command->command) : std::nullopt;
+}
+
+} // namespace sr::viewer

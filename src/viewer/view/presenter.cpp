@@ -1,0 +1,91 @@
+#include "viewer/view/presenter.hpp"
+
+#include "glsl/root.hpp"
+
+#include <array>
+#include <fmt/format.h>
+
+namespace sr::viewer {
+namespace {
+
+std::string constants(image::ToneCurve curve, bool is_false_color, Comparison comparison, bool is_scaled,
+                      bool is_reference_displayed, bool is_resting) {
+    return fmt::format("const int shown_curve = {};\nconst bool is_false_color = {};\n"
+                       "const int comparison = {};\nconst bool is_scaled = {};\n"
+                       "const bool is_other_displayed = {};\nconst bool is_resting = {};\n",
+                       static_cast<int>(curve), is_false_color, static_cast<int>(comparison), is_scaled,
+                       is_reference_displayed, is_resting);
+}
+
+} // namespace
+
+const gl::Program& Presenter::program(const Choice& choice) {
+    if (const auto found = programs_.find(choice); found != programs_.end()) return found->second;
+    const std::array path{
+        glsl::Root::memory("screen", {{"display/choice.glsl", std::apply(constants, choice)}}),
+        glsl::embedded()};
+    gl::Program program("screen", glsl::expand(path, "fullscreen.vert"),
+                        glsl::expand(path, "display/screen.frag"));
+    program.bind_texture("film_sum", 0);
+    program.bind_texture("other_sum", 1);
+    program.bind_texture("rest_weights", 2);
+    return programs_.emplace(choice, std::move(program)).first->second;
+}
+
+Presenter::Codes::Codes(int columns, int rows) : width(columns), height(rows) {
+    texture.bind(0);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture.id(), 0);
+}
+
+void Presenter::draw(const FilmSum& film, const FilmSum& reference, const DisplaySettings& settings,
+                     int width, int height) {
+    const bool is_compared = reference.sum && settings.comparison != Comparison::none;
+    if (is_compared || (film.width == width && film.height == height)) {
+        glBindFramebuffer(GL_FRAMEBUFFER, 0);
+        return fill(film, reference, settings, width, height);
+    }
+    if (!codes_ || codes_->width != film.width || codes_->height != film.height)
+        codes_.emplace(film.width, film.height);
+    glBindFramebuffer(GL_FRAMEBUFFER, codes_->framebuffer.id());
+    fill(film, {}, settings, film.width, film.height);
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+    glBlitFramebuffer(0, 0, film.width, film.height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_LINEAR);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
+void Presenter::fill(const FilmSum& film, const FilmSum& reference, const DisplaySettings& settings,
+                     int width, int height) {
+    glViewport(0, 0, width, height);
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_BLEND);
+    glDisable(GL_SCISSOR_TEST);
+    const bool is_compared = reference.sum && settings.comparison != Comparison::none;
+    const auto fits = [&](const FilmSum& f) { return f.width == width && f.height == height; };
+    const bool is_scaled = !fits(film) || (is_compared && !fits(reference));
+    const gl::Program& used = program(
+        {settings.curve, settings.is_false_color, is_compared ? settings.comparison : Comparison::none,
+         is_scaled, is_compared && reference.is_display_referred, film.frozen_weights != nullptr});
+    used.use();
+    const auto weight = [](const FilmSum& f) { return 1.0f / static_cast<float>(f.samples); };
+    const auto at = [&](const char* name) { return used.uniform(name); };
+    (is_compared ? reference : film).sum->bind(1);
+    film.sum->bind(0);
+    if (film.frozen_weights) film.frozen_weights->bind(2);
+    glBindSampler(2, 0);
+    glBindSampler(0, 0);
+    glBindSampler(1, 0);
+    glUniform1f(at("film_weight"), weight(film));
+    glUniform1f(at("other_weight"), weight(reference));
+    glUniform2f(at("window_size"), static_cast<float>(width), static_cast<float>(height));
+    glUniform1f(at("exposure"), image::exposure_factor(settings.ev100));
+    glUniform2f(at("false_color_range"), settings.false_color_range.x, settings.false_color_range.y);
+    glUniform1f(at("wipe"), settings.wipe);
+    glBindVertexArray(no_vertices_.id());
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+} // namespace sr::viewer

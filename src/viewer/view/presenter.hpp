@@ -1,0 +1,69 @@
+#pragma once
+// Presenter of a film in the window (shaders/display/screen.frag).
+#include "core/math.hpp"
+#include "gl/object.hpp"
+#include "gl/program.hpp"
+#include "image/display.hpp"
+
+#include <map>
+#include <optional>
+#include <tuple>
+
+namespace sr::viewer {
+
+enum class Comparison { none, wipe, difference, flip };
+
+/// How a film is shown.
+struct DisplaySettings {
+    float ev100 = 0.0f;
+    image::ToneCurve curve = image::ToneCurve::neutral;
+    bool is_false_color = false;
+    vec2 false_color_range{-4.0f, 14.0f}; // log2 of the luminances at its ends [cd/m²]
+    Comparison comparison = Comparison::none;
+    float wipe = 0.5f; // where the reference begins, 0 to 1
+};
+
+/// A film as a sum of samples.
+struct FilmSum {
+    const gl::Texture* sum = nullptr;
+    int samples = 1;
+    int width = 0;
+    int height = 0;
+    /// 1 / samples of each frozen (converged) pixel, 0 for the others, in GL's order of rows; null if none is
+    /// frozen.
+    const gl::Texture* frozen_weights = nullptr;
+    bool is_display_referred = false; // linear light of a screen, 0 to 1: no exposure and no tone curve apply
+};
+
+class Presenter {
+public:
+    /// Fills the window, whose framebuffer is width × height pixels. A film of another size that is not
+    /// compared is scaled as code values, which costs a third of scaling in linear light.
+    void draw(const FilmSum& film, const FilmSum& reference, const DisplaySettings& settings, int width,
+              int height);
+
+private:
+    /// Constants of a program: curve, false colour, comparison, whether films are scaled, whether the
+    /// reference is display-referred, whether pixels are frozen.
+    using Choice = std::tuple<image::ToneCurve, bool, Comparison, bool, bool, bool>;
+    const gl::Program& program(const Choice& choice);
+    void fill(const FilmSum& film, const FilmSum& reference, const DisplaySettings& settings, int width,
+              int height);
+
+    /// Framebuffer of code values with the size of a film.
+    struct Codes {
+        Codes(int width, int height);
+
+        int width;
+        int height;
+        gl::Texture texture{GL_TEXTURE_2D, "code values"};
+        gl::Framebuffer framebuffer{"code values"};
+    };
+
+    /// Of the embedded shaders: overlays do not replace the display.
+    std::map<Choice, gl::Program> programs_;
+    gl::VertexArray no_vertices_{"no vertices"};
+    std::optional<Codes> codes_;
+};
+
+} // namespace sr::viewer

@@ -1,0 +1,132 @@
+#include "viewer/view/scene_view.hpp"
+
+#include "core/error.hpp"
+
+#include <chrono>
+#include <exception>
+
+namespace sr::viewer {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double elapsed_since(Clock::time_point begin) {
+    return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+render::GpuScene uploaded(const LoadedScene& loaded, const Options& options, double& seconds) {
+    const auto begin = Clock::now();
+    render::GpuScene gpu(loaded.stage.scene, loaded.stage.lights, options.visibility,
+                         options.has_energy_compensation);
+    glFinish();
+    seconds = elapsed_since(begin);
+    return gpu;
+}
+
+} // namespace
+
+SceneView::SceneView(LoadedScene loaded, const Options& options, const scene::Camera& camera, int width,
+                     int height)
+    : loaded_(std::move(loaded)),
+      gpu_(uploaded(loaded_, options, upload_seconds_)),
+      lights_(loaded_, options.hide_emitters) {
+    restart(options, camera, width, height);
+}
+
+void SceneView::restart(const Options& options, const scene::Camera& camera, int width, int height) {
+    const auto begin = Clock::now();
+    render_ = std::make_unique<ProgressiveRender>(gpu_, camera, render_options(options, width, height),
+                                                  options.stop);
+    compile_seconds_ = elapsed_since(begin);
+}
+
+void SceneView::resize(int width, int height) {
+    render_->resize(width, height);
+    if (reference_) reference_->resize(width, height);
+}
+
+void SceneView::move(const scene::Camera& camera) {
+    render_->move(camera);
+    if (reference_) reference_->move(camera);
+}
+
+void SceneView::advance_reference(const Options& options, const scene::Camera& camera, int width,
+                                  int height) {
+    if (!reference_ || reference_estimator_ != options.rendering.estimator) {
+        Options theirs = options;
+        theirs.shows_reference = true;
+        reference_ = std::make_unique<ProgressiveRender>(gpu_, camera, render_options(theirs, width, height),
+                                                         options.stop);
+        reference_estimator_ = options.rendering.estimator;
+    }
+    reference_->advance();
+}
+
+void SceneView::set_visibility(Options& options, render::Visibility visibility, const scene::Camera& camera,
+                               int width, int height) {
+    const render::Visibility before = options.visibility;
+    options.visibility = visibility;
+    reference_.reset();
+    try {
+        gpu_ = uploaded(loaded_, options, upload_seconds_);
+        restart(options, camera, width, height);
+    } catch (...) {
+        options.visibility = before;
+        gpu_ = uploaded(loaded_, options, upload_seconds_);
+        restart(options, camera, width, height);
+        throw;
+    }
+}
+
+void SceneView::relight(bool shadows_change) {
+    lights_.apply(loaded_);
+    gpu_.relight(loaded_.stage.scene, loaded_.stage.lights, loaded_.base.meshes, shadows_change);
+    lights_changed();
+}
+
+void SceneView::lights_changed() {
+    render_->lights_changed();
+    if (reference_) reference_->lights_changed();
+}
+
+void SceneView::pose(const gltf::Moment& moment) {
+    const gltf::Moment before = loaded_.moment;
+    std::exception_ptr failure;
+    try {
+        viewer::pose(loaded_, moment);
+    } catch (const Error&) {
+        failure = std::current_exception();
+        viewer::pose(loaded_, before);
+    }
+    lights_.rebase(loaded_);
+    lights_.apply(loaded_);
+    const bool deforms = loaded_.contents.skins > 0 || loaded_.contents.morph_targets > 0;
+    gpu_.relight(loaded_.stage.scene, loaded_.stage.lights, deforms ? 0 : loaded_.base.meshes, true);
+    lights_changed();
+    if (failure) std::rethrow_exception(failure);
+}
+
+void SceneView::take_edits(LightEditor lights) {
+    lights_ = std::move(lights);
+    lights_.rebase(loaded_);
+    if (lights_.is_changed()) relight(true);
+}
+
+render::RenderOptions render_options(const Options& options, int width, int height) {
+    render::RenderOptions rendering = options.rendering;
+    rendering.width = width;
+    rendering.height = height;
+    rendering.samples = options.stop.samples;
+    rendering.knows_error = options.stop.asks_for_error();
+    if (options.shows_reference) {
+        rendering.shader_path = options.reference_path;
+        return rendering;
+    }
+    rendering.shader_path.clear();
+    for (const std::string& folder : options.shaders)
+        rendering.shader_path.push_back(glsl::Root::folder(folder));
+    rendering.shader_path.push_back(glsl::embedded());
+    return rendering;
+}
+
+} // namespace sr::viewer

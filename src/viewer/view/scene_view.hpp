@@ -1,0 +1,72 @@
+#pragma once
+// A scene on the GPU, its light editor and its progressive render.
+#include "viewer/document/light_edits.hpp"
+#include "viewer/view/progressive_render.hpp"
+
+#include <memory>
+
+namespace sr::viewer {
+
+/// The parts refer to one another, so a SceneView does not move.
+class SceneView {
+public:
+    /// Uploads the scene and compiles the shaders. @throws Error, ShaderError
+    SceneView(LoadedScene loaded, const Options& options, const scene::Camera& camera, int width, int height);
+    SceneView(const SceneView&) = delete;
+    SceneView& operator=(const SceneView&) = delete;
+
+    const LoadedScene& loaded() const { return loaded_; }
+    const scene::Stage& stage() const { return loaded_.stage; }
+    const render::GpuScene& gpu() const { return gpu_; }
+    ProgressiveRender& render() { return *render_; }
+    const ProgressiveRender& render() const { return *render_; }
+
+    // These three are for both renders, this one and the reference's.
+    void resize(int width, int height);
+    void move(const scene::Camera& camera);
+    /// Applies the edits of lights(). `shadows_change`: something that casts shadows has moved, come or gone.
+    /// @throws Error
+    void relight(bool shadows_change);
+
+    /// Adds samples to the render with Options::reference_path, which the first call makes. @throws Error,
+    /// ShaderError
+    void advance_reference(const Options& options, const scene::Camera& camera, int width, int height);
+    /// Null before the first call of advance_reference().
+    const ProgressiveRender* reference() const { return reference_.get(); }
+
+    /// Replaces the render by a new one, with the shaders as they are on disk. If they do not compile, the
+    /// old render stays. @throws Error, ShaderError
+    void restart(const Options& options, const scene::Camera& camera, int width, int height);
+
+    /// Changes the visibility method and restarts. @throws Error, ShaderError; then nothing has changed
+    void set_visibility(Options& options, render::Visibility visibility, const scene::Camera& camera,
+                        int width, int height);
+
+    LightEditor& lights() { return lights_; }
+    const LightEditor& lights() const { return lights_; }
+    /// Shows the file at another time, with the edits. @throws Error if a value makes no sense then; the time
+    /// before stays
+    void pose(const gltf::Moment& moment);
+    /// Takes over edits that were made to the same file with other materials.
+    void take_edits(LightEditor lights);
+
+    double upload_seconds() const { return upload_seconds_; }
+    double compile_seconds() const { return compile_seconds_; }
+
+private:
+    void lights_changed();
+
+    LoadedScene loaded_;
+    double upload_seconds_ = 0.0;
+    double compile_seconds_ = 0.0;
+    render::GpuScene gpu_;
+    LightEditor lights_;
+    std::unique_ptr<ProgressiveRender> render_;
+    std::unique_ptr<ProgressiveRender> reference_;
+    render::Estimator reference_estimator_ = render::Estimator::sampled;
+};
+
+/// Options of the converging render in a window of this size. @throws Error if a shader folder is missing
+render::RenderOptions render_options(const Options& options, int width, int height);
+
+} // namespace sr::viewer

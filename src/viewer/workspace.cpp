@@ -1,0 +1,153 @@
+#include "viewer/workspace.hpp"
+
+#include "core/error.hpp"
+#include "viewer/config.hpp"
+#include "viewer/panels/animation.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <fmt/format.h>
+#include <vector>
+
+namespace sr::viewer {
+namespace {
+
+gl::Texture reference_texture(const image::Image& film) {
+    std::vector<vec4> texels(static_cast<std::size_t>(film.width) * static_cast<std::size_t>(film.height));
+    for (int y = 0; y < film.height; ++y)
+        for (int x = 0; x < film.width; ++x) {
+            const auto pixel = film.at(x, y);
+            const vec3 rgb(pixel[0], pixel[1], pixel[2]);
+            // GL's first row is the lowest.
+            texels[static_cast<std::size_t>(film.height - 1 - y) * static_cast<std::size_t>(film.width)
+                   + static_cast<std::size_t>(x)] = vec4(rgb, 1.0f);
+        }
+    gl::Texture texture(GL_TEXTURE_2D, "reference");
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, film.width, film.height, 0, GL_RGBA, GL_FLOAT, texels.data());
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+    return texture;
+}
+
+} // namespace
+
+Reference::Reference(std::string name, image::Image film, bool is_display_referred)
+    : name_(std::move(name)),
+      film_(std::move(film)),
+      is_display_referred_(is_display_referred),
+      texture_(reference_texture(film_)) {}
+
+void Workspace::open(const std::string& file) {
+    if (loading) return messages.notify("A file is loading. Try again when it is done.");
+    options.is_reloading = scene && file == scene->loaded().file;
+    if (scene && !options.is_reloading) {
+        options.camera.clear();
+        options.animation.clear();
+        options.variant.clear();
+        options.at.reset();
+        options.plays = keeps_edits = false;
+    }
+    options.scene = file;
+    loading = std::async(std::launch::async, load_scene, file, options, aspect_ratio());
+}
+
+void Workspace::reload(bool with_edits) {
+    keeps_edits = with_edits;
+    if (!scene::is_look_at(camera->argument())) options.camera = camera->argument(); // as the file has it now
+    open(scene->loaded().file);
+}
+
+Changes Workspace::take_loaded() {
+    if (!loading || loading->wait_for(std::chrono::seconds(0)) != std::future_status::ready) return {};
+    try {
+        auto loaded = std::exchange(loading, std::nullopt);
+        show(loaded->get());
+        messages.clear_error();
+        return everything;
+    } catch (const Error& error) {
+        if (!scene) throw;
+        messages.fail("Cannot open the file. The previous scene stays.", error.what());
+        return Change::redraw;
+    }
+}
+
+void Workspace::show(LoadedScene loaded) {
+    const bool is_same_file = scene && scene->loaded().file == loaded.file;
+    CameraController controller(named_camera(loaded.stage, options.camera), loaded.bounds, aspect_ratio(),
+                                loaded.stage.scene.origin);
+    if (is_same_file && scene::is_look_at(camera->argument())) { // a free camera stays
+        controller = *camera;
+        controller.set_origin(loaded.stage.scene.origin);
+        controller.set_bounds(loaded.bounds);
+    }
+    const bool is_first = !scene;
+    if (is_first) statistics.loaded(loaded.seconds);
+    auto shown = std::make_unique<SceneView>(std::move(loaded), options, controller.camera(), width, height);
+    const bool has_edits = std::exchange(keeps_edits, false) && is_same_file;
+    if (has_edits) shown->take_edits(scene->lights());
+    scene = std::move(shown);
+    camera = std::move(controller);
+    selected.reset();
+    restart_playback(is_same_file);
+    if (is_first) statistics.uploaded(scene->upload_seconds(), scene->compile_seconds());
+    if (!is_same_file)
+        exposure.restart();
+    else if (!has_edits)
+        messages.notify("Scene reloaded.");
+    else
+        messages.notify(options.variant.empty() ? "No variant."
+                                                : fmt::format("Variant {}.", options.variant));
+    for (const std::string& remark : scene->loaded().remarks) {
+        messages.notify(remark);
+        write_remark(remark);
+    }
+    has_new_files = true;
+    remember_file(scene->loaded().file);
+}
+
+/// A new file starts as its options say; a file that was loaded again continues.
+void Workspace::restart_playback(bool is_same_file) {
+    const LoadedScene& loaded = scene->loaded();
+    if (!is_same_file) {
+        playback = {};
+        playback.is_playing = std::exchange(options.plays, false);
+    }
+    playback.animations = loaded.animations;
+    playback.duration = loaded.asset ? loaded.asset->duration(loaded.animations) : 0.0;
+    playback.seconds.reset();
+    if (!loaded.moment.animations.empty()) playback.seconds = loaded.moment.seconds;
+    if (!playback.has_any()) playback.is_playing = false;
+    options.variant = loaded.variant;
+}
+
+Changes Workspace::reload_shaders() {
+    ++statistics.reloads;
+    try {
+        scene->restart(options, camera->camera(), width, height);
+        messages.clear_error();
+        messages.notify("Shaders reloaded.");
+        return Change::materials;
+    } catch (const gl::ShaderError& error) {
+        messages.fail("A shader does not compile. The render uses the previous shaders.",
+                      error.what() + ("\n" + error.log()));
+    } catch (const Error& error) {
+        messages.fail("Cannot read the shaders. The render uses the previous ones.", error.what());
+    }
+    return Change::redraw;
+}
+
+std::string Workspace::time_arguments() const {
+    const LoadedScene& loaded = scene->loaded();
+    std::string text;
+    if (playback.seconds) {
+        text += fmt::format(" --at {:.9g}", *playback.seconds);
+        if (loaded.contents.animations.size() > 1)
+            text += fmt::format(" --animation '{}'",
+                                animation_argument(loaded.contents.animations, playback.animations));
+    }
+    if (!loaded.variant.empty()) text += fmt::format(" --variant '{}'", loaded.variant);
+    return text;
+}
+
+} // namespace sr::viewer

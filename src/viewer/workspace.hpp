@@ -1,0 +1,83 @@
+#pragma once
+// Workspace that tools and panels share: the window, the file, its view and how it is shown.
+#include "gl/window.hpp"
+#include "viewer/changes.hpp"
+#include "viewer/document/playback.hpp"
+#include "viewer/input.hpp"
+#include "viewer/messages.hpp"
+#include "viewer/statistics.hpp"
+#include "viewer/ui.hpp"
+#include "viewer/view/camera_controller.hpp"
+#include "viewer/view/exposure.hpp"
+#include "viewer/view/projection.hpp"
+#include "viewer/view/scene_view.hpp"
+
+#include <future>
+
+namespace sr::viewer {
+
+/// A picture to compare with: a render that was kept, or a file.
+class Reference {
+public:
+    /// Uploads `film`, which has at least three channels.
+    Reference(std::string name, image::Image film, bool is_display_referred = false);
+
+    const std::string& name() const { return name_; }
+    const image::Image& film() const { return film_; }
+    bool is_display_referred() const { return is_display_referred_; }
+    FilmSum sum() const { return {&texture_, 1, film_.width, film_.height, nullptr, is_display_referred_}; }
+
+private:
+    std::string name_;
+    image::Image film_;
+    bool is_display_referred_; // linear light of a screen, 0 to 1
+    gl::Texture texture_;
+};
+
+struct Workspace {
+    Options options;
+    gl::Window& window;
+    Input& input;
+    const Ui& ui;
+    Messages messages;
+    Statistics statistics{};
+
+    std::unique_ptr<SceneView> scene{};       // null until the first file has loaded
+    std::optional<CameraController> camera{}; // present once `scene` is
+    std::optional<std::size_t> selected{};    // entry of scene->lights()
+    Playback playback{};
+    Exposure exposure;
+    DisplaySettings display{};
+    std::optional<Reference> reference{};
+    bool is_time_held = false; // while a light is dragged
+    int width = 0;             // of the framebuffer [pixels]
+    int height = 0;
+
+    std::optional<std::future<LoadedScene>> loading{};
+    bool keeps_edits = false;   // of lights, once `loading` is done
+    bool has_new_files = false; // a file has loaded, and is not watched yet
+
+    /// Size of the window, in the unit of the pointer.
+    vec2 window_size() const { return input.window_size(); }
+    float aspect_ratio() const { return static_cast<float>(width) / static_cast<float>(height); }
+    Projection projection() const { return {camera->camera(), camera->aspect_ratio(), window_size()}; }
+    render::RenderOptions render_options() const { return viewer::render_options(options, width, height); }
+
+    /// Begins to load a file. Another file drops the options that belong to the current one.
+    void open(const std::string& file);
+    /// Begins to load the current file again.
+    void reload(bool with_edits);
+    /// Shows a file that has loaded. @return what changed
+    /// @throws Error if it is the first file and cannot be shown
+    Changes take_loaded();
+    /// Restarts the render with the shaders on disk. Reports errors; then the old render stays.
+    Changes reload_shaders();
+    /// The arguments of `steradian render` for the current time and variant, each after a space.
+    std::string time_arguments() const;
+
+private:
+    void show(LoadedScene loaded);
+    void restart_playback(bool is_same_file);
+};
+
+} // namespace sr::viewer

@@ -1,0 +1,43 @@
+#include "golden_mutants/mutants.hpp"
+#include "support/address.hpp"
+
+using namespace sr::compare;
+using sr::testing::Mutant;
+using sr::testing::Test;
+
+namespace {
+
+std::string text(const Comparison& comparison) {
+    std::string lines;
+    for (const Verdict& verdict : comparison.verdicts)
+        lines += std::string(verdict.passed ? "\n  ok   " : "\n  FAIL ") + verdict.line;
+    if (comparison.diagnosis)
+        lines +=
+            "\n  " + comparison.diagnosis->statement + " " + std::to_string(comparison.diagnosis->residual);
+    return lines;
+}
+
+void expect_as_they_must_be(const std::vector<Mutant>& mutants) {
+    for (const Mutant& mutant : mutants) {
+        const Comparison comparison = compare(mutant.test, mutant.reference, mutant.options);
+        EXPECT_EQ(comparison.passed, mutant.passes) << mutant.name << text(comparison);
+        EXPECT_EQ(comparison.diagnosis ? comparison.diagnosis->name : "", mutant.diagnosis)
+            << mutant.name << text(comparison);
+        EXPECT_EQ(comparison.diagnosis ? comparison.diagnosis->layer : "", mutant.layer)
+            << mutant.name << text(comparison);
+    }
+}
+
+const Test there_are_enough("unit.golden.mutants.there_are_enough",
+                            [] { EXPECT_GE(sr::testing::mutants().size(), 60u); });
+const Test harmless("unit.golden.mutants.harmless", [] { expect_as_they_must_be(sr::testing::harmless()); });
+const Test wrong_values("unit.golden.mutants.wrong_values",
+                        [] { expect_as_they_must_be(sr::testing::wrong_values()); });
+const Test wrong_places("unit.golden.mutants.wrong_places",
+                        [] { expect_as_they_must_be(sr::testing::wrong_places()); });
+const Test wrong_lights("unit.golden.mutants.wrong_lights",
+                        [] { expect_as_they_must_be(sr::testing::wrong_lights()); });
+const Test wrong_otherwise("unit.golden.mutants.wrong_otherwise",
+                           [] { expect_as_they_must_be(sr::testing::wrong_otherwise()); });
+
+} // namespace

@@ -1,0 +1,158 @@
+// Which pixels and channels are compared, and what is said of images that cannot be.
+#include "compare/align.hpp"
+#include "compare/compare.hpp"
+#include "compare/metrics.hpp"
+#include "compare/pictures.hpp"
+#include "core/error.hpp"
+#include "support/address.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+using namespace sr::compare;
+using sr::image::Image;
+using sr::testing::Test;
+
+namespace {
+
+Image grey(int width, int height, int channels = 3, float value = 1.0f) {
+    Image image(width, height, channels);
+    std::ranges::fill(image.pixels, value);
+    return image;
+}
+
+std::string error_of(const Image& test, const Image& reference, const CompareOptions& options) {
+    try {
+        compare(test, reference, options);
+        return {};
+    } catch (const sr::Error& error) {
+        return error.what();
+    }
+}
+
+const Test sizes_differ("unit.golden.compare.sizes_differ", [] {
+    const Comparison comparison = compare(grey(4, 3), grey(4, 4));
+    EXPECT_FALSE(comparison.passed);
+    ASSERT_EQ(comparison.verdicts.size(), 1u);
+    EXPECT_NE(comparison.verdicts[0].line.find("4 x 3"), std::string::npos);
+    EXPECT_EQ(comparison.metrics.pixels, 0u);
+    EXPECT_TRUE(comparison.error.pixels.empty());
+    EXPECT_EQ(heat_map(comparison).width, 1);
+});
+
+const Test bad_options("unit.golden.compare.bad_options", [] {
+    const Image image = grey(8, 8);
+    EXPECT_NE(error_of(image, image, {.region = Region{4, 4, 5, 1}}).find("not inside 8x8"),
+              std::string::npos);
+    EXPECT_NE(error_of(image, image, {.region = Region{4, 4, std::numeric_limits<int>::max(), 1}}), "");
+    EXPECT_NE(error_of(image, image, {.mask = grey(8, 7)}).find("the mask is 8x7"), std::string::npos);
+    EXPECT_NE(error_of(image, image, {.mask = grey(8, 8, 1, 0.0f)}).find("no pixel"), std::string::npos);
+    EXPECT_NE(error_of(image, image, {.noise = {grey(7, 8)}}).find("the noise is 7x8"), std::string::npos);
+    EXPECT_NE(error_of(image, image, {.noise = {grey(8, 8, 3, -1.0f)}}).find("negative"), std::string::npos);
+    EXPECT_NE(error_of(image, image, {.layer = "key"}).find("no layer 'key'"), std::string::npos);
+    EXPECT_NE(error_of(image, image, {.tolerances = {parse_tolerance("z=auto")}}).find("noise floor"),
+              std::string::npos);
+    EXPECT_NE(
+        error_of(image, image,
+                 {.tolerances = {parse_tolerance("hdr_flip=0.1")}, .encoding = Encoding::display_referred})
+            .find("use flip"),
+        std::string::npos);
+});
+
+const Test layers_alone("unit.golden.compare.layers_alone", [] {
+    Image reference = grey(8, 8, 7);
+    reference.channel_names = {"A", "B", "G", "R", "key.R", "key.G", "key.B"};
+    Image test = reference;
+    for (int y = 0; y < 8; ++y)
+        for (int x = 0; x < 8; ++x) test.at(x, y)[5] = 2.0f; // key.G
+    EXPECT_TRUE(compare(test, reference).passed);
+    EXPECT_FALSE(compare(test, reference, {.layer = "key"}).passed);
+    EXPECT_EQ(layer_names(reference), std::vector<std::string>{"key"});
+    EXPECT_EQ(layer_of(reference, "")->colors, (std::vector<int>{3, 2, 1}));
+    EXPECT_EQ(layer_of(reference, "")->alpha, 0);
+    EXPECT_EQ(layer_of(grey(1, 1, 1), "")->colors, std::vector<int>{0});
+});
+
+const Test error_map("unit.golden.compare.error_map", [] {
+    const Image reference = grey(4, 1);
+    Image test = reference;
+    test.at(1, 0)[0] = 1.02f; // twice the limit
+    test.at(2, 0)[2] = std::numeric_limits<float>::quiet_NaN();
+    const Comparison comparison = compare(test, reference, {.region = Region{0, 0, 3, 1}});
+    EXPECT_EQ(comparison.error.at(0, 0)[0], 0.0f);
+    EXPECT_NEAR(comparison.error.at(1, 0)[0], 2.0f, 1e-4f);
+    EXPECT_TRUE(std::isnan(comparison.error.at(2, 0)[0]));
+    EXPECT_EQ(comparison.error.at(3, 0)[0], -1.0f);
+    EXPECT_EQ(comparison.metrics.nonfinite_test, 1u);
+    EXPECT_EQ(comparison.metrics.pixels, 2u);
+});
+
+const Test black_reference("unit.golden.compare.black_reference", [] {
+    const Image black = grey(16, 16, 3, 0.0f);
+    EXPECT_TRUE(compare(black, black).passed);
+    const Comparison comparison = compare(grey(16, 16), black);
+    EXPECT_FALSE(comparison.passed);
+    EXPECT_TRUE(std::isinf(comparison.metrics.max_rel));
+    EXPECT_FALSE(comparison.diagnosis.has_value());
+});
+
+const Test json_has_no_nan("unit.golden.compare.json_has_no_nan", [] {
+    const auto json = json_of(compare(grey(16, 16), grey(16, 16, 3, 0.0f)));
+    EXPECT_EQ(json["passed"], false);
+    EXPECT_EQ(json["metrics"]["max_rel"], "inf");
+    EXPECT_FALSE(json["metrics"].contains("max_z"));
+    EXPECT_TRUE(json["diagnosis"].is_null());
+    EXPECT_EQ(json.dump().find("null,null"), std::string::npos);
+    const auto failing = json_of(compare(grey(16, 16, 3, 2.0f), grey(16, 16)));
+    EXPECT_EQ(failing["diagnosis"]["name"], "factor_two");
+});
+
+// Standard normal quantiles: Abramowitz & Stegun 1964, Table 26.5 and 26.6.
+const Test z_of_chance("unit.golden.noise.z_of_chance", [] {
+    EXPECT_NEAR(two_sided_z(0.05), 1.959964, 1e-6);
+    EXPECT_NEAR(two_sided_z(0.001), 3.290527, 1e-6);
+    EXPECT_NEAR(two_sided_z(1e-9), 6.109410, 1e-5);
+});
+
+// A shift of a tenth of the noise is lost in each pixel and plain in the sum of 64 × 64 of them.
+const Test sums_find_what_pixels_hide("unit.golden.noise.sums_find_what_pixels_hide", [] {
+    const Image reference = grey(64, 64);
+    const CompareOptions options{.noise = {grey(1, 1, 1, 0.1f)}};
+    const Comparison comparison = compare(grey(64, 64, 3, 1.01f), reference, options);
+    EXPECT_NEAR(comparison.metrics.max_z, 0.1, 1e-3);
+    EXPECT_NEAR(comparison.metrics.max_block_z, 0.1 * 16.0, 1e-2);
+    EXPECT_NEAR(comparison.metrics.total_z, 0.1 * 64.0, 1e-2);
+    EXPECT_FALSE(comparison.passed);
+    EXPECT_TRUE(compare(grey(64, 64, 3, 1.001f), reference, options).passed);
+});
+
+const Test heat_map_colors("unit.golden.pictures.heat_map_colors", [] {
+    Comparison comparison;
+    comparison.error = Image(5, 1, 1);
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    std::ranges::copy(std::array{0.0f, 1.0f, 1e9f, nan, -1.0f}, comparison.error.pixels.begin());
+    const Image map = heat_map(comparison);
+    const auto sum = [&map](int x) { return map.at(x, 0)[0] + map.at(x, 0)[1] + map.at(x, 0)[2]; };
+    EXPECT_EQ(sum(0), 0.0f);
+    EXPECT_GT(sum(1), 0.8f);
+    EXPECT_NEAR(sum(2), 3.0f, 1e-4f);
+    EXPECT_EQ(std::vector<float>(map.at(3, 0).begin(), map.at(3, 0).end()),
+              (std::vector<float>{1.0f, 0.0f, 1.0f}));
+    EXPECT_GT(map.at(4, 0)[2], map.at(4, 0)[0]);
+});
+
+const Test side_by_side_holds_three("unit.golden.pictures.side_by_side_holds_three", [] {
+    const Image reference = grey(10, 6), test = grey(10, 6, 3, 2.0f);
+    const Comparison comparison = compare(test, reference);
+    const Image all = side_by_side(test, reference, comparison);
+    EXPECT_EQ(all.width, 3 * 10 + 2 * 4);
+    EXPECT_EQ(all.height, 6);
+    EXPECT_GT(all.at(2, 2)[0], all.at(16, 2)[0]); // the test is brighter
+    const Comparison other_size = compare(grey(3, 9), reference);
+    EXPECT_EQ(side_by_side(grey(3, 9), reference, other_size).height, 9);
+});
+
+} // namespace
