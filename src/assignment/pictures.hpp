@@ -27,7 +27,7 @@ public:
 
 private:
     struct Shown {
-        scene::Stage stage;
+        scene::RenderScene stage;
         std::unique_ptr<render::GpuScene> gpu;
     };
     const Shown& shown(const Check& check);

@@ -27,7 +27,7 @@ std::string unit_of(const RenderCommand& command, scene::UnitSystem units) {
     return is_irradiance && units == scene::UnitSystem::radiometric ? "W/m^2" : command.view->unit;
 }
 
-void describe(Picture& picture, const RenderCommand& command, const scene::Stage& stage,
+void describe(Picture& picture, const RenderCommand& command, const scene::RenderScene& stage,
               const gl::ContextInfo& gl) {
     std::vector<image::Attribute> attributes =
         render::attributes_of({.unit = unit_of(command, stage.scene.units),
@@ -58,7 +58,7 @@ void describe(Picture& picture, const RenderCommand& command, const scene::Stage
     if (picture.layers) picture.layers->attributes = std::move(attributes);
 }
 
-void remark_on(const image::Image& film, const RenderCommand& command, const scene::Stage& stage) {
+void remark_on(const image::Image& film, const RenderCommand& command, const scene::RenderScene& stage) {
     std::size_t covered = 0, lit = 0, broken = 0;
     for (std::size_t i = 0; i < film.pixels.size(); i += 4) {
         const vec3 L(film.pixels[i], film.pixels[i + 1], film.pixels[i + 2]);

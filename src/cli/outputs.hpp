@@ -26,11 +26,11 @@ struct Picture {
 std::string unit_of(const RenderCommand& command, scene::UnitSystem units);
 
 /// Says in the images' attributes how they were made and why they ended.
-void describe(Picture& picture, const RenderCommand& command, const scene::Stage& stage,
+void describe(Picture& picture, const RenderCommand& command, const scene::RenderScene& stage,
               const gl::ContextInfo& gl);
 
 /// Says on stderr why a picture is black, and if it has holes.
-void remark_on(const image::Image& film, const RenderCommand& command, const scene::Stage& stage);
+void remark_on(const image::Image& film, const RenderCommand& command, const scene::RenderScene& stage);
 
 /// Whether the file's format has room for more than one picture (.exr).
 bool holds_layers(const std::string& output);

@@ -25,8 +25,8 @@ namespace {
 
 using nlohmann::ordered_json;
 
-ordered_json summary(const RenderCommand& command, const scene::Stage& stage, const gl::Context& context,
-                     Size size) {
+ordered_json summary(const RenderCommand& command, const scene::RenderScene& stage,
+                     const gl::Context& context, Size size) {
     return {{"scene", command.scene},
             {"outputs", command.outputs},
             {"width", size.width},
@@ -79,7 +79,7 @@ ordered_json seconds(const PhaseTimes& times) {
 /// A rendering at work.
 struct Work {
     const RenderCommand& command;
-    const scene::Stage& stage;
+    const scene::RenderScene& stage;
     const render::GpuScene& scene;
     const render::RenderOptions& options;
     render::Renderer& renderer;

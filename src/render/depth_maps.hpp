@@ -54,7 +54,7 @@ private:
     void upload_points();
 
     const GpuScene& scene_;
-    const shadow::MapStage& stage_;
+    const shadow::ShadowMapScene& stage_;
     int points_per_light_;
     int size_;
     std::size_t count_ = 0;

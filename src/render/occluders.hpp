@@ -1,8 +1,8 @@
 #pragma once
 // How V(x, y) of the equation is found.
 #include "render/gpu_casters.hpp"
-#include "shadow/map_stage.hpp"
 #include "shadow/occlusion.hpp"
+#include "shadow/shadow_map_scene.hpp"
 
 #include <memory>
 #include <optional>
@@ -33,7 +33,7 @@ public:
     const shadow::Occlusion* occlusion() const { return occlusion_.get(); }
 
     /// What depth maps are drawn of; null where V is found by rays.
-    const shadow::MapStage* map_stage() const { return map_stage_ ? &*map_stage_ : nullptr; }
+    const shadow::ShadowMapScene* map_stage() const { return map_stage_ ? &*map_stage_ : nullptr; }
     const shadow::Casters& casters() const { return casters_; }
 
     /// Binds what visibility/ray.glsl and visibility/map.glsl read, if there is anything.
@@ -47,7 +47,7 @@ private:
     shadow::Casters casters_;
     std::unique_ptr<shadow::Occlusion> occlusion_;
     std::optional<GpuCasters> gpu_casters_;
-    std::optional<shadow::MapStage> map_stage_;
+    std::optional<shadow::ShadowMapScene> map_stage_;
     std::size_t node_count_ = 0;
     double build_seconds_ = 0.0;
 };

@@ -259,7 +259,7 @@ Scene corners_of(const Bounds& box) {
     return scene;
 }
 
-Camera chosen_camera(const Scene& scene, const std::string& file, const StageOptions& options) {
+Camera chosen_camera(const Scene& scene, const std::string& file, const PrepareOptions& options) {
     const std::string& wanted = options.camera;
     if (wanted == "auto" || (wanted.empty() && scene.cameras.empty()))
         return options.extent && !options.extent->is_empty()
@@ -279,7 +279,7 @@ Camera chosen_camera(const Scene& scene, const std::string& file, const StageOpt
 }
 
 /// Whether almost nothing of what the camera sees would be lit.
-bool is_dark(const Stage& stage, const Scene& scene, float aspect_ratio) {
+bool is_dark(const RenderScene& stage, const Scene& scene, float aspect_ratio) {
     if (stage.lights.empty()) return true;
     const auto share = lit_share(scene, stage.lights, stage.camera, aspect_ratio);
     return share && *share < min_lit_share(scene);
@@ -293,7 +293,7 @@ bool needs_light(const Scene& scene) {
     });
 }
 
-void add_rig(Stage& stage, const Scene& scene, const std::string& name, const StageOptions& options) {
+void add_rig(RenderScene& stage, const Scene& scene, const std::string& name, const PrepareOptions& options) {
     const bool judges = options.rig == Rig::automatic || options.rig == Rig::none;
     const bool dark = judges && needs_light(scene) && is_dark(stage, scene, options.aspect_ratio);
     stage.rig = options.rig != Rig::automatic ? options.rig : dark ? Rig::studio : Rig::none;
@@ -439,8 +439,8 @@ Camera framing_camera(const Scene& scene, float aspect_ratio) {
     return camera;
 }
 
-Stage set_stage(Scene scene, const std::string& name, const StageOptions& options) {
-    Stage stage;
+RenderScene prepare_scene(Scene scene, const std::string& name, const PrepareOptions& options) {
+    RenderScene stage;
     stage.camera = chosen_camera(scene, name, options);
 
     stage.lights = assign_emitters(scene);

@@ -9,7 +9,7 @@ namespace sr::scene {
 /// What stands in for lamps: `automatic` is the studio where the scene's own light would leave it dark.
 enum class Rig { automatic, studio, softboxes, none };
 
-struct StageOptions {
+struct PrepareOptions {
     /// A camera of the scene by name or by index, "auto" for one that frames the scene, or a view in words
     /// (look_at.hpp). Empty: the scene's first camera, or "auto" if it has none.
     std::string camera;
@@ -26,7 +26,7 @@ struct StageOptions {
     std::optional<EnvironmentLight> environment{};
 };
 
-struct Stage {
+struct RenderScene {
     Scene scene;               // with a surface for every visible light, unless emitters are hidden
     std::vector<Light> lights; // the scene's emitters, then its environment, then the rig
     Camera camera;
@@ -37,7 +37,7 @@ struct Stage {
 
 /// @throws Error naming the cameras there are, if options.camera is none of them. `name` is the file's, for
 /// messages.
-Stage set_stage(Scene scene, const std::string& name, const StageOptions& options);
+RenderScene prepare_scene(Scene scene, const std::string& name, const PrepareOptions& options);
 
 /// Everything that lights a scene: its lights, then its emissive surfaces in world space. An untextured
 /// instance whose triangles all pair up into rectangles (tolerance: a thousandth of an edge) is that many

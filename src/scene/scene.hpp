@@ -29,7 +29,7 @@ struct Instance {
     int mesh = 0;
     mat4 world_from_object{1.0f};
     std::string name;
-    LightRange emits_as{}; // which lights of the Stage this surface is; empty: none
+    LightRange emits_as{}; // which lights of the RenderScene this surface is; empty: none
 };
 
 struct Scene {

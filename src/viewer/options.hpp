@@ -11,9 +11,9 @@ namespace sr::viewer {
 struct Options {
     std::string scene; // a file
     std::optional<int> scene_index;
-    std::string camera; // as StageOptions has it
+    std::string camera; // as PrepareOptions has it
     scene::Rig rig = scene::Rig::automatic;
-    std::optional<scene::EnvironmentLight> environment; // as StageOptions has it
+    std::optional<scene::EnvironmentLight> environment; // as PrepareOptions has it
     bool hide_emitters = false;
     std::optional<double> at;  // [s]; absent: the file's rest pose
     std::string animation;     // as gltf::Asset::animations_named() takes it

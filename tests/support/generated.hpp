@@ -24,9 +24,9 @@ class Pictures {
 public:
     explicit Pictures(const Look& look);
 
-    image::Image of(const scene::Stage& stage);
+    image::Image of(const scene::RenderScene& stage);
     /// The same with other samples, and seed.
-    image::Image of(const scene::Stage& stage, int samples, std::uint32_t seed);
+    image::Image of(const scene::RenderScene& stage, int samples, std::uint32_t seed);
     std::size_t program_count() const { return shaders_->program_count(); }
 
 private:
@@ -38,7 +38,7 @@ private:
 scene::Scene loaded(const MadeGltf& made, bool is_strict = true);
 
 /// Its stage, by its own camera, without a rig. @throws Error
-scene::Stage staged(scene::Scene scene);
+scene::RenderScene staged(scene::Scene scene);
 
 /// How many scenes of each recipe to try: $STERADIAN_SCENES, or `usual`.
 int scenes_of_a_recipe(int usual);

@@ -30,12 +30,12 @@ struct Arguments {
     std::string backend = "auto";
 };
 
-scene::Stage stage_for(const Arguments& arguments) {
+scene::RenderScene stage_for(const Arguments& arguments) {
     scene::Scene scene = gltf::load(arguments.scene).scene;
     const scene::Bounds bounds = scene::bounds_of(scene);
     const float aspect = static_cast<float>(arguments.width) / static_cast<float>(arguments.height);
-    scene::Stage stage =
-        scene::set_stage(std::move(scene), arguments.scene, {"auto", scene::Rig::automatic, aspect});
+    scene::RenderScene stage =
+        scene::prepare_scene(std::move(scene), arguments.scene, {"auto", scene::Rig::automatic, aspect});
     if (arguments.own_lights) return stage;
     for (scene::Instance& instance : stage.scene.instances) instance.emits_as = {}; // of the lights to come
     if (arguments.softboxes > 0) {
@@ -94,7 +94,7 @@ void report_rays(const render::GpuScene& scene, const render::Renderer& renderer
 void run(const Arguments& arguments) {
     const auto context =
         gl::open_context({gl::backend_named(arguments.backend).value_or(gl::Backend::automatic)});
-    const scene::Stage stage = stage_for(arguments);
+    const scene::RenderScene stage = stage_for(arguments);
     const render::GpuScene gpu_scene(stage.scene, stage.lights,
                                      *render::visibility_named(arguments.visibility));
     render::RenderOptions options;

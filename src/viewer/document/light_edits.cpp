@@ -156,8 +156,8 @@ LightEditor::LightEditor(const LoadedScene& loaded, bool hides_emitters) : hides
     list(loaded.stage, emitters);
 }
 
-std::optional<LightEntry> LightEditor::entry_of(const LightEdit& edit, const scene::Stage& stage, int& staged,
-                                                int first_softbox) const {
+std::optional<LightEntry> LightEditor::entry_of(const LightEdit& edit, const scene::RenderScene& stage,
+                                                int& staged, int first_softbox) const {
     if (!edit.is_shown()) return std::nullopt;
     LightEntry entry{edit.kind, edit.source, 0, edit.name, {}, edit.is_enabled};
     if (edit.kind != Kind::material) {
@@ -175,7 +175,7 @@ std::optional<LightEntry> LightEditor::entry_of(const LightEdit& edit, const sce
     return entry.lights.empty() ? std::nullopt : std::optional(entry);
 }
 
-void LightEditor::list(const scene::Stage& stage, int first_softbox) {
+void LightEditor::list(const scene::RenderScene& stage, int first_softbox) {
     entries_.clear();
     for (const Kind kind : {Kind::light, Kind::material, Kind::softbox}) {
         int staged = 0;
@@ -198,7 +198,8 @@ std::optional<std::size_t> LightEditor::entry_like(const LightEntry& entry) cons
     return static_cast<std::size_t>(same - entries_.begin());
 }
 
-std::optional<std::size_t> LightEditor::entry_of_instance(const scene::Stage& stage, int instance) const {
+std::optional<std::size_t> LightEditor::entry_of_instance(const scene::RenderScene& stage,
+                                                          int instance) const {
     const scene::LightRange range = stage.scene.instances[static_cast<std::size_t>(instance)].emits_as;
     for (std::size_t i = 0; i < entries_.size(); ++i)
         if (std::ranges::any_of(entries_[i].lights, [&](int k) { return range.contains(k); })) return i;

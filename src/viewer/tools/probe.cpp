@@ -91,7 +91,7 @@ void Probe::notice(Changes changes) {
 }
 
 Changes Probe::draw(const Overlay& overlay) {
-    const scene::Stage& stage = ws_.scene->stage();
+    const scene::RenderScene& stage = ws_.scene->stage();
     panel_.draw_directions(stage, overlay.projection, overlay.scale);
     panel_.draw(stage, ws_.scene->lights(), ws_.selected, "Assignment", overlay.scale);
     return {};

@@ -1,4 +1,4 @@
-#include "shadow/map_stage.hpp"
+#include "shadow/shadow_map_scene.hpp"
 
 namespace sr::shadow {
 namespace {
@@ -19,9 +19,9 @@ bool is_in_maps(const Caster& caster, int light) {
     return caster.glass < 0 && stands_in_light(caster, light);
 }
 
-MapStage map_stage_of(const scene::Scene& scene, std::span<const scene::Light> lights,
-                      const Casters& casters) {
-    MapStage stage;
+ShadowMapScene map_stage_of(const scene::Scene& scene, std::span<const scene::Light> lights,
+                            const Casters& casters) {
+    ShadowMapScene stage;
     stage.lights.assign(lights.begin(), lights.end());
     for (std::size_t i = 0; i < casters.casters.size(); ++i) {
         const auto first = 3 * static_cast<std::size_t>(casters.casters[i].first_triangle);

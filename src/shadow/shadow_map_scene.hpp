@@ -5,7 +5,7 @@
 
 namespace sr::shadow {
 
-struct MapStage {
+struct ShadowMapScene {
     std::vector<scene::Light> lights;
     std::vector<Ball> casters;   // around each caster
     Ball all;                    // around all of them
@@ -13,8 +13,8 @@ struct MapStage {
 };
 
 /// `casters` are those of the scene under these lights.
-MapStage map_stage_of(const scene::Scene& scene, std::span<const scene::Light> lights,
-                      const Casters& casters);
+ShadowMapScene map_stage_of(const scene::Scene& scene, std::span<const scene::Light> lights,
+                            const Casters& casters);
 
 /// Whether the caster can stand in the way of that light; the only surface of a flat or convex emitter cannot
 /// stand in its own.
