@@ -1,5 +1,5 @@
 // The emitters, eight texels each in a buffer texture, and behind them what some of them point to.
-// Keep in sync with pack_lights() in src/render/light_table.cpp.
+// Keep in sync with pack_lights() in src/render/gpu/light_table.cpp.
 #include "interface/features.glsl"
 
 uniform samplerBuffer light_table;

@@ -1,7 +1,7 @@
 #pragma once
 // The table of inputs of a check, and how GLSL reads its rows.
 #include "assignment/manifest.hpp"
-#include "render/glsl_table.hpp"
+#include "render/gpu/shader_evaluator.hpp"
 
 #include <span>
 #include <string>

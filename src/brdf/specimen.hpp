@@ -2,7 +2,7 @@
 // A BRDF to be looked at by itself: one of ours with parameters, or a file of the user's own.
 #include "gl/trial_compiler.hpp"
 #include "glsl/root.hpp"
-#include "render/features.hpp"
+#include "render/gpu/features.hpp"
 
 #include <filesystem>
 #include <memory>

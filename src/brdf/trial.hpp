@@ -2,7 +2,7 @@
 // Asks the shaders of shaders/trial/ about a specimen. Directions are unit, in a frame where z is the normal
 // and x the tangent.
 #include "brdf/specimen.hpp"
-#include "render/glsl_table.hpp"
+#include "render/gpu/shader_evaluator.hpp"
 
 #include <memory>
 #include <span>
@@ -43,14 +43,14 @@ public:
     std::vector<Weighted> samples(vec3 wo, std::span<const vec2> u);
 
 private:
-    std::vector<vec4> asked(std::unique_ptr<render::GlslTable>& table, const char* shader,
+    std::vector<vec4> asked(std::unique_ptr<render::ShaderEvaluator>& table, const char* shader,
                             std::span<const render::Row> rows);
 
     Specimen specimen_;
     std::vector<glsl::Root> path_;
     gl::Texture ltc_texture_;
     std::vector<gl::Texture> measured_;
-    std::unique_ptr<render::GlslTable> value_, reflected_, density_, sampled_;
+    std::unique_ptr<render::ShaderEvaluator> value_, reflected_, density_, sampled_;
 };
 
 } // namespace sr::brdf

@@ -7,7 +7,7 @@
 #include "gl/context.hpp"
 #include "gltf/extensions.hpp"
 #include "gltf/load.hpp"
-#include "render/features.hpp"
+#include "render/gpu/features.hpp"
 #include "scene/material_description.hpp"
 #include "scene/prepare.hpp"
 

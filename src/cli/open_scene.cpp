@@ -162,7 +162,7 @@ render::RenderOptions render_options(const RenderCommand& command, Size size) {
     options.width = size.width;
     options.height = size.height;
     options.samples = command.stop.samples;
-    options.knows_error = command.asks_for_error();
+    options.estimates_error = command.asks_for_error();
     options.seed = command.seed;
     options.background = command.background;
     options.shader_path = shader_path(command.shaders);

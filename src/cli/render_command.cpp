@@ -53,11 +53,11 @@ ordered_json stopping(const Picture& picture) {
 
 /// How V was found; null where nothing casts shadows.
 ordered_json shadows(const render::GpuScene& scene, const render::Renderer& renderer) {
-    const render::Occluders* occluders = scene.occluders();
+    const render::VisibilityBackend* occluders = scene.visibility_backend();
     if (!occluders) return nullptr;
     if (const render::DepthMaps* maps = renderer.depth_maps())
         return {{"by", "maps"}, {"maps_a_sample", maps->map_count()}, {"map_size", maps->size()}};
-    const render::RayAnswers* answers = renderer.ray_answers();
+    const render::CpuShadowRays* answers = renderer.shadow_rays();
     ordered_json json{{"by", answers ? "cpu" : "glsl"},
                       {"bvh_triangles", occluders->triangle_count()},
                       {"bvh_nodes", occluders->node_count()},
@@ -235,7 +235,8 @@ ExitStatus render(const RenderCommand& command) {
     render::GpuScene gpu_scene = uploaded(open, command);
     glFinish();
     times.end("upload");
-    if (gpu_scene.occluders()) times.add("bvh (in upload)", gpu_scene.occluders()->build_seconds());
+    if (gpu_scene.visibility_backend())
+        times.add("bvh (in upload)", gpu_scene.visibility_backend()->build_seconds());
     const render::RenderOptions options = render_options(command, open.size);
     render::Renderer renderer(gpu_scene, open.stage.camera, options);
     renderer.compile();

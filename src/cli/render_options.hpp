@@ -8,8 +8,8 @@
 #include "gl/context.hpp"
 #include "image/display.hpp"
 #include "image/file.hpp"
-#include "render/occluders.hpp"
 #include "render/renderer.hpp"
+#include "render/visibility/visibility_backend.hpp"
 #include "scene/prepare.hpp"
 
 namespace CLI {

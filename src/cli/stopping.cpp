@@ -36,7 +36,7 @@ public:
     Sampling(render::Renderer& renderer, const StopRule& rule, const std::string& what)
         : renderer_(renderer),
           rule_(rule),
-          knows_error_(renderer.knows_error()),
+          knows_error_(renderer.estimates_error()),
           convergence_(rule.error.value_or(0.0)),
           progress_(what) {}
 

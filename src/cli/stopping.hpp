@@ -1,8 +1,8 @@
 #pragma once
 // Samples until a picture has enough of them.
 #include "cli/interruption.hpp"
-#include "render/convergence.hpp"
-#include "render/stop_rule.hpp"
+#include "render/adaptive/convergence.hpp"
+#include "render/adaptive/stop_rule.hpp"
 
 #include <optional>
 #include <string>

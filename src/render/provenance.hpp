@@ -2,8 +2,8 @@
 // How a picture was made, as attributes of its file.
 #include "gl/context.hpp"
 #include "image/image.hpp"
-#include "render/occluders.hpp"
 #include "render/renderer.hpp"
+#include "render/visibility/visibility_backend.hpp"
 
 #include <string>
 #include <vector>

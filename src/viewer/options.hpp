@@ -2,8 +2,8 @@
 // Options of the viewer.
 #include "glsl/root.hpp"
 #include "image/display.hpp"
+#include "render/adaptive/stop_rule.hpp"
 #include "render/renderer.hpp"
-#include "render/stop_rule.hpp"
 #include "scene/prepare.hpp"
 
 namespace sr::viewer {

@@ -1,7 +1,7 @@
 // The analytic estimator's table and its error bar; what it does where geometry degenerates.
 #include "ltc/ggx.hpp"
 #include "ltc/trial.hpp"
-#include "render/ltc_table.hpp"
+#include "render/gpu/ltc_table.hpp"
 #include "render/renderer.hpp"
 #include "support/address.hpp"
 

@@ -15,7 +15,7 @@ render::RenderOptions options_of(const Look& look) {
     options.samples = look.samples;
     options.seed = look.seed;
     options.estimator = look.estimator;
-    options.knows_error = look.knows_error;
+    options.estimates_error = look.estimates_error;
     options.maps.size = 128;
     return options;
 }

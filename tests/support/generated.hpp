@@ -16,7 +16,7 @@ struct Look {
     std::uint32_t seed = 0;
     render::Visibility visibility = render::Visibility::ray;
     render::Estimator estimator = render::Estimator::sampled;
-    bool knows_error = false;
+    bool estimates_error = false;
 };
 
 /// Makes pictures of scenes, one after the other. Programs that one scene needed are there for the next.

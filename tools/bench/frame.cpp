@@ -76,15 +76,15 @@ render::PixelMask spread(double share, int width, int height) {
 }
 
 void report_rays(const render::GpuScene& scene, const render::Renderer& renderer) {
-    if (!scene.occluders()) return;
+    if (!scene.visibility_backend()) return;
     if (const auto* maps = renderer.depth_maps()) {
         fmt::print("shadows: {} maps of {}x{} texels a frame\n", maps->map_count(), maps->size(),
                    maps->size());
         return;
     }
-    fmt::print("shadows: built in {:.3f} s, {} boxes", scene.occluders()->build_seconds(),
-               scene.occluders()->node_count());
-    if (const auto* answers = renderer.ray_answers())
+    fmt::print("shadows: built in {:.3f} s, {} boxes", scene.visibility_backend()->build_seconds(),
+               scene.visibility_backend()->node_count());
+    if (const auto* answers = renderer.shadow_rays())
         fmt::print(", {:.2f} M rays a frame, {:.1f} M rays/s",
                    1e-6 * static_cast<double>(answers->ray_count()) / renderer.sample_count(),
                    1e-6 * static_cast<double>(answers->ray_count()) / answers->seconds());

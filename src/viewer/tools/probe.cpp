@@ -43,7 +43,7 @@ void Probe::probe(int column, int row) {
     constexpr int max_samples = 64; // the terms of one pixel take as long as a small picture
     render::RenderOptions options = ws_.render_options();
     options.samples = std::min(options.samples, max_samples);
-    options.knows_error = false;
+    options.estimates_error = false;
     const auto goes_on = [this] {
         glfwPollEvents();
         return !ws_.input.has_cancel();

@@ -86,12 +86,14 @@ void ConvergenceMonitor::restart() {
 
 bool ConvergenceMonitor::took_sample(render::Renderer& renderer, double seconds) {
     spent_ += seconds;
-    if (renderer.knows_error() && render::is_time_to_look(renderer.sample_count())) estimate_error(renderer);
+    if (renderer.estimates_error() && render::is_time_to_look(renderer.sample_count()))
+        estimate_error(renderer);
     is_converged_ = is_enough(renderer, seconds);
-    if (is_converged_ && renderer.knows_error() && renderer.sample_count() >= 2
+    if (is_converged_ && renderer.estimates_error() && renderer.sample_count() >= 2
         && estimated_at_ != renderer.sample_count())
         estimate_error(renderer);
-    return estimated_at_ == renderer.sample_count() && renderer.resting().any(renderer.sample_count());
+    return estimated_at_ == renderer.sample_count()
+           && renderer.converged_pixels().any(renderer.sample_count());
 }
 
 bool ConvergenceMonitor::is_enough(const render::Renderer& renderer, double seconds) const {
@@ -185,7 +187,7 @@ void ProgressiveRender::update_frozen_weights() {
     std::vector<float> weights(width * height);
     for (std::size_t y = 0; y < height; ++y)
         for (std::size_t x = 0; x < width; ++x) {
-            const int samples = renderer_.resting().samples_of(y * width + x, endless);
+            const int samples = renderer_.converged_pixels().samples_of(y * width + x, endless);
             weights[(height - 1 - y) * width + x] =
                 samples == endless ? 0.0f : 1.0f / static_cast<float>(samples);
         }
@@ -212,7 +214,7 @@ image::Image ProgressiveRender::film() const {
 
 /// An interactive render has no frozen pixels, and can be what is kept.
 int ProgressiveRender::kept_samples_of(std::size_t pixel) const {
-    return frozen_weights_ ? renderer_.resting().samples_of(pixel, kept_samples_) : kept_samples_;
+    return frozen_weights_ ? renderer_.converged_pixels().samples_of(pixel, kept_samples_) : kept_samples_;
 }
 
 vec3 ProgressiveRender::pixel(vec2 place) const {
@@ -228,7 +230,7 @@ vec3 ProgressiveRender::pixel(vec2 place) const {
     const auto index = static_cast<std::size_t>(row) * static_cast<std::size_t>(film.width)
                        + static_cast<std::size_t>(column);
     const int samples =
-        film.frozen_weights ? renderer_.resting().samples_of(index, film.samples) : film.samples;
+        film.frozen_weights ? renderer_.converged_pixels().samples_of(index, film.samples) : film.samples;
     return vec3(sum) / static_cast<float>(samples);
 }
 

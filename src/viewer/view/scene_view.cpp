@@ -117,7 +117,7 @@ render::RenderOptions render_options(const Options& options, int width, int heig
     rendering.width = width;
     rendering.height = height;
     rendering.samples = options.stop.samples;
-    rendering.knows_error = options.stop.asks_for_error();
+    rendering.estimates_error = options.stop.asks_for_error();
     if (options.shows_reference) {
         rendering.shader_path = options.reference_path;
         return rendering;

@@ -1,6 +1,6 @@
-#include "render/blocks.hpp"
+#include "render/gpu/blocks.hpp"
 
-#include "render/shader_library.hpp"
+#include "render/gpu/shader_library.hpp"
 #include "support/address.hpp"
 #include "support/gl.hpp"
 

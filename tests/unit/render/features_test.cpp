@@ -1,4 +1,4 @@
-#include "render/features.hpp"
+#include "render/gpu/features.hpp"
 
 #include "core/error.hpp"
 #include "support/address.hpp"
