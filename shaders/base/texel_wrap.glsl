@@ -1,5 +1,5 @@
 // Where a texture whose texels lie in a buffer is read: index i beyond its size comes back in by the wrap mode,
-// 0 repeat, 1 mirrored repeat, 2 clamp to edge (scene::Wrap). Mirror: scene::wrapped in src/scene/material.hpp.
+// 0 repeat, 1 mirrored repeat, 2 clamp to edge (scene::Wrap). Keep in sync with scene::wrapped in src/scene/material.hpp.
 int wrapped(int i, int size, int wrap) {
     if (wrap == 2) return clamp(i, 0, size - 1);
     int period = wrap == 0 ? size : 2 * size;

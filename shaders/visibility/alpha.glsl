@@ -1,4 +1,4 @@
-// What a triangle that is not plain lets through. Mirror: src/shadow/alpha.cpp and casters.cpp.
+// What a triangle that is not plain lets through. Keep in sync with src/shadow/alpha.cpp and casters.cpp.
 #include "base/texel_wrap.glsl"
 #include "interface/casters.glsl"
 

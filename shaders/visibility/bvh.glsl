@@ -3,7 +3,7 @@
 // Boxes lie in depth-first order: who meets a box goes on with the next one, who misses it skips its whole subtree
 // (Smits 1998, "Efficiency issues for ray tracing", section 3.1), so no stack is needed. Boxes: slabs, the far side
 // widened by what rounding may take (Ize 2013, "Robust BVH Ray Traversal", section 3).
-// Limit: llvmpipe ends all loops of a pixel after 65,535 turns in total. Mirror: BvhNode in src/shadow/bvh.hpp.
+// Limit: llvmpipe ends all loops of a pixel after 65,535 turns in total. Keep in sync with BvhNode in src/shadow/bvh.hpp.
 #include "interface/casters.glsl"
 #include "visibility/caster_triangle.glsl"
 

@@ -111,9 +111,13 @@ public:
         mesh(capsule(light), {light.L});
     }
 
-    void operator()(const scene::PolygonLight& light) {
-        mesh(as_triangles(scene::fan_mesh(light.corners, light.normal())),
-             {light.L, -1, mat3(1.0f), light.is_two_sided});
+    /// A light of any other kind, as the triangles that cameras see.
+    template<class Area>
+    void operator()(Area light) {
+        light.is_visible = true;
+        scene::LightSurface surface = *light.surface();
+        mesh(as_triangles(std::move(surface.mesh)),
+             {surface.L, surface.texture, mat3(1.0f), surface.is_two_sided});
     }
 
     void operator()(const scene::MeshLight& light) {
