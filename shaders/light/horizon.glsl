@@ -9,9 +9,9 @@ struct Piece {
 
 const Piece hidden = Piece(no_arc, true, true);
 
-// The straight piece from p to p + edge.
-Piece straight_piece(vec3 p, vec3 edge) {
-    vec3 q = p + edge;
+// The straight piece from p to q = p + edge. Neighbouring pieces give their common corner by the same numbers, so that both find it
+// on the same side of the horizon; the digits of small far pieces are in the edge.
+Piece straight_piece(vec3 p, vec3 q, vec3 edge) {
     bool is_cut_at_start = p.z < 0.0;
     bool is_cut_at_end = q.z < 0.0;
     if (is_cut_at_start && is_cut_at_end) return hidden;
@@ -24,7 +24,7 @@ Piece straight_piece(vec3 p, vec3 edge) {
         p += t * edge;
         edge *= 1.0 - t;
     }
-    vec3 turn = cross(p, edge); // not p×q: the digits of small far pieces are in the edge
+    vec3 turn = cross(p, edge); // p×q with all its digits
     float sine = length(turn);
     if (sine == 0.0) return Piece(no_arc, false, false); // no length, so no gap either
     vec3 x = normalize(p);

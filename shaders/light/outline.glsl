@@ -47,16 +47,15 @@ Piece piece_at(Outline outline, int k) {
         int to = outline.is_reversed ? n - 1 - k : (k + 1) % n;
         vec3 a = texelFetch(light_table, outline.first_texel + from).xyz;
         vec3 b = texelFetch(light_table, outline.first_texel + to).xyz;
-        return straight_piece(outline.warp * (a - outline.x), outline.warp * (b - a));
+        return straight_piece(outline.warp * (a - outline.x), outline.warp * (b - outline.x), outline.warp * (b - a));
     }
     bool is_second_half = outline.is_flat ? k >= 2 : k >= 3;
     vec3 corner = is_second_half ? outline.opposite : outline.corner;
     vec3 edge = is_second_half ? -outline.u : outline.u;
-    if (outline.is_flat && k % 2 == 1) {
-        corner += edge;
-        edge = is_second_half ? -outline.v : outline.v;
-    }
-    return straight_piece(corner, edge);
+    vec3 next = corner + edge;
+    if (outline.is_flat && k % 2 == 1)
+        return straight_piece(next, is_second_half ? outline.corner : outline.opposite, is_second_half ? -outline.v : outline.v);
+    return straight_piece(corner, next, edge);
 }
 
 Outline rectangle_outline(Light light, vec3 x, mat3 warp) {

@@ -10,12 +10,17 @@ struct VisibleOutline {
     Arc closing;    // the piece along the horizon; empty if the outline stays above
 };
 
-// The piece of the horizon from one point of it to another, less than half round.
-Arc horizon_arc(vec3 from, vec3 to) {
+// How far the horizon leads counter-clockwise from one point of it to another [rad]: half round at most, which rounding may exceed;
+// negative where it leads back.
+float horizon_angle(vec3 from, vec3 to) {
+    float angle = angle_of(vec2(dot(from.xy, to.xy), from.x * to.y - from.y * to.x));
+    return angle < -0.99 * pi ? angle + 2.0 * pi : angle;
+}
+
+Arc horizon_arc(vec3 from, float angle) {
     vec3 x = normalize(vec3(from.xy, 0.0));
     vec3 z = vec3(0.0, 0.0, 1.0);
-    float angle = angle_of(vec2(dot(x.xy, to.xy), x.x * to.y - x.y * to.x));
-    return Arc(mat3(x, cross(z, x), z), vec3(1.0, 1.0, 0.0), 0.0, angle < -0.5 * pi ? angle + 2.0 * pi : max(angle, 0.0));
+    return Arc(mat3(x, cross(z, x), z), vec3(1.0, 1.0, 0.0), 0.0, angle);
 }
 
 // Its length along the outline [rad] and its middle, times that, by two points (of a circle these are opposite).
@@ -31,30 +36,33 @@ vec4 middle_and_length(Arc arc) {
     return sum;
 }
 
+// Closes a gap along the horizon. A convex outline has one. Rounding makes several of edges that lie on the horizon; some lead back.
+// All count for E, so that they cancel, and the longest is the closing piece.
+void close_gap(inout VisibleOutline v, vec3 from, vec3 to) {
+    float angle = horizon_angle(from, to);
+    v.E += 0.5 * angle;
+    if (angle > v.closing.to) v.closing = horizon_arc(from, angle);
+}
+
 VisibleOutline visible_part(Outline outline) {
     VisibleOutline v = VisibleOutline(0.0, 0.0, vec3(0.0), no_arc);
     vec4 middle = vec4(0.0);
     bool any = false;           // visible so far
     bool is_hidden = false;     // since the last visible end
     bool begins_hidden = false;
-    bool is_closed = false;
     vec3 start = vec3(0.0);     // of the first visible piece
     vec3 end = vec3(0.0);       // of the last so far
     for (int k = 0; k < outline.count; ++k) {
         Piece piece = piece_at(outline, k);
         Arc arc = piece.arc;
-        if (!(arc.to > arc.from)) {
-            is_hidden = is_hidden || piece.is_cut_at_start;
-            continue;
-        }
-        vec3 b = arc_direction(arc, arc.from);
         is_hidden = is_hidden || piece.is_cut_at_start;
+        if (!(arc.to > arc.from)) continue;
+        vec3 b = arc_direction(arc, arc.from);
         if (!any) {
             start = b;
             begins_hidden = is_hidden;
         } else if (is_hidden) {
-            v.closing = horizon_arc(end, b);
-            is_closed = true;
+            close_gap(v, end, b);
         }
         any = true;
         end = arc_direction(arc, arc.to);
@@ -62,11 +70,8 @@ VisibleOutline visible_part(Outline outline) {
         v.E += 0.5 * arc_projection(arc);
         middle += middle_and_length(arc);
     }
-    if (any && !is_closed && (begins_hidden || is_hidden)) v.closing = horizon_arc(end, start);
-    if (v.closing.to > 0.0) {
-        v.E += 0.5 * v.closing.to;
-        middle += middle_and_length(v.closing);
-    }
+    if (any && (begins_hidden || is_hidden)) close_gap(v, end, start);
+    if (v.closing.to > 0.0) middle += middle_and_length(v.closing);
     v.E = any && v.E > 0.0 ? min(v.E, pi) : 0.0; // an emitter too small for floats has no E either
     if (any) v.center = normalize(middle.xyz);
     v.girth = middle.w;

@@ -36,7 +36,7 @@ public:
     Sampling(render::Renderer& renderer, const StopRule& rule, const std::string& what)
         : renderer_(renderer),
           rule_(rule),
-          knows_error_(renderer.estimates_error()),
+          estimates_error_(renderer.estimates_error()),
           convergence_(rule.error.value_or(0.0)),
           progress_(what) {}
 
@@ -45,7 +45,7 @@ public:
             const double before = watch_.seconds();
             renderer_.add_sample();
             glFinish(); // so that Ctrl-C, the time and the progress bar mean what they say
-            if (knows_error_ && render::is_time_to_look(renderer_.sample_count())) look();
+            if (estimates_error_ && render::is_time_to_look(renderer_.sample_count())) look();
             const double now = watch_.seconds();
             if (rule_.error && convergence_.is_reached()) return StoppedBy::error;
             if (renderer_.sample_count() >= rule_.samples) return StoppedBy::samples;
@@ -57,7 +57,7 @@ public:
     }
 
     Stop stopped(StoppedBy by) {
-        if (!knows_error_ || renderer_.sample_count() < 2) return {by, {}, {}};
+        if (!estimates_error_ || renderer_.sample_count() < 2) return {by, {}, {}};
         if (looked_at_ != renderer_.sample_count()) look();
         return {by, convergence_.error(), convergence_.seen()};
     }
@@ -80,7 +80,7 @@ private:
 
     render::Renderer& renderer_;
     const StopRule& rule_;
-    bool knows_error_;
+    bool estimates_error_;
     render::Convergence convergence_;
     Progress progress_;
     Stopwatch watch_;

@@ -122,7 +122,8 @@ void view(const ViewCommand& command) {
     if (!command.submission.empty()) take_assignment(options, command.submission);
     viewer::App app(std::move(options));
     gl::when_display_is_lost([] {
-        write_remark("window: lost the connection to the display: start again with a DISPLAY that can be reached");
+        write_remark(
+            "window: lost the connection to the display: start again with a DISPLAY that can be reached");
         std::_Exit(worlds_fault);
     });
     app.run([&] { return interruption.has_come(); });

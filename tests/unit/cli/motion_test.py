@@ -58,7 +58,9 @@ class Motion(cli_test.CommandLine):
         process = subprocess.Popen([cli_test.STERADIAN, "render", SCENE, "-o", str(self.folder / "f.####.exr"), "--size", "48x32",
                                     "--samples", "4", "--frames", "0:9999", "--fps", "10000"],
                                    stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-        time.sleep(4.0)
+        deadline = time.monotonic() + 60.0
+        while not (self.folder / "f.0001.exr").exists() and time.monotonic() < deadline:
+            time.sleep(0.1)
         process.send_signal(signal.SIGINT)
         _, stderr = process.communicate(timeout=60)
         self.assertEqual(process.returncode, 130, stderr)
