@@ -16,23 +16,13 @@ endif()
 option(STERADIAN_SANITIZE "Build with AddressSanitizer and UndefinedBehaviorSanitizer" OFF)
 option(STERADIAN_WERROR "Treat warnings as errors" OFF)
 
-# Eight files at a time halve what a build from nothing takes (large headers are parsed once for all of them); an edit then costs eight
-# files, so this is for continuous integration, and for whoever only wants the program (tools/demo).
-if(DEFINED ENV{CI})
-  set(CMAKE_UNITY_BUILD ON CACHE BOOL "Compile several files at a time")
-endif()
-
-# Of files that are compiled together, what is local to one is not shadowed by another's.
-set(shadow_warning -Wshadow)
-if(CMAKE_UNITY_BUILD)
-  set(shadow_warning $<$<CXX_COMPILER_ID:GNU>:-Wshadow=local>)
-endif()
-
 add_library(sr_settings INTERFACE)
 if(MSVC)
   target_compile_options(sr_settings INTERFACE /W4 /utf-8)
 else()
-  target_compile_options(sr_settings INTERFACE -Wall -Wextra -Wpedantic ${shadow_warning} -Wconversion -Wno-sign-conversion
+  target_compile_options(sr_settings INTERFACE -Wall -Wextra -Wpedantic
+                                               # Of files that are compiled together, what is local to one shadows nothing of another's.
+                                               $<$<CXX_COMPILER_ID:GNU>:-Wshadow=local> -Wconversion -Wno-sign-conversion
                                                $<$<BOOL:${STERADIAN_WERROR}>:-Werror>
                                                # GCC 12 warns of its own std::string (GCC bug 105651).
                                                $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)

@@ -1,5 +1,5 @@
 // The surface whose BRDF is looked at. Its normal is tilted, so that frames matter. Mirror: parameters_of() in
-// src/brdf/trial.cpp.
+// src/brdf/evaluator.cpp.
 #include "surface/surface.glsl"
 
 uniform vec4 parameters[12];

@@ -13,9 +13,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uintmax_t most_text_bytes = 1 << 20;     // of one file
-constexpr std::uintmax_t most_archive_bytes = 64 << 20; // packed
-constexpr zip_int64_t most_entries = 10'000;
+constexpr std::uintmax_t max_text_bytes = 1 << 20;     // of one file
+constexpr std::uintmax_t max_archive_bytes = 64 << 20; // packed
+constexpr zip_int64_t max_entries = 10'000;
 constexpr zip_uint16_t first_dos_date = 0x21; // 1980-01-01: equal files make equal bytes
 
 Error no_archive(const fs::path& file, const std::string& why) {
@@ -40,7 +40,7 @@ std::string words_of(int code) {
 std::string prefix_in(zip* archive, const fs::path& file) {
     const std::string_view label = "assignment.json";
     const zip_int64_t count = zip_get_num_entries(archive, 0);
-    if (count > most_entries) throw no_archive(file, "more than 10000 entries");
+    if (count > max_entries) throw no_archive(file, "more than 10000 entries");
     if (zip_name_locate(archive, "assignment.json", 0) >= 0) return "";
     for (zip_int64_t i = 0; i < count; ++i) {
         const char* bytes = zip_get_name(archive, static_cast<zip_uint64_t>(i), 0);
@@ -60,7 +60,7 @@ SubmittedFiles::SubmittedFiles(fs::path submission) : submission_(std::move(subm
     std::error_code failure;
     if (fs::is_directory(submission_, failure)) return;
     if (!fs::is_regular_file(submission_, failure)) throw no_archive(submission_, "no folder and no file");
-    if (fs::file_size(submission_, failure) > most_archive_bytes)
+    if (fs::file_size(submission_, failure) > max_archive_bytes)
         throw no_archive(submission_, "larger than 64 MiB");
     int code = 0;
     archive_.reset(zip_open(submission_.c_str(), ZIP_RDONLY, &code));
@@ -74,7 +74,7 @@ std::string SubmittedFiles::text(const std::string& name) const {
     std::error_code failure;
     if (!fs::is_regular_file(fs::symlink_status(file, failure)))
         throw Error({file.string()}, "no file", "put it back: `steradian assignment new` makes it");
-    if (fs::file_size(file, failure) > most_text_bytes) throw too_large(file);
+    if (fs::file_size(file, failure) > max_text_bytes) throw too_large(file);
     return read_text(file);
 }
 
@@ -85,7 +85,7 @@ std::string SubmittedFiles::unpacked(const std::string& name) const {
     if (!entry)
         throw Error({file.string()}, zip_strerror(archive_.get()),
                     "pack the folder again: `steradian assignment pack`");
-    std::string text(most_text_bytes + 1, '\0');
+    std::string text(max_text_bytes + 1, '\0');
     std::size_t size = 0;
     zip_int64_t count = 1;
     while (count > 0 && size < text.size()) {
@@ -95,7 +95,7 @@ std::string SubmittedFiles::unpacked(const std::string& name) const {
     zip_fclose(entry);
     if (count < 0)
         throw Error({file.string()}, "is damaged", "pack the folder again: `steradian assignment pack`");
-    if (size > most_text_bytes) throw too_large(file);
+    if (size > max_text_bytes) throw too_large(file);
     text.resize(size);
     return text;
 }

@@ -4,8 +4,9 @@
 #include "core/error.hpp"
 #include "core/memory_watch.hpp"
 #include "gl/context.hpp"
-#include "golden/child.hpp"
+#include "golden/process.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <fmt/format.h>
@@ -16,8 +17,13 @@
 namespace sr::assignment {
 namespace {
 
-namespace fs = std::filesystem;
 using nlohmann::ordered_json;
+
+} // namespace
+
+namespace {
+
+namespace fs = std::filesystem;
 
 /// A folder for the results of children, which goes with it.
 struct ResultsFolder {
@@ -95,16 +101,16 @@ ordered_json marked_by_children(const Assignment& assignment, const fs::path& su
             words.push_back(assignment.tasks[i].id);
         if (options.keeps_pictures) words.emplace_back("--pictures");
         Results found(results, options, tasks);
-        const auto end = golden::run_child({words, fs::current_path(), log, 3600.0,
-                                            [&] { return is_stopped() || found.is_standing_still(); }});
+        const auto end = golden::run_process({words, fs::current_path(), log, 3600.0,
+                                              [&] { return is_stopped() || found.is_standing_still(); }});
         found.take();
         if (tasks.size() == assignment.tasks.size() || is_stopped()) break;
-        if (end.way == golden::ChildEnd::Way::not_started)
+        if (end.way == golden::ProcessEnd::Way::not_started)
             throw Error("the process that checks " + end.text(), "raise the system's limits on processes");
-        if (end.way == golden::ChildEnd::Way::exited)
+        if (end.way == golden::ProcessEnd::Way::exited)
             throw Error(first_line(log), "see the assignment's own files");
         const std::string why =
-            end.way == golden::ChildEnd::Way::stopped
+            end.way == golden::ProcessEnd::Way::stopped
                 ? fmt::format("its checks took longer than {:g} s and were ended", options.time_limit)
                 : "its checks " + end.text();
         tasks.push_back(ended_early(assignment.tasks[tasks.size()], why));
@@ -115,12 +121,12 @@ ordered_json marked_by_children(const Assignment& assignment, const fs::path& su
 
 } // namespace
 
-std::optional<ordered_json> checked(const fs::path& submission, const CheckOptions& options) {
+std::optional<ordered_json> check_submission(const fs::path& submission, const CheckOptions& options) {
     const FolderLabel label = label_of(submission);
     const Assignment assignment = load(assignment_of(label));
     const ordered_json tasks = marked_by_children(assignment, submission, options);
     if (tasks.size() < assignment.tasks.size()) return std::nullopt;
-    return summed(assignment, label.student, tasks);
+    return sum_of(assignment, label.student, tasks);
 }
 
 void mark_tasks(const fs::path& submission, const std::vector<std::string>& tasks, const fs::path& results,
@@ -136,6 +142,72 @@ void mark_tasks(const fs::path& submission, const std::vector<std::string>& task
         stream << marker.mark(assignment.task(task), handed_in)
                       .dump(-1, ' ', false, ordered_json::error_handler_t::replace)
                << std::endl;
+}
+
+namespace {
+
+constexpr int min_mistakes = 6, min_solutions = 2; // of a task
+
+/// What a task's result comes to in one line.
+std::string summary(const ordered_json& task) {
+    std::string names;
+    for (const ordered_json& check : task["checks"])
+        if (!check["diagnosis"].is_null() && names.find(check["diagnosis"]["name"]) == std::string::npos)
+            names += (names.empty() ? " " : ", ") + check["diagnosis"]["name"].get<std::string>();
+    for (const ordered_json& problem : task["problems"]) names += " " + problem["text"].get<std::string>();
+    return fmt::format("{:.0f} %{}", 100.0 * task["points"].get<double>() / task["of"].get<double>(), names);
+}
+
+Proof proof_of(const Task& task, const Variant& variant, Marker& marker) {
+    Submission submission;
+    submission.codes[task.id] = {task.variants_place, variant.line, variant.text};
+    const ordered_json result = marker.mark(task, submission);
+    const bool is_whole = result["status"] == "passed";
+    Proof proof{task.id, variant.name, variant.is_mistake ? "loses points, named" : "100 %", summary(result),
+                is_whole};
+    if (variant.is_mistake) {
+        bool is_named = false;
+        for (const ordered_json& check : result["checks"])
+            if (!check["diagnosis"].is_null()) {
+                is_named = check["diagnosis"]["name"] == variant.name;
+                break;
+            }
+        proof.holds = !is_whole && result["problems"].empty() && is_named;
+    }
+    return proof;
+}
+
+} // namespace
+
+std::vector<Proof> proofs_of(const Assignment& assignment) {
+    std::vector<Proof> proofs;
+    Marker marker(assignment, "reference");
+    const Submission empty = empty_submission(assignment);
+    Submission reference;
+    for (const auto& [name, text] : assignment.files)
+        for (const Region& region : regions_of(text, assignment.place_of(name)))
+            reference.codes[region.name] = {assignment.place_of(name), region.begin_line + 1, region.text};
+    for (const Task& task : assignment.tasks) {
+        const ordered_json whole = marker.mark(task, reference), none = marker.mark(task, empty);
+        proofs.push_back({task.id, "reference", "100 %", summary(whole), whole["status"] == "passed"});
+        proofs.push_back({task.id, "empty", "0 %, not implemented",
+                          summary(none) + ", " + none["status"].get<std::string>(),
+                          none["status"] == "not implemented"});
+        for (const Variant& variant : task.variants) proofs.push_back(proof_of(task, variant, marker));
+    }
+    return proofs;
+}
+
+std::vector<std::string> shortages(const Assignment& assignment) {
+    std::vector<std::string> lines;
+    for (const Task& task : assignment.tasks) {
+        const auto mistakes = std::ranges::count(task.variants, true, &Variant::is_mistake);
+        const auto solutions = std::ssize(task.variants) - mistakes;
+        if (mistakes < min_mistakes || solutions < min_solutions)
+            lines.push_back(fmt::format("{}: {} mistakes and {} other solutions, expected at least {} and {}",
+                                        task.id, mistakes, solutions, min_mistakes, min_solutions));
+    }
+    return lines;
 }
 
 } // namespace sr::assignment

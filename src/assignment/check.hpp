@@ -1,10 +1,15 @@
 #pragma once
-// A submission checked in child processes: a shader that hangs or kills the driver costs its own task.
+// Check of a submission in child processes: a shader that hangs or kills the driver costs its own task. The
+// proof of an assignment: the reference gets full marks, the empty version none, each typical mistake its
+// name, each other solution full marks.
+#include "assignment/manifest.hpp"
 #include "assignment/submission.hpp"
 
 #include <functional>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace sr::assignment {
 
@@ -17,13 +22,29 @@ struct CheckOptions {
     std::function<bool()> is_stopped; // asked often; once true, the check ends. Empty: never
 };
 
-/// The sum of all tasks (mark.hpp); absent if `is_stopped` ended the check.
+/// Checks a submission. @return the sum of all tasks (mark.hpp); absent if `is_stopped` ended the check
 /// @throws Error if the submission has no label, or the assignment itself is at fault
-std::optional<nlohmann::ordered_json> checked(const std::filesystem::path& submission,
-                                              const CheckOptions& options);
+std::optional<nlohmann::ordered_json> check_submission(const std::filesystem::path& submission,
+                                                       const CheckOptions& options);
 
-/// What a child does: each task's result becomes a line of `results` as soon as it is there. @throws Error
+/// The work of a child process: writes each task's result as a line of `results` once it is marked.
+/// @throws Error
 void mark_tasks(const std::filesystem::path& submission, const std::vector<std::string>& tasks,
                 const std::filesystem::path& results, bool keeps_pictures);
+
+/// One submission that was tried, and its result.
+struct Proof {
+    std::string task; // empty: all tasks
+    std::string name; // "reference", "empty", or the variant's
+    std::string must; // "100 %", "0 %, not implemented", "fewer points and its name"
+    std::string got;
+    bool holds = false;
+};
+
+/// Proves an assignment. Needs a current context. @throws Error if the assignment is at fault
+std::vector<Proof> proofs_of(const Assignment& assignment);
+
+/// The tasks that list too few mistakes or solutions, one line each.
+std::vector<std::string> shortages(const Assignment& assignment);
 
 } // namespace sr::assignment

@@ -1,6 +1,6 @@
 #include "assignment/compile_problem.hpp"
 
-#include "assignment/stub.hpp"
+#include "assignment/regions.hpp"
 
 #include <algorithm>
 #include <array>
@@ -12,7 +12,7 @@
 namespace sr::assignment {
 namespace {
 
-constexpr std::size_t most_problems = 5;
+constexpr std::size_t max_problems = 5;
 
 /// Words of drivers, and what stands in the line ("" for anything), in the order in which they are tried.
 struct KnownComplaint {
@@ -101,7 +101,7 @@ std::vector<Problem> problems_of(const gl::ShaderError& error, const std::string
             // The first complaint about a line is the cause of the others.
             if (std::ranges::none_of(known, is_same_line)) known.push_back(std::move(*problem));
         }
-    if (theirs.size() > most_problems) theirs.resize(most_problems);
+    if (theirs.size() > max_problems) theirs.resize(max_problems);
     if (!theirs.empty()) return theirs;
     const LoneBracket lone = lone_bracket(code.text);
     if (lone.line > 0) {

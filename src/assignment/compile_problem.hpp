@@ -1,5 +1,5 @@
 #pragma once
-// What a driver has against a student's code, at their own line, with the words that help a beginner.
+// Compile errors of a student's code, at the student's line, with hints for beginners.
 #include "assignment/evaluation.hpp"
 #include "gl/program.hpp"
 
@@ -12,17 +12,16 @@ struct Problem {
     std::string place; // the file
     int line = 0;
     int column = 0;     // 0: unknown
-    std::string text;   // the driver's words
+    std::string text;   // the driver's message
     std::string source; // the line itself; empty where it is not the student's
     std::string hint;   // empty: none
 };
 
-/// At most five, those in the student's files first. Where the driver blames only what stands around the
-/// code, one that blames the task's region.
+/// At most five problems, those in the student's files first. If the driver blames only the code around the
+/// region, one problem that blames the task's region.
 std::vector<Problem> problems_of(const gl::ShaderError& error, const std::string& task, const Codes& codes);
 
-/// What a beginner may have done that a driver complains of in these words, seen the line; empty: nothing
-/// known.
+/// What a beginner may have done wrong, given the driver's words and the line; empty if nothing is known.
 std::string hint_for_complaint(const std::string& complaint, const std::string& source);
 
 } // namespace sr::assignment

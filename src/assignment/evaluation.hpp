@@ -1,25 +1,47 @@
 #pragma once
-// The values of a GLSL expression over a table of inputs, with some regions of the reference replaced.
-#include "assignment/inputs.hpp"
+// Evaluation of a GLSL expression over a table of inputs, with some regions of the reference replaced.
+#include "assignment/manifest.hpp"
 #include "assignment/parameters.hpp"
+#include "render/gpu/shader_evaluator.hpp"
 
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
 namespace sr::assignment {
 
-/// What stands in a region, and where people find it.
+/// A table of inputs. Its rows form groups of equal size, over which values are averaged.
+struct Inputs {
+    std::vector<Input> columns;
+    std::vector<render::Row> rows;
+    std::size_t group = 1;
+};
+
+/// Makes `rows` groups, each with `mean_count` values of the column `mean_over` (one if that is empty).
+/// Columns are stratified; the first rows hold the ends of each range. Every call gives the same table.
+Inputs inputs_of(std::vector<Input> columns, int rows, const std::string& mean_over = "", int mean_count = 1);
+
+/// The same rows with each number moved by one or two units in its last place, up or down.
+Inputs nudged(const Inputs& inputs);
+
+/// The GLSL that declares the columns as variables of their names.
+std::string declarations(std::span<const Input> columns);
+
+/// Formats a row for people, without the column `without`: "cos_h 0.3, alpha 0.5".
+std::string describe(const Inputs& inputs, std::size_t row, const std::string& without);
+
+/// The code of a region, and its place for error messages.
 struct Code {
     std::string place;
     int line = 1; // of the text's first line, counted from 1
     std::string text;
 };
 
-/// What stands in regions in the place of the reference's code, by the region's name.
+/// Code that replaces the reference's, by the region's name.
 using Codes = std::map<std::string, Code>;
 
-/// Where shaders come from: the codes, the reference around them, the assignment's overlay/, the program's
+/// The roots of the shaders: the codes, the reference around them, the assignment's overlay/, the program's
 /// shaders.
 std::vector<glsl::Root> shader_path(const Assignment& assignment, const Parameters& parameters,
                                     const Codes& codes);
@@ -30,7 +52,7 @@ struct Expression {
     std::string type;
 };
 
-/// How many numbers the type has.
+/// The number of components of a type.
 int components_of(const std::string& type);
 
 struct Values {
@@ -38,11 +60,11 @@ struct Values {
     bool is_implemented = true;    // false if not_implemented() was called for any row
 };
 
-/// Needs a current context. @throws ShaderError
+/// Evaluates an expression for each group. Needs a current context. @throws ShaderError
 Values evaluate(const std::vector<glsl::Root>& path, const Assignment& assignment,
                 const Expression& expression, const Inputs& inputs);
 
-/// Each row's own value, of a table without groups. @throws ShaderError
+/// Evaluates an expression for each row. @throws ShaderError
 std::vector<vec4> evaluate_rows(const std::vector<glsl::Root>& path, const Assignment& assignment,
                                 const Expression& expression, const Inputs& inputs);
 

@@ -1,8 +1,8 @@
 #include "assignment/manifest.hpp"
 
-#include "assignment/stub.hpp"
+#include "assignment/regions.hpp"
 #include "core/error.hpp"
-#include "golden/suite_reader.hpp"
+#include "core/json.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -16,7 +16,6 @@ namespace sr::assignment {
 namespace {
 
 namespace fs = std::filesystem;
-using golden::SuiteReader;
 using nlohmann::json;
 
 std::string text_of_file(const fs::path& file) {
@@ -34,7 +33,7 @@ bool is_identifier(const std::string& name) {
 
 /// One of the names, as its index. @throws Error
 template<std::size_t N>
-std::size_t chosen(const SuiteReader& entry, const char* key, const std::array<const char*, N>& names,
+std::size_t chosen(const JsonObject& entry, const char* key, const std::array<const char*, N>& names,
                    const char* fallback) {
     const std::string text = entry.text(key, fallback);
     const auto found = std::ranges::find(names, text);
@@ -44,13 +43,13 @@ std::size_t chosen(const SuiteReader& entry, const char* key, const std::array<c
     return static_cast<std::size_t>(found - names.begin());
 }
 
-void read_range(const SuiteReader& entry, double& low, double& high) {
+void read_range(const JsonObject& entry, double& low, double& high) {
     low = entry.number("from", low, -1e30, 1e30);
     high = entry.number("to", high, -1e30, 1e30);
     if (low > high) entry.fail(fmt::format("\"from\" {} is above \"to\" {}", low, high), "exchange them");
 }
 
-Input read_input(const SuiteReader& entry, const std::string& name) {
+Input read_input(const JsonObject& entry, const std::string& name) {
     entry.allow_only({"kind", "from", "to", "log", "values", "around"});
     Input input;
     input.name = name;
@@ -70,12 +69,12 @@ Input read_input(const SuiteReader& entry, const std::string& name) {
     return input;
 }
 
-std::vector<Input> read_inputs(const SuiteReader& entry) {
+std::vector<Input> read_inputs(const JsonObject& entry) {
     std::vector<Input> inputs;
     if (!entry.has("inputs")) return inputs;
     const json& member = entry.value().at("inputs");
     if (!member.is_array()) entry.fail_at("inputs", "no list", "write [ { \"NAME\": { … } }, … ]");
-    for (const SuiteReader& one : entry.objects("inputs")) {
+    for (const JsonObject& one : entry.objects("inputs")) {
         if (one.value().size() != 1)
             one.fail("an input has one name", "write { \"NAME\": { \"kind\": …, … } }");
         const std::string name = one.value().begin().key();
@@ -95,7 +94,7 @@ std::vector<Input> read_inputs(const SuiteReader& entry) {
     return inputs;
 }
 
-void read_relation(Check& check, const SuiteReader& entry) {
+void read_relation(Check& check, const JsonObject& entry) {
     constexpr std::array<std::pair<const char*, Check::Relation>, 3> relations{
         {{"equals", Check::Relation::equals},
          {"at_most", Check::Relation::at_most},
@@ -108,10 +107,10 @@ void read_relation(Check& check, const SuiteReader& entry) {
         }
 }
 
-void read_sampling(Check& check, const SuiteReader& entry) {
+void read_sampling(Check& check, const JsonObject& entry) {
     if (check.kind == Check::Kind::samples) {
         check.other = entry.required_text("density");
-        check.rows = entry.whole("rows", 3, 1, 16);
+        check.rows = entry.integer("rows", 3, 1, 16);
     }
     if (check.kind == Check::Kind::slope) {
         check.other = entry.required_text("exact");
@@ -124,7 +123,7 @@ void read_sampling(Check& check, const SuiteReader& entry) {
     }
 }
 
-void read_image(Check& check, const SuiteReader& entry, const fs::path& folder) {
+void read_image(Check& check, const JsonObject& entry, const fs::path& folder) {
     check.scene = entry.required_text("scene");
     check.camera = entry.text("camera", "0");
     if (entry.has("size")) {
@@ -134,7 +133,7 @@ void read_image(Check& check, const SuiteReader& entry, const fs::path& folder) 
         check.width = static_cast<int>(size[0]);
         check.height = static_cast<int>(size[1]);
     }
-    check.samples = entry.whole("samples", 1, 1, 4096);
+    check.samples = entry.integer("samples", 1, 1, 4096);
     check.shader = entry.text("shader", check.shader);
     check.tolerances = entry.texts("tolerance");
     const auto visibility = render::visibility_named(entry.text("visibility", "ray"));
@@ -147,7 +146,7 @@ void read_image(Check& check, const SuiteReader& entry, const fs::path& folder) 
                       "name a glTF file");
 }
 
-Check read_check(const SuiteReader& entry, const fs::path& folder) {
+Check read_check(const JsonObject& entry, const fs::path& folder) {
     entry.allow_only({"name",     "kind",     "points",   "hint",    "unit",      "value",     "type",
                       "equals",   "at_most",  "at_least", "inputs",  "rows",      "mean_over", "mean_count",
                       "relative", "absolute", "density",  "exact",   "counts",    "slope",     "within",
@@ -168,9 +167,9 @@ Check read_check(const SuiteReader& entry, const fs::path& folder) {
     check.type = types[chosen(entry, "type", types, "float")];
     read_relation(check, entry);
     check.inputs = read_inputs(entry);
-    check.rows = entry.whole("rows", entry.has("mean_over") ? 16 : 256, 1, 1 << 16);
+    check.rows = entry.integer("rows", entry.has("mean_over") ? 16 : 256, 1, 1 << 16);
     check.mean_over = entry.text("mean_over", "");
-    check.mean_count = entry.whole("mean_count", 4096, 1, 1 << 20);
+    check.mean_count = entry.integer("mean_count", 4096, 1, 1 << 20);
     if (!check.mean_over.empty()
         && std::ranges::find(check.inputs, check.mean_over, &Input::name) == check.inputs.end())
         entry.fail_at("mean_over", fmt::format("no input \"{}\"", check.mean_over), "name one of the inputs");
@@ -181,7 +180,7 @@ Check read_check(const SuiteReader& entry, const fs::path& folder) {
 }
 
 /// The file whose region is the task's.
-std::string file_of(const std::string& task, const Assignment& assignment, const SuiteReader& entry) {
+std::string file_of(const std::string& task, const Assignment& assignment, const JsonObject& entry) {
     for (const auto& [name, text] : assignment.files)
         for (const Region& region : regions_of(text, assignment.place_of(name)))
             if (region.name == task) return name;
@@ -189,7 +188,7 @@ std::string file_of(const std::string& task, const Assignment& assignment, const
                   fmt::format("write // begin solution {} and // end around its functions", task));
 }
 
-Task read_task(const SuiteReader& entry, const Assignment& assignment) {
+Task read_task(const JsonObject& entry, const Assignment& assignment) {
     entry.allow_only({"id", "title", "extra", "functions", "checks", "hints"});
     Task task;
     task.id = entry.required_text("id");
@@ -198,11 +197,11 @@ Task read_task(const SuiteReader& entry, const Assignment& assignment) {
     task.file = file_of(task.id, assignment, entry);
     task.functions = entry.texts("functions");
     if (task.functions.empty()) entry.fail("no \"functions\"", "name the functions that the student writes");
-    for (const SuiteReader& check : entry.objects("checks"))
+    for (const JsonObject& check : entry.objects("checks"))
         task.checks.push_back(read_check(check, assignment.folder));
     if (task.checks.empty()) entry.fail("no \"checks\"", "add one");
     if (entry.has("hints")) {
-        const SuiteReader hints = entry.object("hints");
+        const JsonObject hints = entry.object("hints");
         for (const auto& [name, text] : hints.value().items()) task.hints[name] = hints.text(name, "");
     }
     const fs::path file = assignment.folder / "variants" / (task.id + ".glsl");
@@ -218,7 +217,7 @@ Task read_task(const SuiteReader& entry, const Assignment& assignment) {
     return task;
 }
 
-Parameter read_parameter(const SuiteReader& entry, const std::string& name) {
+Parameter read_parameter(const JsonObject& entry, const std::string& name) {
     entry.allow_only({"unit", "about", "values", "from", "to", "decimals"});
     Parameter parameter;
     parameter.name = name;
@@ -228,7 +227,7 @@ Parameter read_parameter(const SuiteReader& entry, const std::string& name) {
     parameter.about = entry.text("about", "");
     if (entry.has("values")) parameter.values = entry.numbers("values", entry.value().at("values").size());
     read_range(entry, parameter.low, parameter.high);
-    parameter.decimals = entry.whole("decimals", 2, 0, 9);
+    parameter.decimals = entry.integer("decimals", 2, 0, 9);
     return parameter;
 }
 
@@ -273,8 +272,8 @@ double Assignment::points() const {
 }
 
 Assignment load(const fs::path& folder) {
-    const golden::JsonText text(folder / "assignment.json");
-    const SuiteReader root(text, SuiteReader::Pointer(""));
+    const JsonFile text(folder / "assignment.json");
+    const JsonObject root(text, JsonObject::Pointer(""));
     root.allow_only({"$schema", "title", "summary", "scene", "files", "parameters", "tasks"});
     Assignment assignment;
     assignment.folder = folder;
@@ -287,12 +286,12 @@ Assignment load(const fs::path& folder) {
     if (assignment.files.empty())
         root.fail("no \"files\"", "name the GLSL files of shaders/ that students get");
     if (root.has("parameters")) {
-        const SuiteReader parameters = root.object("parameters");
+        const JsonObject parameters = root.object("parameters");
         for (const auto& [name, value] : parameters.value().items())
             assignment.parameters.push_back(read_parameter(parameters.object(name), name));
     }
     std::set<std::string> ids;
-    for (const SuiteReader& entry : root.objects("tasks")) {
+    for (const JsonObject& entry : root.objects("tasks")) {
         assignment.tasks.push_back(read_task(entry, assignment));
         if (!ids.insert(assignment.tasks.back().id).second)
             entry.fail_at("id", fmt::format("the task {} is there twice", assignment.tasks.back().id),

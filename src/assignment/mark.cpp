@@ -1,9 +1,8 @@
 #include "assignment/mark.hpp"
 
 #include "assignment/compile_problem.hpp"
-#include "assignment/sampling_check.hpp"
 #include "assignment/value_check.hpp"
-#include "golden/report_pixels.hpp"
+#include "golden/page.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -13,6 +12,10 @@ namespace sr::assignment {
 namespace {
 
 using nlohmann::ordered_json;
+
+} // namespace
+
+namespace {
 
 ordered_json begun(const Task& task) {
     return {{"id", task.id},
@@ -40,8 +43,8 @@ ordered_json broken(const Task& task, const std::vector<Problem>& problems) {
 
 /// Yours and the reference's, as reports carry them.
 ordered_json packed(const Finding& finding) {
-    ordered_json yours = golden::packed_pixels(*finding.picture),
-                 reference = golden::packed_pixels(*finding.reference);
+    ordered_json yours = golden::pack_pixels(*finding.picture),
+                 reference = golden::pack_pixels(*finding.reference);
     if (reference == yours) reference = "equal";
     return {{"yours", std::move(yours)}, {"reference", std::move(reference)}};
 }
@@ -81,19 +84,19 @@ Finding Marker::found(const Task& task, const Check& check, const Codes& codes) 
     if (check.kind == Check::Kind::image) {
         Finding finding = pictures_.check(check, codes);
         if (!finding.passed && finding.is_implemented && last_mistake_.empty())
-            finding.diagnosis = pictures_.diagnosed(task, check, finding);
+            finding.diagnosis = pictures_.diagnose(task, check, finding);
         return finding;
     }
     const Inputs inputs = inputs_of(check.inputs, check.rows, check.mean_over, check.mean_count);
     const Compared compared = compare_values(assignment_, parameters_, check, codes, inputs);
-    Finding finding = judged(check, compared, inputs);
+    Finding finding = judge(check, compared, inputs);
     if (!finding.passed && finding.is_implemented)
         finding.diagnosis =
-            sr::assignment::diagnosed(assignment_, parameters_, task, check, compared, inputs, last_mistake_);
+            sr::assignment::diagnose(assignment_, parameters_, task, check, compared, inputs, last_mistake_);
     return finding;
 }
 
-ordered_json Marker::marked_check(const Task& task, const Check& check, const Codes& codes) {
+ordered_json Marker::mark_check(const Task& task, const Check& check, const Codes& codes) {
     Finding finding = found(task, check, codes);
     // A mistake that an earlier check named is the likeliest cause of what this one cannot name.
     if (!finding.passed && finding.is_implemented && !finding.diagnosis && !last_mistake_.empty())
@@ -133,7 +136,7 @@ ordered_json Marker::mark(const Task& task, const Submission& submission) {
     try {
         for (const Check& check : task.checks) {
             if (!is_implemented) break;
-            result["checks"].push_back(marked_check(task, check, codes));
+            result["checks"].push_back(mark_check(task, check, codes));
             points += result["checks"].back()["points"].get<double>();
             is_implemented = result["checks"].back()["implemented"];
         }
@@ -162,7 +165,7 @@ ordered_json ended_early(const Task& task, const std::string& why) {
     return result;
 }
 
-ordered_json summed(const Assignment& assignment, const std::string& student, const ordered_json& tasks) {
+ordered_json sum_of(const Assignment& assignment, const std::string& student, const ordered_json& tasks) {
     double points = 0.0;
     for (const ordered_json& task : tasks) points += task["points"].get<double>();
     const double of = assignment.points();
@@ -205,6 +208,42 @@ std::string table_of(const ordered_json& result) {
     return text
            + fmt::format("\n{:g} of {:g} points, {:.0f} %\n", result["points"].get<double>(),
                          result["of"].get<double>(), result["percent"].get<double>());
+}
+
+namespace {
+
+std::string cells(std::initializer_list<std::string> texts) {
+    std::string row = "<tr>";
+    for (const std::string& text : texts) row += "<td>" + golden::escape_markup(text);
+    return row + "\n";
+}
+
+/// What is seen where the script may not run.
+std::string plain_table(const ordered_json& result) {
+    std::string rows;
+    for (const ordered_json& task : result["tasks"]) {
+        const std::string id = task["id"];
+        if (task["checks"].empty())
+            rows += cells({id, "", task["status"], "", "", "",
+                           task["problems"].empty() ? "" : task["problems"][0]["text"].get<std::string>()});
+        for (const ordered_json& check : task["checks"])
+            rows += cells({id, check["name"], check["passed"].get<bool>() ? "passed" : "failed", check["got"],
+                           check["expected"], check["unit"], check["hint"]});
+    }
+    return "<table>\n<tr><th>task<th>check<th>verdict<th>got<th>expected<th>unit<th>hint\n" + rows
+           + "</table>\n";
+}
+
+} // namespace
+
+std::string report_html(const ordered_json& result) {
+    const std::string student = result["student"];
+    const std::string title = fmt::format(
+        "{}{}: {:g} of {:g} points", result["assignment"].get<std::string>(),
+        student.empty() ? "" : " of " + student, result["points"].get<double>(), result["of"].get<double>());
+    return golden::offline_page(title, plain_table(result),
+                                result.dump(-1, ' ', false, ordered_json::error_handler_t::replace),
+                                marks_page());
 }
 
 } // namespace sr::assignment

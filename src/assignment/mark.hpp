@@ -1,7 +1,8 @@
 #pragma once
-// A submission's marks, task by task.
+// Marks of a submission, task by task: as JSON, as a table, as a page.
 #include "assignment/pictures.hpp"
 #include "assignment/submission.hpp"
+#include "golden/page.hpp"
 
 #include <functional>
 #include <nlohmann/json_fwd.hpp>
@@ -10,21 +11,21 @@ namespace sr::assignment {
 
 class Marker {
 public:
-    /// Needs a current context for as long as it lives. `keeps_pictures`: image checks have "pictures", which
-    /// reports show.
+    /// Needs a current context during its lifetime. With `keeps_pictures`, image checks have "pictures" for
+    /// reports.
     Marker(const Assignment& assignment, const std::string& student, bool keeps_pictures = false)
         : assignment_(assignment),
           keeps_pictures_(keeps_pictures),
           parameters_(parameters_of(assignment, student)),
           pictures_(assignment_, parameters_) {}
 
-    /// A task's result (assets/assignment_result.schema.json): the student's region, with the reference for
-    /// all others.
-    /// @throws Error where the assignment itself is at fault
+    /// Marks a task (assets/assignment_result.schema.json): the student's region, the reference for all
+    /// others.
+    /// @throws Error if the assignment itself is at fault
     nlohmann::ordered_json mark(const Task& task, const Submission& submission);
 
 private:
-    nlohmann::ordered_json marked_check(const Task& task, const Check& check, const Codes& codes);
+    nlohmann::ordered_json mark_check(const Task& task, const Check& check, const Codes& codes);
     Finding found(const Task& task, const Check& check, const Codes& codes);
 
     const Assignment& assignment_;
@@ -34,18 +35,24 @@ private:
     std::string last_mistake_; // of the task that is being marked
 };
 
-/// The sum over tasks, with the points that are extra: {"assignment", "student", "points", "of", "percent",
-/// "tasks"}.
-nlohmann::ordered_json summed(const Assignment& assignment, const std::string& student,
+/// Sums the tasks, extra points included: {"assignment", "student", "points", "of", "percent", "tasks"}.
+nlohmann::ordered_json sum_of(const Assignment& assignment, const std::string& student,
                               const nlohmann::ordered_json& tasks);
 
-/// The same without pictures, as assets/assignment_result.schema.json has it.
+/// The same without pictures, as in assets/assignment_result.schema.json.
 nlohmann::ordered_json without_pictures(nlohmann::ordered_json result);
 
-/// The result of a task whose check did not come to its end.
+/// The result of a task whose check ended early.
 nlohmann::ordered_json ended_early(const Task& task, const std::string& why);
 
-/// The table of task, check, verdict, got, expected, unit, diagnosis and hint that people read.
+/// Formats a result as a table: task, check, verdict, got, expected, unit, diagnosis and hint.
 std::string table_of(const nlohmann::ordered_json& result);
+
+/// The style and script of report/.
+golden::ReportPage marks_page();
+
+/// One HTML file that needs nothing from outside (golden/page.hpp), with the pictures of the result. Where no
+/// script may run it shows a table.
+std::string report_html(const nlohmann::ordered_json& result);
 
 } // namespace sr::assignment

@@ -1,5 +1,5 @@
 #pragma once
-// What differs from student to student.
+// Parameters: numbers that differ between students.
 #include "assignment/manifest.hpp"
 
 #include <map>
@@ -9,17 +9,17 @@ namespace sr::assignment {
 
 using Parameters = std::map<std::string, double>;
 
-/// The numbers of a student: the same for the same assignment and id, on every machine.
+/// The numbers of a student: equal for the same assignment and id, on every machine.
 Parameters parameters_of(const Assignment& assignment, const std::string& student);
 
-/// They as constants of GLSL, for the file parameters.glsl.
+/// The parameters as GLSL constants, for the file parameters.glsl.
 std::string parameters_glsl(const Assignment& assignment, const Parameters& parameters);
 
-/// A text with each {{name}} replaced by its number. `place` is what errors call the text.
+/// Replaces each {{name}} by its number. `place` is what errors call the text.
 /// @throws Error with the line for a name that is no parameter
 std::string substituted(const std::string& text, const Parameters& parameters, const std::string& place);
 
-/// The same for JSON, where a number stands as the text "{{name}}".
+/// The same for JSON, where a number is written as the text "{{name}}".
 std::string substituted_json(std::string text, const Parameters& parameters, const std::string& place);
 
 } // namespace sr::assignment

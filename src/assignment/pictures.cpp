@@ -45,7 +45,8 @@ scene::Scene scene_of(const fs::path& file, const Parameters& parameters) {
     return gltf::load(folder.path / file.filename()).scene;
 }
 
-compare::Comparison compared(const image::Image& picture, const image::Image& reference, const Check& check) {
+compare::Comparison compare_images(const image::Image& picture, const image::Image& reference,
+                                   const Check& check) {
     compare::CompareOptions options;
     options.tolerances = compare::parse_tolerances(check.tolerances);
     return compare::compare(picture, reference, options);
@@ -105,7 +106,7 @@ const Pictures::Shown& Pictures::shown(const Check& check) {
     return made;
 }
 
-image::Image Pictures::rendered(const Check& check, const Codes& codes) {
+image::Image Pictures::render(const Check& check, const Codes& codes) {
     const Shown& scene = shown(check);
     render::RenderOptions options;
     options.width = check.width;
@@ -121,21 +122,21 @@ image::Image Pictures::rendered(const Check& check, const Codes& codes) {
 const image::Image& Pictures::reference(const Check& check) {
     const auto found = references_.find(&check);
     if (found != references_.end()) return found->second;
-    return references_.emplace(&check, rendered(check, {})).first->second;
+    return references_.emplace(&check, render(check, {})).first->second;
 }
 
 const image::Image& Pictures::mistaken(const Task& task, const Check& check, const Variant& variant) {
     const auto found = mistakes_.find({&check, &variant});
     if (found != mistakes_.end()) return found->second;
-    image::Image picture = rendered(check, {{task.id, {task.variants_place, variant.line, variant.text}}});
+    image::Image picture = render(check, {{task.id, {task.variants_place, variant.line, variant.text}}});
     return mistakes_.emplace(std::pair{&check, &variant}, std::move(picture)).first->second;
 }
 
 Finding Pictures::check(const Check& check, const Codes& codes) {
     Finding finding;
     finding.reference = reference(check);
-    finding.picture = rendered(check, codes);
-    const compare::Comparison comparison = compared(*finding.picture, *finding.reference, check);
+    finding.picture = render(check, codes);
+    const compare::Comparison comparison = compare_images(*finding.picture, *finding.reference, check);
     finding.passed = comparison.passed;
     const auto place = furthest(*finding.picture, *finding.reference);
     finding.got = pixel_text(*finding.picture, place);
@@ -149,15 +150,15 @@ Finding Pictures::check(const Check& check, const Codes& codes) {
     return finding;
 }
 
-std::optional<Named> Pictures::diagnosed(const Task& task, const Check& check, const Finding& finding) {
+std::optional<Named> Pictures::diagnose(const Task& task, const Check& check, const Finding& finding) {
     for (const Variant& variant : task.variants) {
         if (!variant.is_mistake) continue;
         const image::Image& picture = mistaken(task, check, variant);
-        if (compared(*finding.picture, picture, check).passed
-            && !compared(picture, *finding.reference, check).passed)
+        if (compare_images(*finding.picture, picture, check).passed
+            && !compare_images(picture, *finding.reference, check).passed)
             return Named{variant.name, task.hints.at(variant.name)};
     }
-    const compare::Comparison comparison = compared(*finding.picture, *finding.reference, check);
+    const compare::Comparison comparison = compare_images(*finding.picture, *finding.reference, check);
     if (!comparison.diagnosis) return std::nullopt;
     return Named{comparison.diagnosis->name, comparison.diagnosis->statement};
 }

@@ -1,7 +1,6 @@
 #pragma once
-// Pictures of an assignment's scenes, with some regions of the reference replaced.
-#include "assignment/evaluation.hpp"
-#include "assignment/finding.hpp"
+// Image checks: pictures of an assignment's scenes, with some regions of the reference replaced.
+#include "assignment/value_check.hpp"
 #include "render/renderer.hpp"
 #include "scene/prepare.hpp"
 
@@ -11,19 +10,20 @@ namespace sr::assignment {
 
 class Pictures {
 public:
-    /// Needs a current context for as long as it lives.
+    /// Needs a current context during its lifetime.
     Pictures(const Assignment& assignment, const Parameters& parameters)
         : assignment_(assignment), parameters_(parameters) {}
 
-    /// The scene of an image check, in cd/m². Scenes stay uploaded. @throws ShaderError, Error
-    image::Image rendered(const Check& check, const Codes& codes);
+    /// Renders the scene of an image check [cd/m²]. Scenes stay uploaded. @throws ShaderError, Error
+    image::Image render(const Check& check, const Codes& codes);
 
     /// Compares with the reference's picture, which is rendered once. @throws ShaderError, Error
     Finding check(const Check& check, const Codes& codes);
 
-    /// The mistake of the task's that makes the same picture; else what `steradian compare` says; absent if
-    /// neither explains it.
-    std::optional<Named> diagnosed(const Task& task, const Check& check, const Finding& finding);
+    /// Finds the mistake of the task that makes the same picture, or else the diagnosis of `steradian
+    /// compare`.
+    /// @return absent if neither explains it
+    std::optional<Named> diagnose(const Task& task, const Check& check, const Finding& finding);
 
 private:
     struct Shown {

@@ -28,11 +28,11 @@ struct Region {
 /// and two regions of one name.
 std::vector<Region> regions_of(const std::string& text, const std::string& place);
 
-/// The file with an #include of `region/NAME.glsl` in the place of the code of each of the named regions.
+/// Replaces the code of each named region by an #include of `region/NAME.glsl`.
 std::string with_includes(const std::string& text, const std::string& place,
                           const std::vector<std::string>& names);
 
-/// What includes of with_includes name.
+/// The file name in the includes of with_includes.
 std::string included_name(std::string_view region);
 
 /// A variant of a region: another right solution, or a typical mistake.
@@ -46,5 +46,22 @@ struct Variant {
 /// The sections of a variants file. Each begins with a line `// mistake NAME` or `// solution NAME`.
 /// @throws Error with the line for code before the first section and for a name that is used twice
 std::vector<Variant> variants_of(const std::string& text, const std::string& place);
+
+/// Makes the student's version of a region: for each of `functions` the comments directly above it, its
+/// signature, and the body `return not_implemented();` (with the swizzle of its type), or the text after
+/// `// stub:` in the region. Lines that begin with `// keep:` stay, without that word. All else is removed.
+/// @param line number of the text's first line in `place`. @throws Error if a function is not defined there
+std::string stub_of(const std::string& text, const std::vector<std::string>& functions,
+                    const std::string& place, int line);
+
+/// Blanks comments and preprocessor literals, so that brackets can be counted. Positions stay.
+std::string without_comments(const std::string& text);
+
+/// The line, counted from 1, of the first bracket that has no partner, and the bracket; 0 if all have one.
+struct LoneBracket {
+    int line = 0;
+    char bracket = ' ';
+};
+LoneBracket lone_bracket(const std::string& text);
 
 } // namespace sr::assignment

@@ -1,10 +1,10 @@
 #include "assignment/submission.hpp"
 
 #include "assignment/archive.hpp"
-#include "assignment/stub.hpp"
+#include "assignment/regions.hpp"
 #include "core/error.hpp"
 #include "core/file.hpp"
-#include "golden/suite_reader.hpp"
+#include "core/json.hpp"
 #include "image/whole_file.hpp"
 
 #include <algorithm>
@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 void write_text(const fs::path& file, const std::string& text) {
     fs::create_directories(file.parent_path());
-    image::write_whole(file, std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
+    image::write_text(file, text);
 }
 
 const Task* task_of(const Assignment& assignment, const std::string& region) {
@@ -65,8 +65,8 @@ fs::path program_folder() {
 FolderLabel label_of(const fs::path& submission) {
     const SubmittedFiles files(submission);
     const std::string name = "assignment.json";
-    const golden::JsonText text(files.place(name), files.text(name));
-    const golden::SuiteReader root(text, golden::SuiteReader::Pointer(""));
+    const JsonFile text(files.place(name), files.text(name));
+    const JsonObject root(text, JsonObject::Pointer(""));
     if (!root.has("assignment"))
         root.fail("no student's folder", "make one with `steradian assignment new NAME DIR`");
     return {root.required_text("assignment"), root.text("student", "")};

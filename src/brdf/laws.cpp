@@ -34,14 +34,14 @@ void keep_worst(Law& law, double value, const std::string& where) {
 }
 
 /// Over the hemisphere, every other pair about the mirrored direction, where lobes have their peaks.
-std::vector<Pair> random_pairs() {
+std::vector<DirectionPair> random_pairs() {
     std::mt19937 random(1);
     std::uniform_real_distribution<float> unit(0.0f, 1.0f);
     std::normal_distribution<float> spread(0.0f, 0.1f);
     const auto any = [&] { return direction(0.02f + 0.98f * unit(random), 2.0f * pi * unit(random)); };
-    std::vector<Pair> pairs;
+    std::vector<DirectionPair> pairs;
     for (int i = 0; i < pair_count; ++i) {
-        Pair pair{any(), any()};
+        DirectionPair pair{any(), any()};
         if (i % 2 == 0) {
             const vec3 near = vec3(-pair.wo.x, -pair.wo.y, pair.wo.z)
                               + vec3(spread(random), spread(random), spread(random));
@@ -54,11 +54,11 @@ std::vector<Pair> random_pairs() {
 
 float largest(vec3 v) { return std::max(v.x, std::max(v.y, v.z)); }
 
-void check_values(Trial& trial, Law& reciprocity, Law& negativity) {
-    const std::vector<Pair> pairs = random_pairs();
-    std::vector<Pair> swapped;
-    for (const Pair& pair : pairs) swapped.push_back({pair.wo, pair.wi});
-    const std::vector<vec3> there = trial.values(pairs), back = trial.values(swapped);
+void check_values(BrdfEvaluator& evaluator, Law& reciprocity, Law& negativity) {
+    const std::vector<DirectionPair> pairs = random_pairs();
+    std::vector<DirectionPair> swapped;
+    for (const DirectionPair& pair : pairs) swapped.push_back({pair.wo, pair.wi});
+    const std::vector<vec3> there = evaluator.values(pairs), back = evaluator.values(swapped);
     for (std::size_t i = 0; i < pairs.size(); ++i) {
         const std::string where = "wi " + text_of(pairs[i].wi) + ", wo " + text_of(pairs[i].wo);
         const vec3 f = there[i], g = back[i];
@@ -69,9 +69,9 @@ void check_values(Trial& trial, Law& reciprocity, Law& negativity) {
     }
 }
 
-void check_energy(Trial& trial, Law& energy) {
+void check_energy(BrdfEvaluator& evaluator, Law& energy) {
     const std::vector<vec3> wo = viewing_directions();
-    const std::vector<glm::dvec3> albedos = trial.albedos(wo, albedo_directions);
+    const std::vector<glm::dvec3> albedos = evaluator.albedos(wo, albedo_directions);
     for (std::size_t i = 0; i < wo.size(); ++i)
         keep_worst(energy, std::max(albedos[i].x, std::max(albedos[i].y, albedos[i].z)), text_of(wo[i]));
 }
@@ -100,26 +100,27 @@ std::vector<vec2> random_points(bool is_stratified) {
 }
 
 /// How many of the directions that the BRDF draws fall into each cell.
-std::vector<double> drawn(Trial& trial, vec3 wo, bool is_stratified) {
+std::vector<double> drawn(BrdfEvaluator& evaluator, vec3 wo, bool is_stratified) {
     std::vector<double> counts(below + 1, 0.0);
-    for (const Weighted& w : trial.samples(wo, random_points(is_stratified))) counts[cell_of(w.wi)] += 1.0;
+    for (const WeightedDirection& w : evaluator.samples(wo, random_points(is_stratified)))
+        counts[cell_of(w.wi)] += 1.0;
     return counts;
 }
 
-void check_sampling(Trial& trial, Law& normalisation, Law& sampling) {
+void check_sampling(BrdfEvaluator& evaluator, Law& normalisation, Law& sampling) {
     constexpr double count = sample_rows * sample_rows;
     const std::vector<vec3> views = viewing_directions();
     for (const vec3 wo : {views[1], views[2], views[4]}) {
         std::vector<double> expected(below + 1, 0.0);
-        for (const Weighted& w : trial.densities(wo, density_directions))
+        for (const WeightedDirection& w : evaluator.densities(wo, density_directions))
             if (w.wi.z > 0.0f)
                 expected[cell_of(w.wi)] += static_cast<double>(w.weight) * count / density_directions;
         double above = 0.0;
         for (const double e : expected) above += e;
-        const double is_below = drawn(trial, wo, true)[below];
+        const double is_below = drawn(evaluator, wo, true)[below];
         keep_worst(normalisation, std::abs((above + is_below) / count - 1.0), text_of(wo));
         expected[below] = is_below;
-        keep_worst(sampling, chi_squared_excess(expected, drawn(trial, wo, false)).value_or(0.0),
+        keep_worst(sampling, chi_squared_excess(expected, drawn(evaluator, wo, false)).value_or(0.0),
                    text_of(wo));
     }
 }
@@ -134,16 +135,16 @@ std::vector<vec3> viewing_directions() {
     return directions;
 }
 
-std::vector<Law> laws_of(Trial& trial) {
-    Law reciprocity{"reciprocity", 0.0, 1e-4, {}, !trial.specimen().is_reciprocal()};
+std::vector<Law> laws_of(BrdfEvaluator& evaluator) {
+    Law reciprocity{"reciprocity", 0.0, 1e-4, {}, !evaluator.tested().is_reciprocal()};
     Law negativity{"negativity", 0.0, 0.0, {}},
-        energy{"energy", 0.0, 1.0 + 1e-3, {}, !trial.specimen().keeps_energy()};
-    check_values(trial, reciprocity, negativity);
-    check_energy(trial, energy);
+        energy{"energy", 0.0, 1.0 + 1e-3, {}, !evaluator.tested().keeps_energy()};
+    check_values(evaluator, reciprocity, negativity);
+    check_energy(evaluator, energy);
     std::vector<Law> laws{reciprocity, negativity, energy};
-    if (!trial.specimen().has_sampling()) return laws;
+    if (!evaluator.tested().has_sampling()) return laws;
     Law normalisation{"normalisation", 0.0, 1e-2, {}}, sampling{"sampling", 0.0, 5.0, {}};
-    check_sampling(trial, normalisation, sampling);
+    check_sampling(evaluator, normalisation, sampling);
     laws.push_back(normalisation);
     laws.push_back(sampling);
     return laws;

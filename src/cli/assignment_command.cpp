@@ -1,7 +1,5 @@
 #include "assignment/check.hpp"
 #include "assignment/mark.hpp"
-#include "assignment/report.hpp"
-#include "assignment/self_test.hpp"
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
 #include "cli/interruption.hpp"
@@ -10,7 +8,7 @@
 #include "core/output.hpp"
 #include "core/text.hpp"
 #include "gl/context.hpp"
-#include "golden/bytes_of_file.hpp"
+#include "image/whole_file.hpp"
 #include "viewer/document/watch.hpp"
 
 #include <CLI/CLI.hpp>
@@ -77,7 +75,7 @@ bool show(const ordered_json& result, const AssignmentArguments& arguments) {
     else
         print_data("{}", shown_lines(assignment::table_of(bare))); // it quotes the student's lines
     flush_output();
-    if (!arguments.report.empty()) golden::write_text(arguments.report, assignment::report_html(result));
+    if (!arguments.report.empty()) image::write_text(arguments.report, assignment::report_html(result));
     return std::ranges::all_of(result["tasks"], [](const ordered_json& task) {
         return task["extra"].get<bool>() || task["status"] == "passed";
     });
@@ -87,7 +85,7 @@ ExitStatus check_once(const AssignmentArguments& arguments) {
     const Interruption interruption;
     assignment::CheckOptions options = options_of(arguments);
     options.is_stopped = [&] { return interruption.has_come(); };
-    const auto result = assignment::checked(arguments.folder, options);
+    const auto result = assignment::check_submission(arguments.folder, options);
     if (!result) return interrupted;
     return show(*result, arguments) ? done : failed_check;
 }
@@ -110,7 +108,7 @@ ExitStatus check_and_watch(const AssignmentArguments& arguments) {
     while (!interruption.has_come()) {
         is_outdated = false;
         print_remark("checking {}", arguments.folder);
-        if (const auto result = assignment::checked(arguments.folder, options)) {
+        if (const auto result = assignment::check_submission(arguments.folder, options)) {
             show(*result, arguments);
             print_remark("saving a file checks again; Ctrl-C ends");
         }
@@ -130,7 +128,7 @@ std::string archive_name(const assignment::FolderLabel& label) {
 /// What the student's own check finds; absent, with a remark, where it cannot run.
 std::optional<ordered_json> own_result(const AssignmentArguments& arguments) {
     try {
-        return assignment::checked(arguments.folder, options_of(arguments));
+        return assignment::check_submission(arguments.folder, options_of(arguments));
     } catch (const Error& error) {
         print_remark("packed without a check: {}", error.what());
         return std::nullopt;

@@ -1,6 +1,5 @@
 #include "brdf/laws.hpp"
-#include "brdf/polar_plot.hpp"
-#include "brdf/sphere.hpp"
+#include "brdf/pictures.hpp"
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
 #include "core/file.hpp"
@@ -29,7 +28,7 @@ using scene::Model;
 struct BrdfCommand {
     std::string name;
     std::vector<std::string> outputs;
-    brdf::Specimen specimen;
+    brdf::BrdfUnderTest tested;
     std::string metal = "gold";
     int samples = 64;
     gl::Backend backend = gl::Backend::automatic;
@@ -38,48 +37,48 @@ struct BrdfCommand {
 
 /// Which BRDF the name stands for: one of ours, a GLSL file or a measured one.
 void choose(BrdfCommand& command) {
-    brdf::Specimen& specimen = command.specimen;
+    brdf::BrdfUnderTest& tested = command.tested;
     const auto ends_in = [&](std::string_view suffix) { return command.name.ends_with(suffix); };
     if (command.name == "gltf") command.name = "metallic_roughness";
     if (ends_in(".glsl") || ends_in(".frag")) {
-        specimen.user = brdf::read_user_shader(command.name);
-        specimen.trial = std::make_shared<gl::TrialCompiler>(command.backend);
+        tested.user = brdf::read_user_shader(command.name);
+        tested.trial = std::make_shared<gl::TrialCompiler>(command.backend);
     } else if (ends_in(".binary")) {
-        specimen.material.model = Model::merl;
-        specimen.material.measured = 0;
+        tested.material.model = Model::merl;
+        tested.material.measured = 0;
         const std::vector<std::uint8_t> bytes = read_file(command.name, command.name);
-        specimen.measured.push_back(scene::read_merl(std::as_bytes(std::span(bytes)), command.name));
+        tested.measured.push_back(scene::read_merl(std::as_bytes(std::span(bytes)), command.name));
     } else if (const auto model = scene::model_named(command.name); model && *model != Model::merl) {
-        specimen.material.model = *model;
+        tested.material.model = *model;
     } else {
         throw CLI::ValidationError("NAME", "'" + command.name + "' is no BRDF: --help lists them");
     }
-    if (specimen.material.model == Model::conductor)
-        specimen.material.conductor = scene::fitted_ior(*scene::measured_metal(command.metal));
+    if (tested.material.model == Model::conductor)
+        tested.material.conductor = scene::fitted_ior(*scene::measured_metal(command.metal));
 }
 
 /// f_r at the middle of each of a MERL file's cells.
-std::vector<vec3> tabulated(brdf::Trial& trial) {
-    std::vector<brdf::Pair> pairs;
+std::vector<vec3> tabulated(brdf::BrdfEvaluator& evaluator) {
+    std::vector<brdf::DirectionPair> pairs;
     pairs.reserve(scene::merl_cells);
     for (std::size_t i = 0; i < scene::merl_cells; ++i) {
         const auto [wi, wo] = scene::merl_directions(i);
         pairs.push_back({wi, wo});
     }
-    return trial.values(pairs);
+    return evaluator.values(pairs);
 }
 
-void write_outputs(const BrdfCommand& command, brdf::Trial& trial) {
+void write_outputs(const BrdfCommand& command, brdf::BrdfEvaluator& evaluator) {
     image::WholeFiles files;
     for (const std::string& output : command.outputs) {
         if (output.ends_with(".svg")) {
-            const std::string svg = brdf::polar_plot(trial, command.name);
+            const std::string svg = brdf::polar_plot(evaluator, command.name);
             files.add(output, std::span(reinterpret_cast<const std::uint8_t*>(svg.data()), svg.size()));
         } else if (output.ends_with(".binary")) {
-            const std::vector<std::byte> file = scene::merl_file(tabulated(trial));
+            const std::vector<std::byte> file = scene::merl_file(tabulated(evaluator));
             files.add(output, std::span(reinterpret_cast<const std::uint8_t*>(file.data()), file.size()));
         } else {
-            const image::Image film = brdf::lit_sphere(command.specimen, 256, command.samples);
+            const image::Image film = brdf::lit_sphere(command.tested, 256, command.samples);
             const bool is_linear = image::is_scene_referred(output);
             files.add(is_linear ? film
                                 : image::displayed(film, image::auto_ev100(film), image::ToneCurve::neutral),
@@ -97,10 +96,10 @@ void check_outputs(const BrdfCommand& command) {
     }
 }
 
-ordered_json albedos_json(brdf::Trial& trial) {
+ordered_json albedos_json(brdf::BrdfEvaluator& evaluator) {
     ordered_json list = ordered_json::array();
     const std::vector<vec3> wo = brdf::viewing_directions();
-    const std::vector<glm::dvec3> albedos = trial.albedos(wo, 8192);
+    const std::vector<glm::dvec3> albedos = evaluator.albedos(wo, 8192);
     for (std::size_t i = 0; i < wo.size(); ++i)
         list.push_back({{"cos_o", wo[i].z}, {"albedo", {albedos[i].x, albedos[i].y, albedos[i].z}}});
     return list;
@@ -138,24 +137,24 @@ ExitStatus look_at(BrdfCommand& command) {
     choose(command);
     check_outputs(command);
     const auto context = gl::open_context({command.backend, false});
-    if (command.specimen.is_delta()) {
+    if (command.tested.is_delta()) {
         print_remark("{}: a delta has no values to check: it reflects its base colour from one direction",
                      command.name);
-        brdf::Trial trial(command.specimen);
-        write_outputs(command, trial);
+        brdf::BrdfEvaluator evaluator(command.tested);
+        write_outputs(command, evaluator);
         return done;
     }
-    brdf::Trial trial(command.specimen);
-    const std::vector<brdf::Law> laws = brdf::laws_of(trial);
+    brdf::BrdfEvaluator evaluator(command.tested);
+    const std::vector<brdf::Law> laws = brdf::laws_of(evaluator);
     const ordered_json json{
-        {"brdf", command.name}, {"albedo", albedos_json(trial)}, {"laws", laws_json(laws)}};
-    write_outputs(command, trial);
+        {"brdf", command.name}, {"albedo", albedos_json(evaluator)}, {"laws", laws_json(laws)}};
+    write_outputs(command, evaluator);
     context->require_silence();
     if (command.json)
         write_json(json.dump(2, ' ', false, ordered_json::error_handler_t::replace));
     else
         print(json);
-    if (!command.specimen.has_sampling())
+    if (!command.tested.has_sampling())
         print_remark("{}: its sampling is not checked: it declares none", command.name);
     const bool is_lawful =
         std::ranges::all_of(laws, [](const brdf::Law& law) { return law.holds() || law.is_waived; });
@@ -163,7 +162,7 @@ ExitStatus look_at(BrdfCommand& command) {
 }
 
 void declare_parameters(CLI::App& command, BrdfCommand& o) {
-    scene::Material& m = o.specimen.material;
+    scene::Material& m = o.tested.material;
     const auto color = [&](const char* name, const char* help, auto take) {
         command
             .add_option_function<std::string>(
@@ -225,7 +224,7 @@ void declare_parameters(CLI::App& command, BrdfCommand& o) {
     command.add_option("--metal", o.metal, "of conductor")
         ->check(CLI::IsMember(metals))
         ->capture_default_str();
-    command.add_flag("--energy-compensation", o.specimen.has_energy_compensation,
+    command.add_flag("--energy-compensation", o.tested.has_energy_compensation,
                      "gltf, ggx and conductor give back what bounces twice between microfacets");
 }
 

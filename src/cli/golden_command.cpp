@@ -5,10 +5,9 @@
 #include "core/output.hpp"
 #include "core/text.hpp"
 #include "golden/approve.hpp"
-#include "golden/bytes_of_file.hpp"
-#include "golden/junit.hpp"
 #include "golden/report.hpp"
 #include "golden/run.hpp"
+#include "image/whole_file.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -50,7 +49,7 @@ std::string summary(const golden::RunResult& result) {
 }
 
 void write_report(const golden::RunResult& result, const golden::Suite& suite, const fs::path& output) {
-    golden::write_text(golden::report_file(output), golden::report_html(result, suite, output));
+    image::write_text(golden::report_file(output), golden::report_html(result, suite, output));
 }
 
 ExitStatus run_suite(GoldenArguments& arguments) {
@@ -68,7 +67,7 @@ ExitStatus run_suite(GoldenArguments& arguments) {
         return interrupted;
     }
     golden::write_results(*result, options.output);
-    golden::write_text(golden::junit_file(options.output), golden::junit_xml(*result));
+    image::write_text(golden::junit_file(options.output), golden::junit_xml(*result));
     write_report(*result, suite, options.output);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     print_data("{} in {:.1f} s; {}\n", summary(*result), seconds,

@@ -1,20 +1,134 @@
 #include "golden/approve.hpp"
 
 #include "core/error.hpp"
-#include "golden/alternate.hpp"
-#include "golden/bytes_of_file.hpp"
-#include "golden/fingerprint.hpp"
-#include "golden/law_record.hpp"
+#include "core/file.hpp"
 #include "golden/run.hpp"
 #include "image/file.hpp"
+#include "image/whole_file.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <optional>
+#include <string_view>
 
 namespace sr::golden {
+namespace {
+
+/// A start, end or empty tag of an XML text, without its angle brackets.
+struct Tag {
+    std::string_view name;
+    std::string_view attributes;
+    bool is_end = false;
+};
+
+/// The tags of an XML text in turn; comments, CDATA, declarations and text are passed over.
+class Tags {
+public:
+    explicit Tags(std::string_view xml) : rest_(xml) {}
+
+    bool next(Tag& tag) {
+        while (true) {
+            const auto open = rest_.find('<');
+            if (open == std::string_view::npos) return false;
+            rest_.remove_prefix(open);
+            if (rest_.starts_with("<!--"))
+                skip_behind("-->");
+            else if (rest_.starts_with("<![CDATA["))
+                skip_behind("]]>");
+            else if (rest_.starts_with("<!") || rest_.starts_with("<?"))
+                skip_behind(">");
+            else
+                return read(tag);
+        }
+    }
+
+private:
+    void skip_behind(std::string_view mark) {
+        const auto end = rest_.find(mark);
+        rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + mark.size());
+    }
+
+    bool read(Tag& tag) {
+        std::size_t end = 1;
+        for (char quote = 0; end < rest_.size() && (quote != 0 || rest_[end] != '>'); ++end) {
+            const char c = rest_[end];
+            if (quote == 0 && (c == '"' || c == '\''))
+                quote = c;
+            else if (c == quote)
+                quote = 0;
+        }
+        std::string_view inside = rest_.substr(1, end - 1);
+        rest_.remove_prefix(std::min(end + 1, rest_.size()));
+        tag.is_end = inside.starts_with('/');
+        if (tag.is_end) inside.remove_prefix(1);
+        const auto name_end = std::min(inside.find_first_of(" \t\r\n/"), inside.size());
+        tag.name = inside.substr(0, name_end);
+        tag.attributes = inside.substr(name_end);
+        return true;
+    }
+
+    std::string_view rest_;
+};
+
+std::string unescaped(std::string_view text) {
+    constexpr std::array<std::pair<std::string_view, char>, 5> entities{
+        {{"&lt;", '<'}, {"&gt;", '>'}, {"&quot;", '"'}, {"&apos;", '\''}, {"&amp;", '&'}}};
+    std::string result;
+    while (!text.empty()) {
+        const auto found =
+            std::ranges::find_if(entities, [&](const auto& e) { return text.starts_with(e.first); });
+        result += found == entities.end() ? text.front() : found->second;
+        text.remove_prefix(found == entities.end() ? 1 : found->first.size());
+    }
+    return result;
+}
+
+std::string attribute(const Tag& tag, std::string_view name) {
+    const std::string key = " " + std::string(name) + "=";
+    const auto at = tag.attributes.find(key);
+    if (at == std::string_view::npos || at + key.size() >= tag.attributes.size()) return {};
+    const std::string_view rest = tag.attributes.substr(at + key.size());
+    const auto end = rest.find(rest.front(), 1);
+    return end == std::string_view::npos ? std::string() : unescaped(rest.substr(1, end - 1));
+}
+
+} // namespace
+
+std::vector<std::string> LawRecord::failed_among(std::span<const std::string> guards) const {
+    std::vector<std::string> names;
+    for (const std::string& name : failed)
+        if (std::ranges::any_of(guards, [&](const std::string& guard) { return name.starts_with(guard); }))
+            names.push_back(name);
+    return names;
+}
+
+LawRecord read_law_record(const std::filesystem::path& file) {
+    const std::string xml = read_text(file);
+    LawRecord record;
+    std::string open_case;
+    const auto fail_open_case = [&] {
+        if (!open_case.empty() && (record.failed.empty() || record.failed.back() != open_case))
+            record.failed.push_back(open_case);
+    };
+    Tags tags(xml);
+    for (Tag tag; tags.next(tag);) {
+        if (tag.name == "testcase" && !tag.is_end) {
+            ++record.tests;
+            open_case = attribute(tag, "name");
+            const std::string status = attribute(tag, "status"); // as CTest writes it
+            if (status == "fail" || status == "notrun") fail_open_case();
+        } else if (!tag.is_end && (tag.name == "failure" || tag.name == "error")) {
+            fail_open_case();
+        }
+    }
+    if (record.tests == 0)
+        throw Error({file.string()}, "no <testcase> in it", "record laws with ctest --output-junit FILE");
+    return record;
+}
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -28,16 +142,15 @@ bool holds(const fs::path& golden, const std::string& picture) {
     }
 }
 
-std::vector<TestResult> chosen(const RunResult& run, const std::vector<std::string>& names) {
+std::vector<TestResult> choose(const RunResult& run, const std::vector<std::string>& names) {
     std::vector<TestResult> tests;
     for (const TestResult& test : run.tests) {
-        const auto fits = [&](const std::string& name) { return is_meant(name, test.name); };
+        const auto fits = [&](const std::string& name) { return matches(name, test.name); };
         if (names.empty() ? test.outcome != Outcome::passed : std::ranges::any_of(names, fits))
             tests.push_back(test);
     }
     for (const std::string& name : names)
-        if (std::ranges::none_of(run.tests,
-                                 [&](const TestResult& test) { return is_meant(name, test.name); }))
+        if (std::ranges::none_of(run.tests, [&](const TestResult& test) { return matches(name, test.name); }))
             throw Error(fmt::format("the last run has no test {}", name),
                         "run it with steradian golden run, then approve it");
     return tests;
@@ -90,7 +203,7 @@ void inspect(Approval& approval, const TestResult& result, const GoldenTest& tes
             {"there is no candidate: " + (result.message.empty() ? "run it again" : result.message)});
         return;
     }
-    approval.bytes = bytes_of_file(approval.candidate);
+    approval.bytes = read_text(approval.candidate);
     const image::Image image = image::read(approval.candidate);
     if (fingerprint(image) != result.candidate_sha256) {
         approval.refusals.push_back(
@@ -143,7 +256,7 @@ ApprovalPlan plan_approval(const Suite& suite, const ApproveOptions& options) {
     if (!options.alternate.empty()) check_label(options.alternate);
     ApprovalPlan plan;
     const auto laws = law_record(suite, options, plan.remarks);
-    for (const TestResult& result : chosen(run, options.names)) {
+    for (const TestResult& result : choose(run, options.names)) {
         Approval approval{result.name, options.output / result.candidate, {}, {}, {}, {}};
         const auto test = std::ranges::find(suite.tests, result.name, &GoldenTest::name);
         if (test == suite.tests.end()) {
@@ -172,7 +285,7 @@ void carry_out(const ApprovalPlan& plan) {
         if (approval.change == "equal") continue;
         std::error_code failure;
         fs::create_directories(approval.golden.parent_path(), failure);
-        write_text(approval.golden, approval.bytes);
+        image::write_text(approval.golden, approval.bytes);
     }
 }
 

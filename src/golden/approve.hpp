@@ -1,8 +1,8 @@
 #pragma once
-// Candidates of the last run become goldens: always asked for, never by itself.
+// Approval: candidates of the last run become goldens, only when a person asks.
 #include "golden/result.hpp"
 
-#include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -40,7 +40,21 @@ struct ApprovalPlan {
     bool is_allowed(bool force) const;
 };
 
-/// Looks at everything and writes nothing. Refused without regard to force: a test that the last run did not
+/// The results of law and truth tests, as `ctest -L 'law|analytic|truth' --output-junit laws.xml` writes
+/// them.
+struct LawRecord {
+    int tests = 0;
+    std::vector<std::string> failed; // names; a test that could not be run counts as failed
+
+    /// The failed tests whose names begin with one of `guards`.
+    std::vector<std::string> failed_among(std::span<const std::string> guards) const;
+};
+
+/// Reads the JUnit XML of any program (CTest, GoogleTest, pytest). @throws Error if the file is missing or
+/// has no <testcase>.
+LawRecord read_law_record(const std::filesystem::path& file);
+
+/// Plans an approval; writes nothing. Refused without regard to force: a test that the last run did not
 /// have, a candidate that is missing or is not the one that was compared (by its fingerprint), one with
 /// pixels that are not finite where the test does not allow them. Refused unless forced: a failing pixel
 /// known in closed form, a failing law or truth test, a renderer that is not the suite's reference (or, where

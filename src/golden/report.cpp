@@ -1,8 +1,5 @@
 #include "golden/report.hpp"
 
-#include "golden/escape.hpp"
-#include "golden/report_page.hpp"
-#include "golden/report_pixels.hpp"
 #include "image/file.hpp"
 
 #include <algorithm>
@@ -51,9 +48,9 @@ public:
         json["images_left_out"] = room_ == 0;
         json["is_display_referred"] = test.candidate.ends_with(".png");
         if (test.candidate.empty() || room_ == 0) return;
-        json["test"] = packed_pixels(image::read(output_ / test.candidate));
+        json["test"] = pack_pixels(image::read(output_ / test.candidate));
         if (test.comparison.is_object()) {
-            auto golden = packed_pixels(image::read(suite_.folder / test.golden));
+            auto golden = pack_pixels(image::read(suite_.folder / test.golden));
             json["golden"] = golden == json["test"] ? ordered_json("equal") : std::move(golden);
         }
         for (const char* key : {"test", "golden"})
@@ -64,7 +61,7 @@ public:
 private:
     const Suite& suite_;
     const fs::path& output_;
-    std::size_t room_ = most_pixel_text;
+    std::size_t room_ = max_pixel_text;
 };
 
 ordered_json page_data(const RunResult& result, const Suite& suite, const fs::path& output) {
@@ -94,8 +91,8 @@ ordered_json page_data(const RunResult& result, const Suite& suite, const fs::pa
 std::string plain_table(const RunResult& result) {
     std::string rows;
     for (const TestResult* test : failures_first(result))
-        rows += fmt::format("<tr><td>{}<td>{}<td>{}\n", name_of(test->outcome), escaped_markup(test->name),
-                            escaped_markup(test->message));
+        rows += fmt::format("<tr><td>{}<td>{}<td>{}\n", name_of(test->outcome), escape_markup(test->name),
+                            escape_markup(test->message));
     return "<table>\n<tr><th>outcome<th>test<th>what\n" + rows + "</table>\n";
 }
 
@@ -108,6 +105,43 @@ std::string report_html(const RunResult& result, const Suite& suite, const fs::p
     const std::string data =
         page_data(result, suite, output).dump(-1, ' ', false, ordered_json::error_handler_t::replace);
     return offline_page(title, plain_table(result), data, suite_page());
+}
+
+namespace {
+
+std::string verdict_text(const TestResult& test) {
+    std::string text = test.message + "\n";
+    if (test.comparison.is_object()) {
+        for (const auto& verdict : test.comparison.value("verdicts", nlohmann::ordered_json::array()))
+            text += fmt::format("{} {}\n", verdict.value("passed", false) ? "ok    " : "FAILED",
+                                verdict.value("line", ""));
+    }
+    return text + "command: " + test.command + "\n" + test.log;
+}
+
+std::string case_xml(const RunResult& result, const TestResult& test) {
+    std::string xml = fmt::format("  <testcase classname=\"golden.{}\" name=\"{}\" time=\"{:.3f}\"",
+                                  escape_markup(result.suite), escape_markup(test.name), test.seconds);
+    if (test.outcome == Outcome::passed) return xml + "/>\n";
+    const char* element = test.outcome == Outcome::broken ? "error" : "failure";
+    return xml
+           + fmt::format(">\n    <{0} type=\"{1}\" message=\"{2}\">{3}</{0}>\n  </testcase>\n", element,
+                         name_of(test.outcome), escape_markup(test.message),
+                         escape_markup(verdict_text(test)));
+}
+
+} // namespace
+
+std::string junit_xml(const RunResult& result) {
+    double seconds = 0.0;
+    for (const TestResult& test : result.tests) seconds += test.seconds;
+    const int errors = result.count(Outcome::broken);
+    const int failures = result.count(Outcome::differs) + result.count(Outcome::missing);
+    std::string xml = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
+    xml += fmt::format("<testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"{}\" time=\"{:.3f}\">\n",
+                       escape_markup(result.suite), result.tests.size(), failures, errors, seconds);
+    for (const TestResult& test : result.tests) xml += case_xml(result, test);
+    return xml + "</testsuite>\n";
 }
 
 } // namespace sr::golden

@@ -1,15 +1,20 @@
 #pragma once
-// The page on which a person sees what a run found.
+// Reports of a run: an HTML page for people, JUnit XML for CI systems.
 #include "golden/result.hpp"
 
 namespace sr::golden {
 
-/// How much text of pixels a report carries before it leaves images out [bytes]. Failures come first.
-inline constexpr std::size_t most_pixel_text = 64u << 20;
+/// The largest size of the pixels in a report [bytes of text]; images beyond it are left out. Failures come
+/// first.
+inline constexpr std::size_t max_pixel_text = 64u << 20;
 
-/// One HTML file that needs nothing else (report_page.hpp). Where no script may run it still shows a table.
-/// Equal runs give equal pages.
+/// One HTML file that needs nothing from outside (page.hpp). Where no script may run it shows a table. Equal
+/// runs give equal pages.
 /// @throws Error if a candidate or golden cannot be read.
 std::string report_html(const RunResult& result, const Suite& suite, const std::filesystem::path& output);
+
+/// The run as JUnit XML: a test that differs or has no golden is a <failure>, one that made no image is an
+/// <error>.
+std::string junit_xml(const RunResult& result);
 
 } // namespace sr::golden

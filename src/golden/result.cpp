@@ -1,7 +1,8 @@
 #include "golden/result.hpp"
 
 #include "core/error.hpp"
-#include "golden/bytes_of_file.hpp"
+#include "core/file.hpp"
+#include "image/whole_file.hpp"
 
 #include <algorithm>
 #include <array>
@@ -83,7 +84,8 @@ void write_results(const RunResult& result, const fs::path& output) {
                             {"passed", result.passed()},
                             {"tests", std::move(tests)}};
     // A log or an attribute may hold any bytes.
-    write_text(results_file(output), json.dump(1, ' ', false, ordered_json::error_handler_t::replace) + "\n");
+    image::write_text(results_file(output),
+                      json.dump(1, ' ', false, ordered_json::error_handler_t::replace) + "\n");
 }
 
 RunResult read_results(const fs::path& output) {
@@ -92,7 +94,7 @@ RunResult read_results(const fs::path& output) {
     if (!fs::exists(file, ignored))
         throw Error({file.string()}, "no results of a run", "run steradian golden run first, to its end");
     try {
-        const auto json = ordered_json::parse(bytes_of_file(file));
+        const auto json = ordered_json::parse(read_text(file));
         if (json.at("steradian_golden_results") != format_version) throw Error("another version", "");
         RunResult result{json.at("suite"), json.at("suite_file"), {}};
         for (const ordered_json& test : json.at("tests")) result.tests.push_back(test_of(test));

@@ -1,5 +1,5 @@
 #pragma once
-// What a run of a suite found, and the file that keeps it.
+// Results of a run, and the file results.json.
 #include "golden/suite.hpp"
 
 #include <filesystem>

@@ -1,5 +1,5 @@
 #pragma once
-// A fingerprint of bytes.
+// SHA-256: fingerprints of pictures, and the hashes of a page's Content-Security-Policy, which take no other.
 #include <array>
 #include <cstdint>
 #include <span>

@@ -1,7 +1,9 @@
 #include "golden/suite.hpp"
 
-#include "golden/suite_reader.hpp"
+#include "core/error.hpp"
+#include "core/json.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <set>
 
@@ -25,7 +27,7 @@ constexpr std::array render_options{
     RenderOption{"tone_curve", "--tone-curve"}, RenderOption{"backend", "--backend"},
 };
 
-void allow_test_keys(const SuiteReader& entry) {
+void allow_test_keys(const JsonObject& entry) {
     entry.allow_only({"name",       "description", "tags",       "scene",      "command",         "format",
                       "arguments",  "shaders",     "camera",     "size",       "samples",         "seed",
                       "background", "rig",         "estimator",  "visibility", "exr_type",        "exposure",
@@ -34,12 +36,12 @@ void allow_test_keys(const SuiteReader& entry) {
 }
 
 /// The key in the test if it is there, else in the defaults.
-const SuiteReader& holder(const SuiteReader& entry, const SuiteReader& defaults, const char* key) {
+const JsonObject& holder(const JsonObject& entry, const JsonObject& defaults, const char* key) {
     return entry.has(key) ? entry : defaults;
 }
 
 /// The value of a render option as the command line takes it: a text, or a number as written.
-std::string option_value(const SuiteReader& entry, const char* key) {
+std::string option_value(const JsonObject& entry, const char* key) {
     const json& value = entry.value().at(key);
     if (value.is_string()) return value.get<std::string>();
     if (!value.is_number())
@@ -47,17 +49,17 @@ std::string option_value(const SuiteReader& entry, const char* key) {
     return value.dump();
 }
 
-std::vector<std::string> render_command(const SuiteReader& entry, const SuiteReader& defaults) {
+std::vector<std::string> render_command(const JsonObject& entry, const JsonObject& defaults) {
     std::vector<std::string> words{"{steradian}", "render", entry.required_text("scene"), "-o", "{out}"};
     // A golden of a scene that has lost something would keep the loss.
     if (holder(entry, defaults, "strict").flag("strict", true)) words.emplace_back("--strict");
     for (const RenderOption& option : render_options)
-        for (const SuiteReader* place : {&entry, &defaults})
+        for (const JsonObject* place : {&entry, &defaults})
             if (place->has(option.key)) {
                 words.insert(words.end(), {option.option, option_value(*place, option.key)});
                 break;
             }
-    for (const SuiteReader* place : {&entry, &defaults}) {
+    for (const JsonObject* place : {&entry, &defaults}) {
         for (const std::string& folder : place->texts("shaders"))
             words.insert(words.end(), {"--shaders", folder});
         for (std::string& word : place->texts("arguments")) words.push_back(std::move(word));
@@ -65,7 +67,7 @@ std::vector<std::string> render_command(const SuiteReader& entry, const SuiteRea
     return words;
 }
 
-std::string checked_name(const SuiteReader& entry, std::set<std::string>& used) {
+std::string checked_name(const JsonObject& entry, std::set<std::string>& used) {
     std::string name = entry.required_text("name");
     bool fits = !name.empty() && name.size() <= 120 && name.front() != '.' && name.front() != '-';
     for (const char c : name) fits = fits && c != '/' && c != '\\' && static_cast<unsigned char>(c) >= 0x20;
@@ -78,7 +80,7 @@ std::string checked_name(const SuiteReader& entry, std::set<std::string>& used) 
     return name;
 }
 
-KnownPixel known_pixel(const SuiteReader& entry) {
+KnownPixel known_pixel(const JsonObject& entry) {
     entry.allow_only({"at", "radiance", "relative"});
     const auto at = entry.numbers("at", 2), rgb = entry.numbers("radiance", 3);
     if (at[0] < 0 || at[1] < 0 || at[0] > 65535 || at[1] > 65535)
@@ -89,9 +91,9 @@ KnownPixel known_pixel(const SuiteReader& entry) {
             entry.number("relative", 0.01, 1e-9, 1.0)};
 }
 
-void read_comparison(GoldenTest& test, const SuiteReader& entry, const SuiteReader& defaults,
+void read_comparison(GoldenTest& test, const JsonObject& entry, const JsonObject& defaults,
                      const fs::path& folder) {
-    const SuiteReader& tolerance = holder(entry, defaults, "tolerance");
+    const JsonObject& tolerance = holder(entry, defaults, "tolerance");
     try {
         test.tolerances = compare::parse_tolerances(tolerance.texts("tolerance"));
     } catch (const Error& error) { // says what may stand there, and not where it stands
@@ -106,7 +108,7 @@ void read_comparison(GoldenTest& test, const SuiteReader& entry, const SuiteRead
     if (entry.has("mask")) test.mask = entry.path("mask", entry.text("mask", ""), folder);
     for (const std::string& file : entry.texts("noise"))
         test.noise.push_back(entry.path("noise", file, folder));
-    for (const SuiteReader& pixel : entry.objects("pixels")) test.pixels.push_back(known_pixel(pixel));
+    for (const JsonObject& pixel : entry.objects("pixels")) test.pixels.push_back(known_pixel(pixel));
 }
 
 /// Laws hold for every scene; a truth or closed form is of the scene that it names.
@@ -116,7 +118,7 @@ std::vector<std::string> default_guards(const std::string& scene) {
     return {"law.", "truth." + stem, "analytic." + stem};
 }
 
-GoldenTest read_test(const SuiteReader& entry, const SuiteReader& defaults, const fs::path& folder,
+GoldenTest read_test(const JsonObject& entry, const JsonObject& defaults, const fs::path& folder,
                      std::set<std::string>& used) {
     allow_test_keys(entry);
     GoldenTest test;
@@ -143,7 +145,7 @@ GoldenTest read_test(const SuiteReader& entry, const SuiteReader& defaults, cons
     test.extension = "." + format;
     test.time_limit = holder(entry, defaults, "time_limit").number("time_limit", 60.0, 0.001, 86400.0);
     read_comparison(test, entry, defaults, folder);
-    const SuiteReader& guards = holder(entry, defaults, "guards");
+    const JsonObject& guards = holder(entry, defaults, "guards");
     test.guards = guards.has("guards") ? guards.texts("guards") : default_guards(test.scene);
     return test;
 }
@@ -151,8 +153,8 @@ GoldenTest read_test(const SuiteReader& entry, const SuiteReader& defaults, cons
 } // namespace
 
 Suite load_suite(const fs::path& file) {
-    const JsonText text(file);
-    const SuiteReader root(text, SuiteReader::Pointer(""));
+    const JsonFile text(file);
+    const JsonObject root(text, JsonObject::Pointer(""));
     root.allow_only({"$schema", "name", "goldens", "laws", "renderer", "defaults", "tests"});
     Suite suite;
     suite.file = file;
@@ -161,12 +163,12 @@ Suite load_suite(const fs::path& file) {
     suite.goldens = root.path("goldens", root.text("goldens", "goldens"), suite.folder);
     if (root.has("laws")) suite.laws = root.path("laws", root.text("laws", ""), suite.folder);
     if (root.has("renderer")) {
-        const SuiteReader renderer(text, SuiteReader::Pointer("/renderer"));
+        const JsonObject renderer(text, JsonObject::Pointer("/renderer"));
         renderer.allow_only({"GL_RENDERER", "GL_VERSION"});
         suite.renderer = {renderer.required_text("GL_RENDERER"), renderer.text("GL_VERSION", "")};
     }
     if (!root.has("tests")) root.fail("\"tests\" is missing", "add \"tests\": [ … ]");
-    const SuiteReader defaults(text, SuiteReader::Pointer(root.has("defaults") ? "/defaults" : ""));
+    const JsonObject defaults(text, JsonObject::Pointer(root.has("defaults") ? "/defaults" : ""));
     if (root.has("defaults")) {
         allow_test_keys(defaults);
         for (const char* key : {"name", "scene", "command", "region", "mask", "noise", "pixels"})
@@ -174,11 +176,44 @@ Suite load_suite(const fs::path& file) {
                 defaults.fail_at(key, fmt::format("\"{}\" has no default", key), "write it in each test");
     }
     std::set<std::string> used;
-    for (const SuiteReader& entry : root.objects("tests"))
+    for (const JsonObject& entry : root.objects("tests"))
         suite.tests.push_back(read_test(entry, defaults, suite.folder, used));
     if (suite.tests.empty())
         root.fail_at("tests", "no tests", "add one: { \"name\": \"…\", \"scene\": \"….gltf\" }");
     return suite;
+}
+
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path folder_of(const Suite& suite) { return suite.goldens / "alternates"; }
+
+} // namespace
+
+fs::path alternate_of(const Suite& suite, const GoldenTest& test, std::string_view label) {
+    return folder_of(suite) / label / (test.name + test.extension);
+}
+
+std::vector<std::string> alternates_of(const Suite& suite, const GoldenTest& test) {
+    std::vector<std::string> labels;
+    std::error_code ignored;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder_of(suite), ignored)) {
+        const std::string label = entry.path().filename().string();
+        if (fs::exists(alternate_of(suite, test, label), ignored)) labels.push_back(label);
+    }
+    std::ranges::sort(labels);
+    return labels;
+}
+
+void check_label(const std::string& label) {
+    const auto is_plain = [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-'
+               || c == '_' || c == '.';
+    };
+    if (!label.empty() && label.front() != '.' && std::ranges::all_of(label, is_plain)) return;
+    throw Error(fmt::format("'{}' cannot name an alternate", label),
+                "take letters, digits, '-', '_' and '.', such as radeonsi-24.1");
 }
 
 } // namespace sr::golden

@@ -58,6 +58,16 @@ struct Suite {
     }
 };
 
+/// The file of the alternate `label` of a test: GOLDENS/alternates/LABEL/NAME.exr. An alternate is another
+/// driver's picture of a test, approved beside its golden; it holds only for the renderer that made it.
+std::filesystem::path alternate_of(const Suite& suite, const GoldenTest& test, std::string_view label);
+
+/// The labels of the test's alternates, in order.
+std::vector<std::string> alternates_of(const Suite& suite, const GoldenTest& test);
+
+/// @throws Error for a label that cannot be a folder's name.
+void check_label(const std::string& label);
+
 /// Reads a suite. @throws Error with file:line:column for broken JSON, an unknown or missing key, a value of
 /// a wrong kind, a name that is used twice or cannot be a file's, a tolerance that does not parse.
 Suite load_suite(const std::filesystem::path& file);

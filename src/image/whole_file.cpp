@@ -146,6 +146,10 @@ void write_whole(const fs::path& file, std::span<const std::uint8_t> bytes) {
     files.put_in_place();
 }
 
+void write_text(const fs::path& file, std::string_view text) {
+    write_whole(file, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+}
+
 void require_writable(const fs::path& file) {
     const fs::path target = end_of_links(file);
     status_of(target, file);

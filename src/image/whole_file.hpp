@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <memory>
 #include <span>
+#include <string_view>
 #include <vector>
 
 namespace sr::image {
@@ -36,6 +37,9 @@ private:
 
 /// One file as WholeFiles writes it. @throws Error
 void write_whole(const std::filesystem::path& file, std::span<const std::uint8_t> bytes);
+
+/// The same for text. @throws Error
+void write_text(const std::filesystem::path& file, std::string_view text);
 
 /// @throws Error if it can be seen already that `file` cannot be written: a missing folder, a folder or a
 /// device in its place, no permission. Nothing is written.

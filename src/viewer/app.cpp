@@ -4,16 +4,6 @@
 #include "image/luminance.hpp"
 #include "viewer/config.hpp"
 #include "viewer/panels/help.hpp"
-#include "viewer/tools/adjust_display.hpp"
-#include "viewer/tools/animate.hpp"
-#include "viewer/tools/assignment.hpp"
-#include "viewer/tools/compare.hpp"
-#include "viewer/tools/edit_lights.hpp"
-#include "viewer/tools/files.hpp"
-#include "viewer/tools/navigate.hpp"
-#include "viewer/tools/probe.hpp"
-#include "viewer/tools/transform.hpp"
-#include "viewer/tools/turntable.hpp"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -47,16 +37,10 @@ gl::WindowOptions window_options(const Options& options) {
 /// view, a click on a light before a probe.
 std::vector<std::unique_ptr<Tool>> make_tools(Workspace& workspace) {
     std::vector<std::unique_ptr<Tool>> tools;
-    tools.push_back(std::make_unique<Transform>(workspace));
-    tools.push_back(std::make_unique<Navigate>(workspace));
-    tools.push_back(std::make_unique<EditLights>(workspace));
-    tools.push_back(std::make_unique<Animate>(workspace));
-    tools.push_back(std::make_unique<AdjustDisplay>(workspace));
-    tools.push_back(std::make_unique<Compare>(workspace));
-    if (!workspace.options.submission.empty()) tools.push_back(std::make_unique<Assignment>(workspace));
-    tools.push_back(std::make_unique<Probe>(workspace));
-    tools.push_back(std::make_unique<Files>(workspace));
-    tools.push_back(std::make_unique<Turntable>(workspace));
+    for (const auto make :
+         {make_transform, make_navigate, make_edit_lights, make_animate, make_adjust_display, make_compare,
+          make_assignment, make_probe, make_files, make_turntable})
+        if (auto tool = make(workspace)) tools.push_back(std::move(tool));
     return tools;
 }
 
@@ -122,9 +106,9 @@ void App::run(const std::function<bool()>& is_interrupted) {
 
 Activity App::activity() const {
     if (!workspace_.scene) return workspace_.loading ? Activity::waiting : Activity::idle;
-    Activity most = Activity::idle;
-    for (const auto& tool : tools_) most = std::max(most, tool->activity());
-    return most;
+    Activity activity = Activity::idle;
+    for (const auto& tool : tools_) activity = std::max(activity, tool->activity());
+    return activity;
 }
 
 bool App::draws_again() const {

@@ -141,7 +141,7 @@ std::string Workspace::time_arguments() const {
     const LoadedScene& loaded = scene->loaded();
     std::string text;
     if (playback.seconds) {
-        text += fmt::format(" --at {:.9g}", *playback.seconds);
+        text += fmt::format(" --at {}", *playback.seconds);
         if (loaded.contents.animations.size() > 1)
             text += fmt::format(" --animation '{}'",
                                 animation_argument(loaded.contents.animations, playback.animations));

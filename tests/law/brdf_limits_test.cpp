@@ -1,4 +1,4 @@
-#include "brdf/trial.hpp"
+#include "brdf/evaluator.hpp"
 #include "core/error.hpp"
 #include "scene/conductor.hpp"
 #include "scene/measured_brdf.hpp"
@@ -17,7 +17,7 @@ using scene::Model;
 
 namespace {
 
-std::vector<brdf::Pair> random_pairs(int count, float lowest_cosine) {
+std::vector<brdf::DirectionPair> random_pairs(int count, float lowest_cosine) {
     std::mt19937 random(5);
     std::uniform_real_distribution<float> unit(0.0f, 1.0f);
     const auto any = [&] {
@@ -25,7 +25,7 @@ std::vector<brdf::Pair> random_pairs(int count, float lowest_cosine) {
         const float r = std::sqrt(1.0f - z * z);
         return vec3(r * std::cos(phi), r * std::sin(phi), z);
     };
-    std::vector<brdf::Pair> pairs;
+    std::vector<brdf::DirectionPair> pairs;
     for (int i = 0; i < count; ++i) pairs.push_back({any(), any()});
     return pairs;
 }
@@ -48,7 +48,7 @@ const Test isotropic("law.brdf.anisotropy.of_one_width_is_isotropic", [] {
     plain.model = brushed.model = Model::ggx;
     brushed.roughness_across = 0.45001f; // the anisotropic code, all but the same width
     brushed.anisotropy_rotation = 0.7f;
-    brdf::Trial one({plain, {}, false, {}}), two({brushed, {}, false, {}});
+    brdf::BrdfEvaluator one({plain, {}, false, {}}), two({brushed, {}, false, {}});
     const auto pairs = random_pairs(2000, 0.05f);
     const auto f = one.values(pairs), g = two.values(pairs);
     for (std::size_t i = 0; i < pairs.size(); ++i) EXPECT_NEAR(g[i].x, f[i].x, 2e-3f * f[i].x);
@@ -66,7 +66,7 @@ const Test layers("law.brdf.layers.of_no_weight_change_nothing", [] {
     covered.sheen_color = vec3(1e-9f);
     covered.iridescence = 1.0f;
     covered.largest_film_thickness = 0.0f;
-    brdf::Trial one({plain, {}, false, {}}), two({covered, {}, false, {}});
+    brdf::BrdfEvaluator one({plain, {}, false, {}}), two({covered, {}, false, {}});
     const auto pairs = random_pairs(500, 0.1f);
     const auto f = one.values(pairs), g = two.values(pairs);
     for (std::size_t i = 0; i < pairs.size(); ++i)
@@ -91,9 +91,9 @@ const Test measured_metals("law.brdf.conductor.reflects_as_measured", [] {
     gold.model = Model::conductor;
     gold.roughness = 0.05f;
     gold.conductor = scene::fitted_ior(*scene::measured_metal("gold"));
-    brdf::Trial trial({gold, {}, false, {}});
+    brdf::BrdfEvaluator evaluator({gold, {}, false, {}});
     const vec3 wo(0.6f, 0.0f, 0.8f);
-    const glm::dvec3 albedo = trial.albedos(std::array{wo}, 16384)[0];
+    const glm::dvec3 albedo = evaluator.albedos(std::array{wo}, 16384)[0];
     for (int c = 0; c < 3; ++c)
         EXPECT_NEAR(albedo[c], scene::fresnel_conductor(0.8, gold.conductor.n[c], gold.conductor.k[c]), 0.01);
     EXPECT_GT(albedo.x, albedo.y);
@@ -107,8 +107,8 @@ const Test merl("law.brdf.merl.gives_back_what_was_tabulated", [] {
     material.roughness = 0.5f;
     material.metallic = 0.2f;
     material.base_color = vec4(0.9f, 0.6f, 0.3f, 1.0f);
-    brdf::Trial analytic({material, {}, false, {}});
-    std::vector<brdf::Pair> cells;
+    brdf::BrdfEvaluator analytic({material, {}, false, {}});
+    std::vector<brdf::DirectionPair> cells;
     for (std::size_t i = 0; i < scene::merl_cells; ++i) {
         const auto [wi, wo] = scene::merl_directions(i);
         cells.push_back({wi, wo});
@@ -116,14 +116,14 @@ const Test merl("law.brdf.merl.gives_back_what_was_tabulated", [] {
     Material measured;
     measured.model = Model::merl;
     measured.measured = 0;
-    brdf::Trial read_back(
+    brdf::BrdfEvaluator read_back(
         {measured, {scene::read_merl(scene::merl_file(analytic.values(cells)), "made.binary")}, false, {}});
     const auto pairs = random_pairs(4000, 0.2f);
     const auto [median, p95] = differences(read_back.values(pairs), analytic.values(pairs));
     EXPECT_LT(median, 0.002f);
     EXPECT_LT(p95, 0.02f);
     // The lobe that it is sampled by is about as wide as the true one.
-    EXPECT_NEAR(read_back.specimen().measured.at(0).alpha, 0.25f, 0.08f);
+    EXPECT_NEAR(read_back.tested().measured.at(0).alpha, 0.25f, 0.08f);
 });
 
 const Test broken("law.brdf.merl.broken_files_say_so", [] {

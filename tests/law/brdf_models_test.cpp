@@ -23,10 +23,10 @@ Material material_of(Model model, float roughness, float metallic = 1.0f) {
 /// All laws, for materials that differ in their parameters only.
 void expect_lawful(const std::vector<Material>& materials, bool has_compensation = false) {
     context();
-    brdf::Trial trial({materials.at(0), {}, has_compensation, {}});
+    brdf::BrdfEvaluator evaluator({materials.at(0), {}, has_compensation, {}});
     for (const Material& material : materials) {
-        trial.change(material);
-        for (const brdf::Law& law : brdf::laws_of(trial)) {
+        evaluator.change(material);
+        for (const brdf::Law& law : brdf::laws_of(evaluator)) {
             if (law.is_waived) continue;
             EXPECT_LE(law.worst, law.limit) << scene::name_of(material.model) << ", roughness "
                                             << material.roughness << ": " << law.name << " at " << law.where;
@@ -112,23 +112,24 @@ const Test conductor("law.brdf.conductor", [] {
 });
 
 /// The albedo for the views of the laws.
-std::vector<glm::dvec3> albedos(brdf::Trial& trial) {
-    return trial.albedos(brdf::viewing_directions(), 8192);
+std::vector<glm::dvec3> albedos(brdf::BrdfEvaluator& evaluator) {
+    return evaluator.albedos(brdf::viewing_directions(), 8192);
 }
 
 // What EON is for: white clay loses nothing at any roughness; and Lambert of albedo ρ returns ρ.
 const Test preserves("law.brdf.oren_nayar.white_loses_nothing", [] {
     context();
-    brdf::Trial trial({material_of(Model::oren_nayar, 0.0f), {}, false, {}});
+    brdf::BrdfEvaluator evaluator({material_of(Model::oren_nayar, 0.0f), {}, false, {}});
     for (const float roughness : {0.0f, 0.3f, 1.0f})
         for (const float rho : {1.0f, 0.5f}) {
             Material clay = material_of(Model::oren_nayar, roughness);
             clay.base_color = vec4(rho);
-            trial.change(clay);
+            evaluator.change(clay);
             if (rho == 1.0f || roughness == 0.0f)
-                for (const glm::dvec3 albedo : albedos(trial)) EXPECT_NEAR(albedo.x, rho, 2e-3) << roughness;
+                for (const glm::dvec3 albedo : albedos(evaluator))
+                    EXPECT_NEAR(albedo.x, rho, 2e-3) << roughness;
             else
-                EXPECT_LT(albedos(trial).back().x, rho);
+                EXPECT_LT(albedos(evaluator).back().x, rho);
         }
 });
 
@@ -136,8 +137,8 @@ const Test preserves("law.brdf.oren_nayar.white_loses_nothing", [] {
 // not.
 const Test furnace("law.brdf.energy_compensation.white_furnace", [] {
     context();
-    brdf::Trial with({material_of(Model::ggx, 0.5f), {}, true, {}});
-    brdf::Trial without({material_of(Model::ggx, 0.5f), {}, false, {}});
+    brdf::BrdfEvaluator with({material_of(Model::ggx, 0.5f), {}, true, {}});
+    brdf::BrdfEvaluator without({material_of(Model::ggx, 0.5f), {}, false, {}});
     for (const float roughness : {0.0f, 0.1f, 0.25f, 0.4f, 0.55f, 0.7f, 0.85f, 1.0f}) {
         with.change(material_of(Model::ggx, roughness));
         for (const glm::dvec3 albedo : albedos(with))

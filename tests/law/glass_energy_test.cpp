@@ -1,5 +1,5 @@
 // Glass by itself: what it reflects and what it lets through, together.
-#include "brdf/trial.hpp"
+#include "brdf/evaluator.hpp"
 #include "shadow/glass.hpp"
 #include "support/address.hpp"
 #include "support/gl.hpp"
@@ -26,15 +26,15 @@ const Test furnace("law.glass.reflects_and_lets_through_no_more_than_arrives", [
     scene::Material material;
     material.metallic = 0.0f;
     material.transmission = 1.0f;
-    brdf::Trial trial({material, {}, false, {}});
+    brdf::BrdfEvaluator evaluator({material, {}, false, {}});
     std::vector<vec3> wo;
     for (const float cos_o : cosines) wo.push_back(direction(cos_o, 0.7f));
     for (const float ior : {1.0f, 1.33f, 1.5f, 2.4f}) {
         for (const float roughness : {0.05f, 0.2f, 0.5f, 1.0f}) {
             material.ior = ior;
             material.roughness = roughness;
-            trial.change(material);
-            const auto albedos = trial.albedos(wo, 4096);
+            evaluator.change(material);
+            const auto albedos = evaluator.albedos(wo, 4096);
             shadow::Glass glass;
             glass.F0 = std::pow((ior - 1.0f) / (ior + 1.0f), 2.0f);
             for (std::size_t i = 0; i < wo.size(); ++i) {
@@ -50,8 +50,8 @@ const Test furnace("law.glass.reflects_and_lets_through_no_more_than_arrives", [
 });
 
 /// f_r with wi below the sheet.
-vec3 f_below(brdf::Trial& trial, vec3 wi, vec3 wo) {
-    return trial.values(std::array{brdf::Pair{wi, wo}}).front();
+vec3 f_below(brdf::BrdfEvaluator& evaluator, vec3 wi, vec3 wo) {
+    return evaluator.values(std::array{brdf::DirectionPair{wi, wo}}).front();
 }
 
 // Both sides of a sheet together send on no more than arrives. (Specular 0: glTF's dielectric is no such
@@ -62,13 +62,13 @@ const Test sheet("law.glass.a_sheet_sends_to_both_sides_no_more_than_arrives", [
     material.metallic = 0.0f;
     material.specular = 0.0f;
     material.diffuse_transmission = 0.4f;
-    brdf::Trial trial({material, {}, false, {}});
+    brdf::BrdfEvaluator evaluator({material, {}, false, {}});
     for (const float share : {0.1f, 0.5f, 1.0f}) {
         material.diffuse_transmission = share;
-        trial.change(material);
+        evaluator.change(material);
         const vec3 wo = direction(0.6f, 0.2f);
-        const double above = trial.albedos(std::array{wo}, 4096).front().x;
-        const double below = f_below(trial, direction(-0.3f, 1.0f), wo).x * pi; // it is Lambert's
+        const double above = evaluator.albedos(std::array{wo}, 4096).front().x;
+        const double below = f_below(evaluator, direction(-0.3f, 1.0f), wo).x * pi; // it is Lambert's
         EXPECT_NEAR(above, 1.0 - share, 1e-3);
         EXPECT_NEAR(below, share, 1e-5);
     }
@@ -81,12 +81,13 @@ const Test reciprocity("law.glass.a_sheet_is_reciprocal", [] {
     material.metallic = 0.25f;
     material.diffuse_transmission = 0.5f;
     material.diffuse_transmission_color = vec3(0.3f, 0.8f, 0.1f);
-    brdf::Trial trial({material, {}, false, {}});
+    brdf::BrdfEvaluator evaluator({material, {}, false, {}});
     for (const float cos_i : cosines)
         for (const float cos_o : cosines) {
             const vec3 wi = direction(-cos_i, 0.3f), wo = direction(cos_o, 2.0f);
-            const vec3 there = f_below(trial, wi, wo);
-            const vec3 back = f_below(trial, wo * vec3(1, 1, -1), wi * vec3(1, 1, -1)); // n is on wo's side
+            const vec3 there = f_below(evaluator, wi, wo);
+            const vec3 back =
+                f_below(evaluator, wo * vec3(1, 1, -1), wi * vec3(1, 1, -1)); // n is on wo's side
             EXPECT_GT(there.y, 0.0f);
             for (int c = 0; c < 3; ++c) EXPECT_NEAR(there[c], back[c], 1e-4f * there[c]);
         }

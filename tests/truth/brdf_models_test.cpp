@@ -1,4 +1,4 @@
-#include "brdf/trial.hpp"
+#include "brdf/evaluator.hpp"
 #include "support/address.hpp"
 #include "support/gl.hpp"
 #include "support/models.hpp"
@@ -20,7 +20,7 @@ namespace {
 struct Line {
     std::string brdf;
     std::array<float, 8> p{};
-    brdf::Pair pair;
+    brdf::DirectionPair pair;
     vec3 f_r{0.0f}; // [1/sr], as Mitsuba has it
 };
 
@@ -147,13 +147,13 @@ void expect_rows(const std::string& brdf, scene::Material (*material)(const Line
     context();
     const std::vector<Line> lines = lines_of(brdf);
     ASSERT_EQ(lines.size(), 100u);
-    brdf::Specimen specimen{material(lines[0]), {}, false, {}};
-    if (specimen.material.measured >= 0) specimen.measured.push_back(truth::made_measurement());
-    brdf::Trial trial(specimen);
+    brdf::BrdfUnderTest tested{material(lines[0]), {}, false, {}};
+    if (tested.material.measured >= 0) tested.measured.push_back(truth::made_measurement());
+    brdf::BrdfEvaluator evaluator(tested);
     double worst = 0.0;
     for (const Line& line : lines) {
-        trial.change(material(line));
-        const vec3 f_r = trial.values({&line.pair, 1})[0];
+        evaluator.change(material(line));
+        const vec3 f_r = evaluator.values({&line.pair, 1})[0];
         const vec3 off = glm::abs(f_r - line.f_r) / std::max({line.f_r.x, line.f_r.y, line.f_r.z});
         for (int c = 0; c < 3; ++c)
             if (!(off[c] <= worst)) worst = off[c];

@@ -1,4 +1,4 @@
-# cmake -DROOT=report -DFUNCTION=sr::golden::report_base -DHEADER=golden/report_page.hpp -DOUT=report_base.cpp -P embed.cmake: the style and the
+# cmake -DROOT=report -DFUNCTION=sr::golden::report_base -DHEADER=golden/page.hpp -DOUT=report_base.cpp -P embed.cmake: the style and the
 # scripts of a folder as a C++ file that defines the function, which returns a sr::golden::ReportPage.
 function(raw_string file out)
   file(READ "${file}" text)

@@ -29,7 +29,7 @@ struct LoadedScene {
     std::string variant;              // current material variant; empty: none
     std::vector<int> light_nodes;     // of the file's lights at the current time
     std::vector<vec3> emission;       // of each of the file's materials, even where emitters are hidden
-    std::vector<std::string> remarks; // one line each: warnings, and decisions that nobody asked for
+    std::vector<std::string> remarks; // one line each: warnings, and defaults that were chosen
     double seconds = 0.0;             // of loading
 };
 

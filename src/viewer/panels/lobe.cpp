@@ -59,9 +59,9 @@ LobeScale scale_of(const Lobe& lobe, const LobeSettings& look) {
     std::ranges::sort(values);
     const float largest = values.back();
     if (!look.is_logarithmic) return {largest, 0.0f};
-    constexpr float least = 2.0f, most = 12.0f; // decades
-    return {largest,
-            std::clamp(std::ceil(std::log10(largest / values[values.size() / 2])) + 1.0f, least, most)};
+    constexpr float min_decades = 2.0f, max_decades = 12.0f;
+    return {largest, std::clamp(std::ceil(std::log10(largest / values[values.size() / 2])) + 1.0f,
+                                min_decades, max_decades)};
 }
 
 float shown_radius(float value, const LobeScale& scale) {

@@ -208,7 +208,7 @@ void LobePanel::draw_in_scene(const Lobe& lobe, vec3 x, const Projection& projec
     }
 }
 
-/// Puts a new panel into the corner where it covers least of the probed pixel and of the window `avoided`.
+/// Puts a new panel into the corner where it hides the probed pixel and the window `avoided` least.
 void ProbePanel::place(const char* avoided) {
     if (!std::exchange(is_placed_, true)) frames_to_place_ = 3;
     if (frames_to_place_-- <= 0) return;
@@ -223,14 +223,14 @@ void ProbePanel::place(const char* avoided) {
     };
     const float bottom = view.y - 3.0f * ImGui::GetFontSize();
     vec2 best(0.0f);
-    float least = std::numeric_limits<float>::infinity();
+    float min_cost = std::numeric_limits<float>::infinity();
     for (const float x : {view.x - 12.0f - size_.x, 12.0f})
         for (const float y : {bottom - size_.y, 12.0f}) {
             const float over = overlap(x, x + size_.x, from.x, from.x + size.x)
                                * overlap(y, y + size_.y, from.y, from.y + size.y);
             const float hidden = pixel >= y && pixel <= y + size_.y ? 0.25f * size_.x * size_.y : 0.0f;
-            if (over + hidden >= least) continue;
-            least = over + hidden;
+            if (over + hidden >= min_cost) continue;
+            min_cost = over + hidden;
             best = {x, y};
         }
     ImGui::SetNextWindowPos({best.x, best.y});

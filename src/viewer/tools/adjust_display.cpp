@@ -1,4 +1,5 @@
-#include "viewer/tools/adjust_display.hpp"
+// Display tool: exposure, tone curve, false colour.
+#include "viewer/tools/tool.hpp"
 
 #include <algorithm>
 #include <array>
@@ -37,6 +38,14 @@ void draw_legend(const DisplaySettings& display, std::string_view unit) {
 }
 
 } // namespace
+
+class AdjustDisplay : public Tool {
+public:
+    using Tool::Tool;
+
+    std::optional<Changes> handle(const Event& event) override;
+    Changes draw_section() override;
+};
 
 std::optional<Changes> AdjustDisplay::handle(const Event& event) {
     const auto command = command_in(event);
@@ -81,6 +90,10 @@ Changes AdjustDisplay::draw_section() {
     range.y = std::max(range.y, range.x + 0.5f);
     draw_legend(display, scene::radiance_unit(ws_.scene->stage().scene.units));
     return {};
+}
+
+std::unique_ptr<Tool> make_adjust_display(Workspace& workspace) {
+    return std::make_unique<AdjustDisplay>(workspace);
 }
 
 } // namespace sr::viewer

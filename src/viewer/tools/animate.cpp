@@ -1,6 +1,7 @@
-#include "viewer/tools/animate.hpp"
-
+// Animation tool: plays and scrubs animations, switches material variants.
 #include "core/error.hpp"
+#include "viewer/panels/animation.hpp"
+#include "viewer/tools/tool.hpp"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -8,6 +9,26 @@
 #include <imgui.h>
 
 namespace sr::viewer {
+class Animate : public Tool {
+public:
+    using Tool::Tool;
+
+    std::optional<Changes> handle(const Event& event) override;
+    Changes update(double seconds) override;
+    Changes draw(const Overlay& overlay) override;
+    Changes draw_section() override;
+    Activity activity() const override { return ws_.playback.is_playing ? Activity::active : Activity::idle; }
+
+private:
+    std::optional<Command> command_of_key(const KeyEvent& event) const;
+    std::optional<Changes> execute(Command command);
+    Changes step(Command command);
+    Changes show_time();
+    Changes choose_variant(const std::string& name);
+    Changes next_variant();
+
+    bool bar_has_pointer_ = false;
+};
 
 std::optional<Changes> Animate::handle(const Event& event) {
     if (const auto command = command_in(event)) return execute(*command);
@@ -128,5 +149,7 @@ Changes Animate::next_variant() {
     if (now == all.end()) return choose_variant(all.front());
     return choose_variant(now + 1 == all.end() ? std::string() : *(now + 1));
 }
+
+std::unique_ptr<Tool> make_animate(Workspace& workspace) { return std::make_unique<Animate>(workspace); }
 
 } // namespace sr::viewer

@@ -1,11 +1,13 @@
-#include "viewer/tools/compare.hpp"
-
+// Comparison tool: a wipe, a difference or a ꟻLIP map between the render and a reference, which is a kept
+// render or a file.
 #include "compare/compare.hpp"
 #include "compare/flip.hpp"
 #include "compare/planes.hpp"
 #include "core/error.hpp"
 #include "image/file.hpp"
 #include "render/provenance.hpp"
+#include "viewer/panels/file_dialog.hpp"
+#include "viewer/tools/tool.hpp"
 
 #include <algorithm>
 #include <array>
@@ -17,6 +19,13 @@
 #include <utility>
 
 namespace sr::viewer {
+
+/// ꟻLIP error of each pixel, in the red channel, 0 to 1, and its mean.
+struct FlipMap {
+    image::Image film;
+    double mean = 0.0;
+};
+
 namespace {
 
 /// In the order of Comparison.
@@ -88,6 +97,33 @@ std::optional<Value> choice(const char* label, Value now,
 }
 
 } // namespace
+
+class Compare : public Tool {
+public:
+    using Tool::Tool;
+
+    std::optional<Changes> handle(const Event& event) override;
+    Changes update(double seconds) override;
+    Changes draw(const Overlay& overlay) override;
+    Changes draw_section() override;
+    FilmSum reference_film() const override;
+    Activity activity() const override { return flipping_ ? Activity::waiting : Activity::idle; }
+
+private:
+    Changes keep_render();
+    Changes load(const std::string& file);
+    Changes next_mode();
+    void begin_flip();
+    Changes draw_methods();
+    Changes draw_modes();
+    Changes set_estimator(render::Estimator estimator);
+    Changes set_visibility(render::Visibility visibility);
+
+    FileDialog dialog_;
+    std::optional<Reference> flip_; // the map, as a film
+    std::optional<std::future<FlipMap>> flipping_;
+    std::string flip_result_;
+};
 
 std::optional<Changes> Compare::handle(const Event& event) {
     if (const auto* dropped = std::get_if<FileEvent>(&event))
@@ -235,5 +271,7 @@ Changes Compare::set_visibility(render::Visibility visibility) {
         return Change::redraw;
     }
 }
+
+std::unique_ptr<Tool> make_compare(Workspace& workspace) { return std::make_unique<Compare>(workspace); }
 
 } // namespace sr::viewer

@@ -1,6 +1,25 @@
-#include "viewer/tools/edit_lights.hpp"
+// Light editing tool: selects, enables, adds and removes lights, sets quantities, undoes.
+#include "viewer/panels/lights.hpp"
+#include "viewer/tools/tool.hpp"
 
 namespace sr::viewer {
+class EditLights : public Tool {
+public:
+    using Tool::Tool;
+
+    std::optional<Changes> handle(const Event& event) override;
+    Changes draw(const Overlay& overlay) override;
+    Changes draw_section() override;
+
+private:
+    std::optional<Changes> select_at(vec2 pointer);
+    std::optional<Changes> execute(Command command);
+    Changes step(bool is_undo);
+    Changes edit_selected(Command command);
+    Changes select(std::size_t entry);
+
+    LightsPanel panel_;
+};
 
 std::optional<Changes> EditLights::handle(const Event& event) {
     if (const auto* click = std::get_if<ClickEvent>(&event)) return select_at(click->at);
@@ -84,6 +103,10 @@ Changes EditLights::draw_section() {
                                         ws_.camera->view().pivot, message);
     if (!message.empty()) ws_.messages.notify(message);
     return changes;
+}
+
+std::unique_ptr<Tool> make_edit_lights(Workspace& workspace) {
+    return std::make_unique<EditLights>(workspace);
 }
 
 } // namespace sr::viewer

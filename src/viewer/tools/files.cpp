@@ -1,14 +1,38 @@
-#include "viewer/tools/files.hpp"
-
+// File tool: opens, reloads and saves scenes, writes screenshots, watches files for changes.
 #include "core/error.hpp"
 #include "gltf/named_files.hpp"
+#include "image/file.hpp"
 #include "render/provenance.hpp"
 #include "viewer/config.hpp"
+#include "viewer/document/watch.hpp"
+#include "viewer/panels/file_dialog.hpp"
+#include "viewer/tools/tool.hpp"
 
 #include <filesystem>
 #include <fmt/format.h>
 
 namespace sr::viewer {
+class Files : public Tool {
+public:
+    explicit Files(Workspace& workspace);
+
+    std::optional<Changes> handle(const Event& event) override;
+    Changes update(double seconds) override;
+    Changes draw(const Overlay& overlay) override;
+    Activity activity() const override { return ws_.loading ? Activity::waiting : Activity::idle; }
+
+private:
+    Changes reload();
+    Changes write_png();
+    Changes write_exr();
+    Changes write(const image::Image& picture, const std::string& file, image::SampleType type);
+    void save(const std::string& file);
+
+    FileDialog dialog_;
+    Watch scene_watch_;
+    Watch shader_watch_;
+    std::string watched_; // the scene that scene_watch_ watches
+};
 
 Files::Files(Workspace& workspace) : Tool(workspace) {
     shader_watch_.set({ws_.options.shaders.begin(), ws_.options.shaders.end()});
@@ -112,5 +136,7 @@ void Files::save(const std::string& file) {
         ws_.messages.fail("Cannot save the scene.", error.what());
     }
 }
+
+std::unique_ptr<Tool> make_files(Workspace& workspace) { return std::make_unique<Files>(workspace); }
 
 } // namespace sr::viewer

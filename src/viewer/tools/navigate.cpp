@@ -261,4 +261,6 @@ Changes Navigate::draw_section() {
     return changes;
 }
 
+std::unique_ptr<Tool> make_navigate(Workspace& workspace) { return std::make_unique<Navigate>(workspace); }
+
 } // namespace sr::viewer

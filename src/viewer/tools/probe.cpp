@@ -1,7 +1,8 @@
-#include "viewer/tools/probe.hpp"
-
+// Probe tool: evaluates the equation at a pixel that is clicked.
+#include "viewer/panels/probe.hpp"
 #include "image/luminance.hpp"
 #include "render/lobe.hpp"
+#include "viewer/tools/tool.hpp"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -10,6 +11,25 @@
 #include <utility>
 
 namespace sr::viewer {
+class Probe : public Tool {
+public:
+    using Tool::Tool;
+
+    std::optional<Changes> handle(const Event& event) override;
+    Changes update(double seconds) override;
+    void notice(Changes changes) override;
+    Changes draw(const Overlay& overlay) override;
+    Activity activity() const override { return requested_ ? Activity::active : Activity::idle; }
+
+private:
+    Changes request(vec2 at);
+    void probe(int column, int row);
+    std::optional<Lobe> lobe_of(const render::PixelTerms& terms, const render::RenderOptions& options,
+                                int column, int row) const;
+
+    ProbePanel panel_;
+    std::optional<vec2> requested_; // a place in the window
+};
 
 std::optional<Changes> Probe::handle(const Event& event) {
     if (const auto* click = std::get_if<ClickEvent>(&event)) return request(click->at);
@@ -96,5 +116,7 @@ Changes Probe::draw(const Overlay& overlay) {
     panel_.draw(stage, ws_.scene->lights(), ws_.selected, "Assignment", overlay.scale);
     return {};
 }
+
+std::unique_ptr<Tool> make_probe(Workspace& workspace) { return std::make_unique<Probe>(workspace); }
 
 } // namespace sr::viewer

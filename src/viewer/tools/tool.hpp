@@ -2,6 +2,8 @@
 // Interface of a tool of the viewer: handles events, draws, and returns what it changed.
 #include "viewer/workspace.hpp"
 
+#include <memory>
+
 namespace sr::viewer {
 
 /// What panels and overlays are drawn with.
@@ -54,5 +56,17 @@ inline std::optional<Command> command_in(const Event& event) {
     const auto* command = std::get_if<CommandEvent>(&event);
     return command ? std::optional(command->command) : std::nullopt;
 }
+
+/// The tools, each a class in the file of its name.
+std::unique_ptr<Tool> make_transform(Workspace& workspace);
+std::unique_ptr<Tool> make_navigate(Workspace& workspace);
+std::unique_ptr<Tool> make_adjust_display(Workspace& workspace);
+std::unique_ptr<Tool> make_animate(Workspace& workspace);
+std::unique_ptr<Tool> make_assignment(Workspace& workspace); // null without an assignment
+std::unique_ptr<Tool> make_compare(Workspace& workspace);
+std::unique_ptr<Tool> make_edit_lights(Workspace& workspace);
+std::unique_ptr<Tool> make_files(Workspace& workspace);
+std::unique_ptr<Tool> make_probe(Workspace& workspace);
+std::unique_ptr<Tool> make_turntable(Workspace& workspace);
 
 } // namespace sr::viewer

@@ -102,7 +102,7 @@ float stretched(const TransformDrag& drag, const Projection& projection, vec2 po
         return from == 0.0f ? 1.0f : to / from;
     }
     const float from = glm::distance(drag.from, *center);
-    return glm::distance(pointer, *center) / std::max(from, 1.0f); // a pixel at least
+    return glm::distance(pointer, *center) / std::max(from, 1.0f); // at least a pixel
 }
 
 TransformDelta sized(const TransformDrag& drag, const Projection& projection, vec2 pointer, bool snaps) {
@@ -247,7 +247,7 @@ std::optional<Handle> handle_under(vec2 pointer, const Handles& handles) {
 }
 
 bool type_digit(std::string& typed, int key) {
-    constexpr std::size_t most = 12;
+    constexpr std::size_t max_digits = 12;
     if (key == GLFW_KEY_BACKSPACE) {
         if (!typed.empty()) typed.pop_back();
         return true;
@@ -258,7 +258,7 @@ bool type_digit(std::string& typed, int key) {
     if (key == GLFW_KEY_PERIOD || key == GLFW_KEY_KP_DECIMAL) digit = '.';
     if (key == GLFW_KEY_MINUS || key == GLFW_KEY_KP_SUBTRACT) digit = '-';
     if (digit == 0) return false;
-    if (typed.size() < most) typed += digit;
+    if (typed.size() < max_digits) typed += digit;
     return true;
 }
 
@@ -395,5 +395,7 @@ Changes Transform::draw(const Overlay& overlay) {
     if (drag_) draw_label(drag_->description, pointer_, overlay.scale);
     return {};
 }
+
+std::unique_ptr<Tool> make_transform(Workspace& workspace) { return std::make_unique<Transform>(workspace); }
 
 } // namespace sr::viewer

@@ -1,8 +1,8 @@
-#include "viewer/tools/turntable.hpp"
-
+// Turntable tool: writes a PNG of the converged render at each step of a turn around the pivot.
 #include "core/error.hpp"
 #include "image/file.hpp"
 #include "viewer/config.hpp"
+#include "viewer/tools/tool.hpp"
 
 #include <filesystem>
 #include <fmt/format.h>
@@ -14,6 +14,21 @@ namespace {
 constexpr int turntable_steps = 36;
 
 } // namespace
+
+class Turntable : public Tool {
+public:
+    using Tool::Tool;
+
+    std::optional<Changes> handle(const Event& event) override;
+    Changes update(double seconds) override;
+    Activity activity() const override { return folder_.empty() ? Activity::idle : Activity::active; }
+
+private:
+    Changes begin();
+
+    std::string folder_; // that is written to; empty: none
+    int step_ = 0;
+};
 
 std::optional<Changes> Turntable::handle(const Event& event) {
     const auto command = command_in(event);
@@ -58,5 +73,7 @@ Changes Turntable::update(double /*seconds*/) {
                                 : fmt::format("Turntable: {} of {}. Esc cancels.", step_, turntable_steps));
     return Change::camera;
 }
+
+std::unique_ptr<Tool> make_turntable(Workspace& workspace) { return std::make_unique<Turntable>(workspace); }
 
 } // namespace sr::viewer

@@ -12,10 +12,9 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr double software_frame = 0.050; // [s] between two interactive frames in software GL
-constexpr double gpu_frame = 1.0 / 60.0; // [s] likewise on a GPU
-constexpr double gpu_besides =
-    0.006; // [s] of it left for all else: waiting for the screen cannot be told from work
+constexpr double software_frame = 0.050;    // [s] between two interactive frames in software GL
+constexpr double gpu_frame = 1.0 / 60.0;    // [s] likewise on a GPU
+constexpr double gpu_besides = 0.006;       // [s] of it reserved: waiting for the screen looks like work
 constexpr auto max_besides = 150ms;         // between two samples: after more the interaction had paused
 constexpr int interactive_samples = 4;      // that an interactive render gathers while nothing changes
 constexpr auto settling_time = 180ms;       // without a change, until the render converges

@@ -91,8 +91,8 @@ void roll(Viewpoint& view, float angle) {
 void level(Viewpoint& view) {
     const vec3 back = view.back();
     const vec3 right = glm::cross(world_up, back);
-    constexpr float least = 1e-3f; // straight up or down every roll is level
-    if (glm::length(right) < least) return;
+    constexpr float min_length = 1e-3f; // a view straight up or down has no level
+    if (glm::length(right) < min_length) return;
     const vec3 unit = glm::normalize(right);
     view.turn = turn_of(unit, glm::cross(back, unit), back);
 }

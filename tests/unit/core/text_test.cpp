@@ -1,4 +1,4 @@
-#include "core/json_scan.hpp"
+#include "core/json.hpp"
 #include "core/text.hpp"
 #include "support/address.hpp"
 

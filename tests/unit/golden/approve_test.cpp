@@ -1,6 +1,5 @@
 #include "core/error.hpp"
-#include "golden/bytes_of_file.hpp"
-#include "golden/law_record.hpp"
+#include "golden/approve.hpp"
 #include "image/file.hpp"
 #include "support/address.hpp"
 #include "support/models.hpp"

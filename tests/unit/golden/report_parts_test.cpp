@@ -1,6 +1,5 @@
-#include "golden/escape.hpp"
+#include "golden/page.hpp"
 #include "golden/report.hpp"
-#include "golden/report_pixels.hpp"
 #include "golden/sha256.hpp"
 #include "support/address.hpp"
 #include "support/models.hpp"
@@ -37,10 +36,10 @@ const Test rfc4648("unit.golden.base64.rfc_examples", [] {
 });
 
 const Test escapes("unit.golden.escape.nothing_gets_out", [] {
-    EXPECT_EQ(golden::escaped_markup("<a href='\"&\">é\n"), "&lt;a href=&#39;&quot;&amp;&quot;&gt;é\n");
-    EXPECT_EQ(golden::escaped_markup("\xc0\xaf\xed\xa0\x80"),
+    EXPECT_EQ(golden::escape_markup("<a href='\"&\">é\n"), "&lt;a href=&#39;&quot;&amp;&quot;&gt;é\n");
+    EXPECT_EQ(golden::escape_markup("\xc0\xaf\xed\xa0\x80"),
               "\xEF\xBF\xBD\xEF\xBF\xBD\xEF\xBF\xBD\xEF\xBF\xBD\xEF\xBF\xBD");
-    EXPECT_EQ(golden::escaped_script_json("\"</script><!--\""), "\"\\u003c/script>\\u003c!--\"");
+    EXPECT_EQ(golden::escape_script_json("\"</script><!--\""), "\"\\u003c/script>\\u003c!--\"");
     EXPECT_EQ(golden::shell_line({"a", "b c", "it's", "", "$x"}), "a 'b c' 'it'\\''s' '' '$x'");
 });
 
@@ -48,7 +47,7 @@ const Test any_range("unit.golden.report.packs_any_range", [] {
     image::Image image(2, 1, 3);
     for (const float largest : {1e-30f, 1.0f, 1e30f}) {
         image.pixels = {largest, 0.0f, 0.0f, std::numeric_limits<float>::infinity(), 0.0f, 0.0f};
-        const float scale = golden::packed_pixels(image)["scale"];
+        const float scale = golden::pack_pixels(image)["scale"];
         EXPECT_GE(largest * scale, 16384.0f);
         EXPECT_LT(largest * scale, 32768.0f);
     }

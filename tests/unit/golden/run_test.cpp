@@ -1,6 +1,6 @@
 #include "core/error.hpp"
-#include "golden/bytes_of_file.hpp"
-#include "golden/junit.hpp"
+#include "core/file.hpp"
+#include "golden/report.hpp"
 #include "image/file.hpp"
 #include "support/address.hpp"
 #include "support/models.hpp"
@@ -95,7 +95,7 @@ const Test jobs("unit.golden.run.any_number_of_jobs_gives_the_same_results", [] 
         auto options = run_options(folder / "out", count);
         options.on_result = [&](const golden::TestResult& test) { order += test.name; };
         golden::write_results(golden::run(suite, options).value(), folder / "out");
-        files.push_back(golden::bytes_of_file(golden::results_file(folder / "out")));
+        files.push_back(read_text(golden::results_file(folder / "out")));
         orders.push_back(order);
     }
     for (std::size_t i = 0; i < files.size(); ++i) {
@@ -129,7 +129,7 @@ const Test choice("unit.golden.run.filters_choose_by_name_and_tag", [] {
     options.tags = {"slow"};
     ASSERT_EQ(golden::chosen_tests(suite, options).size(), 1u);
     EXPECT_EQ(golden::chosen_tests(suite, options).at(0).name, "box_a");
-    EXPECT_TRUE(golden::is_meant("a[1]*", "a[1]*")) << "a name is no pattern of itself";
+    EXPECT_TRUE(golden::matches("a[1]*", "a[1]*")) << "a name is no pattern of itself";
     options.filters = {"nothing"};
     EXPECT_THROW(golden::chosen_tests(suite, options), Error);
 });

@@ -1,7 +1,7 @@
 #include "unit/golden/suite_support.hpp"
 
-#include "golden/bytes_of_file.hpp"
 #include "image/file.hpp"
+#include "image/whole_file.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -11,7 +11,7 @@ namespace sr::testing {
 namespace fs = std::filesystem;
 
 fs::path written(const fs::path& file, const std::string& text) {
-    golden::write_text(file, text);
+    image::write_text(file, text);
     return file;
 }
 

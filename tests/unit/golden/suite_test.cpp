@@ -1,4 +1,4 @@
-#include "golden/bytes_of_file.hpp"
+#include "core/file.hpp"
 #include "support/address.hpp"
 #include "support/models.hpp"
 #include "unit/golden/suite_support.hpp"
@@ -83,7 +83,7 @@ const Test impossible("unit.golden.suite.refuses_what_cannot_work", [] {
 
 // The schema in assets/ is what editors check a suite with: it knows the keys that the program knows.
 const Test schema("unit.golden.suite.schema_has_the_same_keys", [] {
-    const auto file = golden::bytes_of_file(assets_folder() / "golden_suite.schema.json");
+    const auto file = read_text(assets_folder() / "golden_suite.schema.json");
     const auto json = nlohmann::json::parse(file);
     const auto keys_of = [](const nlohmann::json& object) {
         std::set<std::string> keys;

@@ -101,10 +101,10 @@ class Viewer:
         self.display.do("key", "--delay", "30", *keys)
 
     def changed_by(self, act):
-        """Does something that changes the picture, and waits until it has converged anew."""
+        """Does something that changes the picture, and waits until it has converged again."""
         before = self.converged()
         act()
-        self.wait(lambda: self.converged() > before, "a picture that converged anew")
+        self.wait(lambda: self.converged() > before, "a picture that converged again")
 
     def move(self, x, y):
         self.display.do("mousemove", x, y)

@@ -28,7 +28,7 @@ const Test playback_ends("unit.viewer.playback.loops_or_stops_at_its_end", [] {
     p.advance(1.5);
     EXPECT_DOUBLE_EQ(p.moment().seconds, 1.5);
     p.advance(1.5);
-    EXPECT_DOUBLE_EQ(*p.seconds, 1.0) << "it begins anew";
+    EXPECT_DOUBLE_EQ(*p.seconds, 1.0) << "it restarts";
     p.speed = 0.5;
     p.is_reversed = true;
     p.advance(3.0);

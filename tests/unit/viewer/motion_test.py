@@ -31,10 +31,10 @@ def arguments_of(viewer: Viewer) -> list[str]:
 def playing(viewer: Viewer, scene: Path):
     """What plays moves, and at any time at which it is paused it is render's picture; a hot reload keeps the time."""
     first = viewer.shot()
-    assert arguments_of(viewer) == ["main", "--at", "0.25"], "not the moment that was asked for"
+    assert arguments_of(viewer) == ["main", "--at", "0.25"], "not the requested time"
     assert same(first, rendered(scene, "main", "--at", "0.25", OPTIONS)), "not the picture that render makes of it"
     viewer.changed_by(lambda: viewer.key("alt+Right", "alt+Right"))
-    assert arguments_of(viewer)[1:] == ["--at", "0.333333333"], arguments_of(viewer)
+    assert arguments_of(viewer)[1:] == ["--at", "0.3333333333333333"], arguments_of(viewer)
     assert not same(first, viewer.shot()), "a frame on it is the same"
     viewer.key("space")
     viewer.wait(lambda: "Playing." in viewer.errors(), "an animation that plays")

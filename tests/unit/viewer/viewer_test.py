@@ -106,8 +106,8 @@ def editing_lights(viewer: Viewer, scene: Path, first: Path):
     viewer.key("Escape", "h")
 
 
-def asking_and_comparing(viewer: Viewer):
-    """A pixel answers with its lights and its lobe; a wipe shows a kept picture beside the new one."""
+def probing_and_comparing(viewer: Viewer):
+    """A probe shows lights and lobe; a wipe shows the reference beside the new picture."""
     viewer.click(WIDTH // 2, HEIGHT - 40)
     viewer.wait(lambda: f"Probed pixel {WIDTH // 2},{HEIGHT - 40}." in viewer.errors(), "an answer")
     lobe = (0, 158, 115)
@@ -208,7 +208,7 @@ def keys_beside_fields(viewer: Viewer):
 
 
 def converging_by_error(display: Display):
-    """It stops when render --error does, with the same pixels at rest; the window divides each by its own samples."""
+    """It stops when render --error does, with the same frozen pixels; the window divides each by its own samples."""
     size, error = (160, 120), ("--error", "4%")
     viewer = Viewer(display, STERADIAN, SCRATCH / "error", SCENES / "cornell.gltf", "--size", "160x120", *error,
                     "--visibility", "none", "--gl-debug", "--exposure", "10")
@@ -219,7 +219,7 @@ def converging_by_error(display: Display):
     result = steradian("render", SCENES / "cornell.gltf", "--size", "160x120", *error, "--visibility", "none", "-o", file,
                        "--json")
     summary = json.loads(result.stdout)
-    assert summary["samples_min"] < summary["samples"], f"no pixel rests: choose another error, {result.stdout}"
+    assert summary["samples_min"] < summary["samples"], f"no pixel is frozen: choose another error, {result.stdout}"
     assert f"done, {summary['samples']} samples, error" in viewer.title(), (viewer.title(), summary)
     assert same(exr, file), "not the picture that render makes"
     assert provenance(exr) == provenance(file) >= {"estimator", "visibility", "seed", "error"}, provenance(exr)
@@ -262,7 +262,7 @@ def main() -> int:
         first = viewer.shot()
         looking_around(viewer, scene, first)
         editing_lights(viewer, scene, first)
-        asking_and_comparing(viewer)
+        probing_and_comparing(viewer)
         reloading(viewer, shader, scene, first)
         opening(viewer)
         gripping(viewer, SCRATCH)

@@ -1,6 +1,7 @@
-#include "brdf/polar_plot.hpp"
+#include "brdf/pictures.hpp"
 
 #include "image/luminance.hpp"
+#include "render/renderer.hpp"
 
 #include <algorithm>
 #include <array>
@@ -60,12 +61,12 @@ std::string grid() {
     return svg;
 }
 
-std::string curve(Trial& trial, const View& view, std::size_t row) {
+std::string curve(BrdfEvaluator& evaluator, const View& view, std::size_t row) {
     const vec3 wo = in_plane(-glm::radians(view.degrees));
-    std::vector<Pair> pairs;
+    std::vector<DirectionPair> pairs;
     for (int i = 1; i < steps; ++i)
         pairs.push_back({in_plane(pi * (static_cast<float>(i) / steps - 0.5f)), wo});
-    const std::vector<vec3> f = trial.values(pairs);
+    const std::vector<vec3> f = evaluator.values(pairs);
     std::vector<double> lobe;
     for (std::size_t i = 0; i < f.size(); ++i)
         lobe.push_back(std::max(0.0, static_cast<double>(image::luminance(f[i]) * pairs[i].wi.z)));
@@ -74,7 +75,7 @@ std::string curve(Trial& trial, const View& view, std::size_t row) {
     for (std::size_t i = 0; i < lobe.size(); ++i)
         path += (i == 0 ? "M" : " L")
                 + point(std::asin(static_cast<double>(pairs[i].wi.x)), most > 0.0 ? lobe[i] / most : 0.0);
-    const glm::dvec3 albedo = trial.albedos(std::array{wo}, 8192)[0];
+    const glm::dvec3 albedo = evaluator.albedos(std::array{wo}, 8192)[0];
     const double y = 400.0 + 20.0 * static_cast<double>(row);
     return fmt::format(
         "<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"2\"/>\n"
@@ -86,9 +87,30 @@ std::string curve(Trial& trial, const View& view, std::size_t row) {
         most, albedo.x, albedo.y, albedo.z);
 }
 
+constexpr int meridians = 128, parallels = 64;
+
+scene::Mesh ball() {
+    scene::Mesh mesh;
+    for (int i = 0; i <= parallels; ++i)
+        for (int j = 0; j <= meridians; ++j) {
+            const float theta = pi * static_cast<float>(i) / parallels,
+                        phi = 2.0f * pi * static_cast<float>(j) / meridians;
+            const vec3 n(std::sin(theta) * std::sin(phi), std::cos(theta), std::sin(theta) * std::cos(phi));
+            mesh.positions.push_back(n);
+            mesh.normals.push_back(n);
+            mesh.tangents.emplace_back(std::cos(phi), 0.0f, -std::sin(phi), 1.0f);
+        }
+    for (int i = 0; i < parallels; ++i)
+        for (int j = 0; j < meridians; ++j) {
+            const auto a = static_cast<std::uint32_t>(i * (meridians + 1) + j), b = a + meridians + 1;
+            for (const std::uint32_t index : {a, b, b + 1, a, b + 1, a + 1}) mesh.indices.push_back(index);
+        }
+    return mesh;
+}
+
 } // namespace
 
-std::string polar_plot(Trial& trial, const std::string& title) {
+std::string polar_plot(BrdfEvaluator& evaluator, const std::string& title) {
     std::string svg =
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"640\" height=\"490\" font-family=\"sans-serif\" "
         "font-size=\"14\">\n<style>.grid{fill:none;stroke:#ccc}</style>\n"
@@ -97,8 +119,36 @@ std::string polar_plot(Trial& trial, const std::string& title) {
                        "view to its own scale</text>\n",
                        escaped(title));
     svg += grid();
-    for (std::size_t i = 0; i < views.size(); ++i) svg += curve(trial, views[i], i);
+    for (std::size_t i = 0; i < views.size(); ++i) svg += curve(evaluator, views[i], i);
     return svg + "</svg>\n";
+}
+
+image::Image lit_sphere(const BrdfUnderTest& tested, int size, int samples) {
+    scene::Scene scene;
+    scene.materials.push_back(tested.material);
+    scene.measured = tested.measured;
+    scene.meshes.push_back(ball());
+    scene.instances.push_back({0, mat4(1.0f), "ball"});
+    const std::vector<scene::Light> lights{
+        scene::RectangleLight{
+            "softbox", {-3.0f, 3.0f, 3.0f}, {0.9f, 0.0f, 0.9f}, {0.45f, 0.9f, -0.45f}, vec3(400.0f)},
+        scene::RectangleLight{
+            "strip", {4.0f, 0.5f, 2.0f}, {-0.1f, 0.0f, 0.2f}, {0.0f, 1.5f, 0.0f}, vec3(400.0f)},
+        scene::PointLight{"point", {0.5f, 5.0f, 4.0f}, vec3(2500.0f)}};
+    scene::Camera camera;
+    camera.world_from_camera[3] = vec4(0.0f, 0.0f, 5.0f, 1.0f);
+    camera.projection = scene::Perspective{0.46f, 1.0f, 0.1f, {}};
+
+    const render::GpuScene gpu_scene(scene, lights, render::Visibility::none, tested.has_energy_compensation);
+    render::RenderOptions options;
+    options.width = options.height = size;
+    options.samples = samples;
+    options.background = vec3(2.0f);
+    options.shader_path = overlay_path(tested);
+    options.trial = tested.trial;
+    render::Renderer renderer(gpu_scene, camera, options);
+    for (int i = 0; i < samples; ++i) renderer.add_sample();
+    return renderer.film();
 }
 
 } // namespace sr::brdf

@@ -1,5 +1,5 @@
 #pragma once
-// A program that runs beside this one, for a limited time.
+// Child processes with a time limit.
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -7,15 +7,15 @@
 
 namespace sr::golden {
 
-struct ChildOptions {
+struct ProcessOptions {
     std::vector<std::string> words;   // the program (sought in PATH if it has no '/') and its arguments
-    std::filesystem::path folder;     // where it runs
-    std::filesystem::path log;        // gets what it writes to stdout and stderr
+    std::filesystem::path folder;     // working directory
+    std::filesystem::path log;        // receives stdout and stderr
     double time_limit = 60.0;         // [s]
-    std::function<bool()> is_stopped; // asked often; once true, the child is killed. Empty: never
+    std::function<bool()> is_stopped; // asked often; once true, the process is killed. Empty: never
 };
 
-struct ChildEnd {
+struct ProcessEnd {
     enum class Way { exited, signalled, timed_out, stopped, not_started };
     Way way = Way::exited;
     int status = 0; // exit status, signal number, or errno of not_started
@@ -26,8 +26,9 @@ struct ChildEnd {
     std::string text() const;
 };
 
-/// Runs a program to its end, in a process group of its own, which is killed as a whole: SIGTERM, and SIGKILL
-/// half a second later; also what a child leaves running when it ends. Any number of threads may call it.
-ChildEnd run_child(const ChildOptions& options);
+/// Runs a program to its end, in a process group of its own. The group is killed as a whole: at a stop or at
+/// the time limit by SIGTERM, and SIGKILL half a second later; and when the program ends, with whatever it
+/// leaves running. Any number of threads may call it.
+ProcessEnd run_process(const ProcessOptions& options);
 
 } // namespace sr::golden

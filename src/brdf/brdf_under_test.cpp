@@ -1,4 +1,4 @@
-#include "brdf/specimen.hpp"
+#include "brdf/brdf_under_test.hpp"
 
 #include "core/error.hpp"
 #include "core/file.hpp"
@@ -44,21 +44,21 @@ UserShader read_user_shader(const std::filesystem::path& file) {
     return shader;
 }
 
-render::Features features_of(const Specimen& specimen) {
+render::Features features_of(const BrdfUnderTest& tested) {
     scene::Scene scene;
-    scene.materials.push_back(specimen.material);
+    scene.materials.push_back(tested.material);
     scene::Mesh mesh;
     mesh.tangents.emplace_back(1.0f, 0.0f, 0.0f, 1.0f);
     render::Features lights;
-    lights.has_energy_compensation = specimen.has_energy_compensation;
+    lights.has_energy_compensation = tested.has_energy_compensation;
     return render::shading_features(scene, mesh, lights);
 }
 
-std::vector<glsl::Root> overlay_path(const Specimen& specimen) {
+std::vector<glsl::Root> overlay_path(const BrdfUnderTest& tested) {
     std::vector<glsl::Root> path;
-    if (specimen.user) {
-        path.push_back(glsl::Root::single(specimen.user->place, "brdf/f_r.glsl", specimen.user->text));
-        if (specimen.user->has_sampling)
+    if (tested.user) {
+        path.push_back(glsl::Root::single(tested.user->place, "brdf/f_r.glsl", tested.user->text));
+        if (tested.user->has_sampling)
             path.push_back(glsl::Root::memory(
                 "its sampling",
                 {{"brdf/sample_f_r.glsl", "#include \"brdf/f_r.glsl\"\n"},
@@ -70,9 +70,9 @@ std::vector<glsl::Root> overlay_path(const Specimen& specimen) {
     return path;
 }
 
-std::vector<glsl::Root> shader_path(const Specimen& specimen) {
-    const render::Features features = features_of(specimen);
-    std::vector<glsl::Root> path = overlay_path(specimen);
+std::vector<glsl::Root> shader_path(const BrdfUnderTest& tested) {
+    const render::Features features = features_of(tested);
+    std::vector<glsl::Root> path = overlay_path(tested);
     path.insert(path.end() - 1,
                 glsl::Root::memory("specialised", {{"interface/features.glsl", features.glsl()},
                                                    {"brdf/model.glsl", features.model_glsl()}}));

@@ -1,4 +1,4 @@
-#include "brdf/trial.hpp"
+#include "brdf/evaluator.hpp"
 
 #include "core/error.hpp"
 #include "render/gpu/blocks.hpp"
@@ -14,25 +14,26 @@ namespace {
 using render::Row;
 using scene::Model;
 
-constexpr float smallest_alpha = 1e-4f; // shaders/surface/at_fragment.glsl
-float alpha_of(float roughness) { return std::max(roughness * roughness, smallest_alpha); }
+constexpr float min_alpha = 1e-4f; // shaders/surface/at_fragment.glsl
+float alpha_of(float roughness) { return std::max(roughness * roughness, min_alpha); }
 
-/// The width that directions are looked for by: of GGX, or of the GGX lobe as high as the model's own.
-float lobe_width(const Specimen& specimen) {
-    const scene::Material& m = specimen.material;
+/// The GGX width by which the shaders sample directions: the model's own, or that of a GGX lobe of the same
+/// height.
+float lobe_width(const BrdfUnderTest& tested) {
+    const scene::Material& m = tested.material;
     if (m.model == Model::phong || m.model == Model::blinn_phong)
-        return std::clamp(std::sqrt(2.0f / (m.exponent + 2.0f)), smallest_alpha, 1.0f);
-    if (m.model == Model::merl) return specimen.measured[static_cast<std::size_t>(m.measured)].alpha;
+        return std::clamp(std::sqrt(2.0f / (m.exponent + 2.0f)), min_alpha, 1.0f);
+    if (m.model == Model::merl) return tested.measured[static_cast<std::size_t>(m.measured)].alpha;
     return alpha_of(m.roughness);
 }
 
-/// What shaders/trial/subject.glsl makes a Surface of, as shaders/surface/at_fragment.glsl does of a
-/// Material.
-std::array<vec4, 12> parameters_of(const Specimen& specimen) {
-    const scene::Material& m = specimen.material;
+/// The parameters of shaders/trial/subject.glsl, which makes a Surface of them as
+/// shaders/surface/at_fragment.glsl does of a Material.
+std::array<vec4, 12> parameters_of(const BrdfUnderTest& tested) {
+    const scene::Material& m = tested.material;
     const float r = (m.ior - 1.0f) / (m.ior + 1.0f);
     const vec3 F0 = glm::min((m.ior == 0.0f ? 1.0f : r * r) * m.specular_color, vec3(1.0f));
-    const float alpha = lobe_width(specimen);
+    const float alpha = lobe_width(tested);
     const bool is_stated = m.roughness_across >= 0.0f;
     const vec2 alphas{is_stated ? alpha : glm::mix(alpha, 1.0f, m.anisotropy * m.anisotropy),
                       is_stated ? alpha_of(m.roughness_across) : alpha};
@@ -59,49 +60,48 @@ std::vector<Row> numbered_rows(vec3 wo, int count) {
 
 } // namespace
 
-Trial::Trial(const Specimen& specimen)
-    : specimen_(specimen), path_(shader_path(specimen)), ltc_texture_(render::upload_ltc_table()) {
-    for (const scene::MeasuredBrdf& measured : specimen.measured)
-        measured_.push_back(render::upload(measured));
+BrdfEvaluator::BrdfEvaluator(const BrdfUnderTest& tested)
+    : tested_(tested), path_(shader_path(tested)), ltc_texture_(render::upload_ltc_table()) {
+    for (const scene::MeasuredBrdf& measured : tested.measured) measured_.push_back(render::upload(measured));
 }
 
-void Trial::change(const scene::Material& material) {
-    const render::Features before = features_of(specimen_);
-    specimen_.material = material;
-    require(features_of(specimen_) == before, "the new material has the features of the old one");
+void BrdfEvaluator::change(const scene::Material& material) {
+    const render::Features before = features_of(tested_);
+    tested_.material = material;
+    require(features_of(tested_) == before, "the new material has the features of the old one");
 }
 
-std::vector<vec4> Trial::asked(std::unique_ptr<render::ShaderEvaluator>& table, const char* shader,
-                               std::span<const Row> rows) {
-    if (!table) table = std::make_unique<render::ShaderEvaluator>(path_, shader, specimen_.trial.get());
-    const auto parameters = parameters_of(specimen_);
+std::vector<vec4> BrdfEvaluator::evaluate(std::unique_ptr<render::ShaderEvaluator>& table, const char* shader,
+                                          std::span<const Row> rows) {
+    if (!table) table = std::make_unique<render::ShaderEvaluator>(path_, shader, tested_.trial.get());
+    const auto parameters = parameters_of(tested_);
     const gl::Program& program = table->program();
     glProgramUniform4fv(program.id(), program.uniform("parameters"), static_cast<GLsizei>(parameters.size()),
                         &parameters[0].x);
     ltc_texture_.bind(render::ltc_table_unit);
     glBindSampler(render::ltc_table_unit, 0);
-    if (specimen_.material.measured >= 0) {
-        measured_[static_cast<std::size_t>(specimen_.material.measured)].bind(render::measured_unit);
+    if (tested_.material.measured >= 0) {
+        measured_[static_cast<std::size_t>(tested_.material.measured)].bind(render::measured_unit);
         glBindSampler(render::measured_unit, 0);
     }
     return table->evaluate(rows);
 }
 
-std::vector<vec3> Trial::values(std::span<const Pair> pairs) {
+std::vector<vec3> BrdfEvaluator::values(std::span<const DirectionPair> pairs) {
     std::vector<Row> rows;
-    for (const Pair& pair : pairs) rows.push_back({vec4(pair.wi, 0.0f), vec4(pair.wo, 0.0f)});
+    for (const DirectionPair& pair : pairs) rows.push_back({vec4(pair.wi, 0.0f), vec4(pair.wo, 0.0f)});
     std::vector<vec3> values;
-    for (const vec4 answer : asked(value_, "trial/value.frag", rows)) values.emplace_back(answer);
+    for (const vec4 answer : evaluate(value_, "trial/value.frag", rows)) values.emplace_back(answer);
     return values;
 }
 
-std::vector<glm::dvec3> Trial::albedos(std::span<const vec3> wo, int count) {
+std::vector<glm::dvec3> BrdfEvaluator::albedos(std::span<const vec3> wo, int count) {
     std::vector<Row> rows;
     for (const vec3 w : wo) {
         const std::vector<Row> more = numbered_rows(w, count);
         rows.insert(rows.end(), more.begin(), more.end());
     }
-    const std::vector<vec4> answers = asked(reflected_, "trial/reflected.frag", rows);
+    const std::vector<vec4> answers = evaluate(reflected_, "trial/reflected.frag", rows);
     std::vector<glm::dvec3> albedos(wo.size(), glm::dvec3(0.0));
     for (std::size_t i = 0; i < answers.size(); ++i)
         albedos[i / static_cast<std::size_t>(count)] +=
@@ -109,18 +109,18 @@ std::vector<glm::dvec3> Trial::albedos(std::span<const vec3> wo, int count) {
     return albedos;
 }
 
-std::vector<Weighted> Trial::densities(vec3 wo, int count) {
-    std::vector<Weighted> densities;
-    for (const vec4 answer : asked(density_, "trial/density.frag", numbered_rows(wo, count)))
+std::vector<WeightedDirection> BrdfEvaluator::densities(vec3 wo, int count) {
+    std::vector<WeightedDirection> densities;
+    for (const vec4 answer : evaluate(density_, "trial/density.frag", numbered_rows(wo, count)))
         densities.push_back({vec3(answer), answer.w});
     return densities;
 }
 
-std::vector<Weighted> Trial::samples(vec3 wo, std::span<const vec2> u) {
+std::vector<WeightedDirection> BrdfEvaluator::samples(vec3 wo, std::span<const vec2> u) {
     std::vector<Row> rows;
     for (const vec2 point : u) rows.push_back({vec4(wo, 0.0f), vec4(point, 0.0f, 0.0f)});
-    std::vector<Weighted> samples;
-    for (const vec4 answer : asked(sampled_, "trial/sampled.frag", rows))
+    std::vector<WeightedDirection> samples;
+    for (const vec4 answer : evaluate(sampled_, "trial/sampled.frag", rows))
         samples.push_back({vec3(answer), answer.w});
     return samples;
 }

@@ -1,4 +1,4 @@
-#include "golden/child.hpp"
+#include "golden/process.hpp"
 
 #include <array>
 #include <cerrno>
@@ -7,13 +7,11 @@
 #include <cstring>
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
-#ifdef __linux__
-#include <sys/prctl.h>
-#endif
 
 namespace sr::golden {
 namespace {
@@ -93,7 +91,7 @@ struct ChildPlan {
 }
 
 /// @return errno, 0 for success
-int start(pid_t& child, const ChildOptions& options) {
+int start(pid_t& child, const ProcessOptions& options) {
     ChildPlan plan{{}, options.folder.c_str(), options.log.c_str(), getpid()};
     for (const std::string& word : options.words) plan.words.push_back(const_cast<char*>(word.c_str()));
     plan.words.push_back(nullptr);
@@ -134,16 +132,16 @@ bool wait_for(pid_t child, Clock::time_point deadline, const std::function<bool(
 
 } // namespace
 
-ChildEnd run_child(const ChildOptions& options) {
+ProcessEnd run_process(const ProcessOptions& options) {
     const auto begin = Clock::now();
     pid_t child = 0;
-    if (const int failure = start(child, options)) return {ChildEnd::Way::not_started, failure, 0.0};
-    ChildEnd end;
+    if (const int failure = start(child, options)) return {ProcessEnd::Way::not_started, failure, 0.0};
+    ProcessEnd end;
     const auto limit =
         std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(options.time_limit));
     if (!wait_for(child, begin + limit, options.is_stopped)) {
-        end.way =
-            options.is_stopped && options.is_stopped() ? ChildEnd::Way::stopped : ChildEnd::Way::timed_out;
+        end.way = options.is_stopped && options.is_stopped() ? ProcessEnd::Way::stopped
+                                                             : ProcessEnd::Way::timed_out;
         kill(-child, SIGTERM);
         wait_for(child, Clock::now() + 500ms, {});
     }
@@ -152,13 +150,13 @@ ChildEnd run_child(const ChildOptions& options) {
     while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
     }
     end.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
-    if (end.way != ChildEnd::Way::exited) return end;
-    end.way = WIFSIGNALED(status) ? ChildEnd::Way::signalled : ChildEnd::Way::exited;
+    if (end.way != ProcessEnd::Way::exited) return end;
+    end.way = WIFSIGNALED(status) ? ProcessEnd::Way::signalled : ProcessEnd::Way::exited;
     end.status = WIFSIGNALED(status) ? WTERMSIG(status) : WEXITSTATUS(status);
     return end;
 }
 
-std::string ChildEnd::text() const {
+std::string ProcessEnd::text() const {
     switch (way) {
     case Way::exited: return fmt::format("ended with exit status {}", status);
     case Way::signalled: return fmt::format("crashed: {} (signal {})", strsignal(status), status);

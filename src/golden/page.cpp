@@ -1,0 +1,168 @@
+#include "golden/page.hpp"
+
+#include "compare/align.hpp"
+#include "core/error.hpp"
+#include "core/text.hpp"
+#include "golden/sha256.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <fmt/format.h>
+#include <glm/gtc/packing.hpp>
+#include <nlohmann/json.hpp>
+#include <zlib.h>
+
+namespace sr::golden {
+namespace {
+
+constexpr std::string_view replacement = "\xEF\xBF\xBD"; // U+FFFD
+
+std::string_view entity(char c) {
+    switch (c) {
+    case '&': return "&amp;";
+    case '<': return "&lt;";
+    case '>': return "&gt;";
+    case '"': return "&quot;";
+    case '\'': return "&#39;";
+    default: return {};
+    }
+}
+
+bool is_plain_word(std::string_view word) {
+    constexpr std::string_view plain = "-_./=:,+@%^";
+    return !word.empty() && std::ranges::all_of(word, [&](unsigned char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9')
+               || plain.find(static_cast<char>(c)) != std::string_view::npos;
+    });
+}
+
+} // namespace
+
+std::string escape_markup(std::string_view text) {
+    std::string result;
+    while (!text.empty()) {
+        const std::size_t length = utf8_length(text);
+        const char c = text.front();
+        const bool is_control = static_cast<unsigned char>(c) < 0x20 && c != '\t' && c != '\n' && c != '\r';
+        if (length == 0 || is_control)
+            result += replacement;
+        else if (const auto named = entity(c); !named.empty())
+            result += named;
+        else
+            result += text.substr(0, length);
+        text.remove_prefix(std::max<std::size_t>(length, 1));
+    }
+    return result;
+}
+
+std::string escape_script_json(std::string_view json) {
+    std::string result;
+    for (const char c : json) result += c == '<' ? std::string("\\u003c") : std::string(1, c);
+    return result;
+}
+
+std::string shell_line(const std::vector<std::string>& words) {
+    std::string line;
+    for (const std::string& word : words) {
+        if (!line.empty()) line += ' ';
+        if (is_plain_word(word)) {
+            line += word;
+            continue;
+        }
+        line += '\'';
+        for (const char c : word) line += c == '\'' ? std::string("'\\''") : std::string(1, c);
+        line += '\'';
+    }
+    return line;
+}
+
+namespace {
+
+/// 2^k that brings the largest finite magnitude to [2^14, 2^15): halves end at 65504.
+float scale_of(const image::Image& image) {
+    float largest = 0.0f;
+    for (const float value : image.pixels)
+        if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
+    return largest > 0.0f ? std::ldexp(1.0f, std::clamp(14 - std::ilogb(largest), -120, 120)) : 1.0f;
+}
+
+std::string byte_planes(const image::Image& image, float scale) {
+    const std::size_t count = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+    const auto stride = static_cast<std::size_t>(image.channels);
+    const auto channels = compare::color_channels(image);
+    std::string planes(6 * count, '\0');
+    for (std::size_t c = 0; c < 3; ++c)
+        for (std::size_t i = 0; i < count; ++i) {
+            const std::uint16_t half = glm::packHalf1x16(image.pixels[i * stride + channels[c]] * scale);
+            planes[2 * c * count + i] = static_cast<char>(half >> 8);
+            planes[(2 * c + 1) * count + i] = static_cast<char>(half & 0xFF);
+        }
+    return planes;
+}
+
+std::string deflated(const std::string& bytes) {
+    uLongf size = compressBound(bytes.size());
+    std::string result(size, '\0');
+    const int status =
+        compress2(reinterpret_cast<Bytef*>(result.data()), &size,
+                  reinterpret_cast<const Bytef*>(bytes.data()), bytes.size(), Z_BEST_COMPRESSION);
+    require(status == Z_OK, "zlib compresses into a buffer of its own bound");
+    result.resize(size);
+    return result;
+}
+
+} // namespace
+
+nlohmann::ordered_json pack_pixels(const image::Image& image) {
+    const float scale = scale_of(image);
+    return {{"width", image.width},
+            {"height", image.height},
+            {"scale", scale},
+            {"data", base64(deflated(byte_planes(image, scale)))}};
+}
+
+std::string base64(std::string_view bytes) {
+    constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string text;
+    text.reserve((bytes.size() + 2) / 3 * 4);
+    for (std::size_t i = 0; i < bytes.size(); i += 3) {
+        const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
+        std::uint32_t group = 0;
+        for (std::size_t k = 0; k < 3; ++k)
+            group = group << 8 | (k < count ? static_cast<unsigned char>(bytes[i + k]) : 0u);
+        for (std::size_t k = 0; k < 4; ++k) text += k <= count ? digits[group >> (18 - 6 * k) & 63] : '=';
+    }
+    return text;
+}
+
+namespace {
+
+std::string csp_hash(std::string_view text) {
+    const Digest digest = sha256({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+    return "'sha256-" + base64({reinterpret_cast<const char*>(digest.data()), digest.size()}) + "'";
+}
+
+} // namespace
+
+std::string offline_page(const std::string& title, const std::string& plain, const std::string& data,
+                         const ReportPage& page) {
+    const ReportPage base = report_base();
+    const std::string style = base.style + page.style, script = base.script + page.script;
+    std::string html = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n";
+    html += fmt::format(
+        "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; "
+        "style-src {}; script-src {}; base-uri 'none'; form-action 'none'\">\n",
+        csp_hash(style), csp_hash(script));
+    html += "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<link rel=\"icon\" "
+            "href=\"data:,\">\n";
+    html +=
+        fmt::format("<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n", escape_markup(title), style);
+    html += fmt::format("<main id=\"page\">\n<h1>{}</h1>\n{}</main>\n", escape_markup(title), plain);
+    html += fmt::format(
+        "<script type=\"application/json\" id=\"data\">{}</script>\n<script>{}</script>\n</body>\n</html>\n",
+        escape_script_json(data), script);
+    return html;
+}
+
+} // namespace sr::golden

@@ -1,0 +1,48 @@
+#pragma once
+// Pages that need nothing from outside: HTML, style, scripts, data and pixels in one file.
+#include "image/image.hpp"
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace sr::golden {
+
+/// Escapes text for HTML and XML, also in quoted attributes. Bytes that are not UTF-8, and control characters
+/// that XML cannot hold, become U+FFFD.
+std::string escape_markup(std::string_view text);
+
+/// Escapes JSON for an HTML script element: no '<' is left that could end it.
+std::string escape_script_json(std::string_view json);
+
+/// A command as one line that a POSIX shell reads back as these words.
+std::string shell_line(const std::vector<std::string>& words);
+
+/// Packs R, G and B of an image: {"width", "height", "scale", "data"}. The values times `scale` (a power of
+/// two that uses the range of half floats well) are halves, for each channel all high bytes and then all low
+/// bytes, deflated (RFC 1950), base64. A half has 11 significant bits: the error is within 0.05 %.
+nlohmann::ordered_json pack_pixels(const image::Image& image);
+
+/// RFC 4648 section 4.
+std::string base64(std::string_view bytes);
+
+/// The *.css and *.js files of a folder as they were when the program was built, in the order of their names.
+struct ReportPage {
+    std::string style;
+    std::string script;
+};
+
+/// The style, pixel decoding and image viewer of all reports (report/).
+ReportPage report_base();
+
+/// The page of a suite's run (report/suite/).
+ReportPage suite_page();
+
+/// One HTML file whose script element "data" holds the JSON text `data`. `page` comes after report_base().
+/// Its Content-Security-Policy allows that one style and that one script by their SHA-256, and no address.
+/// `plain` is markup that shows where the script may not run.
+std::string offline_page(const std::string& title, const std::string& plain, const std::string& data,
+                         const ReportPage& page);
+
+} // namespace sr::golden
