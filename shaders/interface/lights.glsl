@@ -58,5 +58,5 @@ Light light_at(int index) {
     return light;
 }
 
-// Whether single-sided faces that the light meets from behind cast no shadow of it (scene::passes_back_faces).
+// Returns whether single-sided faces that the light meets from behind cast no shadow of it (scene::passes_back_faces).
 bool passes_back_faces(int index) { return texelFetch(light_table, 8 * index + 4).w >= 2.0; }

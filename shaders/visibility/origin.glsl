@@ -1,4 +1,4 @@
-// Where a shadow ray begins and ends: the points origin + t direction for 0 <= t <= end.
+// Origin and end of a shadow ray: the points origin + t direction for 0 <= t <= end.
 //
 // x is put into its triangle's plane, where interpolation left it off by rounding, and moved along the geometric
 // normal to the side of wi by 2^-17 (64 units in the last place) of the triangle's largest coordinate, to which all
