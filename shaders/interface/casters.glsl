@@ -1,4 +1,4 @@
-// The shadow casters, in buffer textures. Keep in sync with src/render/gpu_casters.cpp.
+// The shadow casters, in buffer textures. Keep in sync with src/render/visibility/gpu_casters.cpp.
 uniform isamplerBuffer bvh_nodes;       // two texels a box, see visibility/bvh.glsl
 uniform samplerBuffer caster_triangles; // three texels a triangle, in the order of the leaves: its corners [m];
                                         // w: texel of its caster, texel of its corners, texel of its glass or 0;

@@ -1,6 +1,17 @@
 // Features of the scene and the material. The renderer overlays this file with their values
-// (src/render/features.cpp), and the compiler drops the rest. The defaults here cover a plain
+// (src/render/gpu/features.cpp), and the compiler drops the rest. The defaults here cover a plain
 // material with every texture.
+// The kinds of lights, by their numbers in interface/lights.glsl, and which of them there are.
+const int point_light = 0;
+const int spot_light = 1;
+const int directional_light = 2;
+const int rectangle_light = 3;
+const int disk_light = 4;
+const int sphere_light = 5;
+const int tube_light = 6;
+const int polygon_light = 7;
+const int mesh_light = 8;
+const int environment_light = 9;
 const bool has_point_lights = true;
 const bool has_spot_lights = true;
 const bool has_directional_lights = true;
@@ -10,11 +21,11 @@ const bool has_sphere_lights = true;
 const bool has_tube_lights = true;
 const bool has_polygon_lights = true;
 const bool has_mesh_lights = true;
-const bool has_sun_disks = true;      // directional lights with an angular radius
-const bool has_profiles = true;       // photometric profiles
-const bool has_emission_maps = true;  // textured emitters
 const bool has_environment_lights = true;
-const bool has_environment_maps = true; // that are pictures
+const bool has_sun_disks = true;        // directional lights with an angular radius
+const bool has_profiles = true;         // photometric profiles
+const bool has_emission_maps = true;    // textured emitters
+const bool has_environment_maps = true; // environments that are pictures
 
 const bool has_base_color_texture = true;
 const bool has_metallic_roughness_texture = true;

@@ -1,20 +1,11 @@
 // The emitters, eight texels each in a buffer texture, and behind them what some of them point to.
-// Keep in sync with pack_lights() in src/render/light_table.cpp.
-const int point_light = 0;
-const int spot_light = 1;
-const int directional_light = 2;
-const int rectangle_light = 3;
-const int disk_light = 4;
-const int sphere_light = 5;      // also points and spots that have a radius
-const int tube_light = 6;
-const int polygon_light = 7;
-const int mesh_light = 8;
-const int environment_light = 9;
+// Keep in sync with pack_lights() in src/render/gpu/light_table.cpp.
+#include "interface/features.glsl"
 
 uniform samplerBuffer light_table;
 
 struct Light {
-    int kind;
+    int kind;             // features.glsl numbers them; a point or spot with a radius is a sphere
     vec3 position;        // [m]; of an area light: its centre
     vec3 direction;       // unit: where a spot or directional light goes, where a flat one faces, a profile's axis;
                           // of an environment: cos and sin of its rotation
@@ -45,8 +36,26 @@ Light light_at(int index) {
     vec4 t5 = texelFetch(light_table, 8 * index + 5);
     vec4 t6 = texelFetch(light_table, 8 * index + 6);
     vec4 t7 = texelFetch(light_table, 8 * index + 7);
-    return Light(int(t0.w), t0.xyz, t1.xyz, t2.rgb, t1.w, t2.w, t3.w, t3.xyz, t4.xyz, (int(t4.w) & 1) != 0, t5.x, int(t5.y),
-                 int(t5.z), int(t5.w), int(t6.x), t6.yz, t7.xy, t7.zw);
+    Light light;
+    light.kind = int(t0.w);
+    light.position = t0.xyz;
+    light.direction = t1.xyz;
+    light.inverse_range = t1.w;
+    light.quantity = t2.rgb;
+    light.cone_scale = t2.w;
+    light.half_u = t3.xyz;
+    light.cone_offset = t3.w;
+    light.half_v = t4.xyz;
+    light.is_two_sided = (int(t4.w) & 1) != 0;
+    light.radius = t5.x;
+    light.data = int(t5.y);
+    light.count = int(t5.z);
+    light.profile = int(t5.w);
+    light.map = int(t6.x);
+    light.uv_origin = t6.yz;
+    light.uv_along_u = t7.xy;
+    light.uv_along_v = t7.zw;
+    return light;
 }
 
 // Returns whether single-sided faces that the light meets from behind cast no shadow of it (scene::passes_back_faces).

@@ -1,4 +1,4 @@
-// The frame's points on the emitters and the depth maps that were made from each. Keep in sync with src/render/map_points.cpp.
+// The frame's points on the emitters and the depth maps that were made from each. Keep in sync with src/render/visibility/depth_maps.cpp.
 uniform isampler2DArray map_triangles; // the first shadow caster that light meets, by its index; -1: none
 uniform samplerBuffer map_points;      // a texel a light: its first point's first texel, how many points, and whether
                                        // it has an extent, so that another point is its middle; behind them the
@@ -34,8 +34,17 @@ MapPoint map_point(int light, int index) {
     vec4 t3 = texelFetch(map_points, first + 3);
     vec4 t4 = texelFetch(map_points, first + 4);
     vec4 t5 = texelFetch(map_points, first + 5);
-    mat3 axes = mat3(t3.xyz, t4.xyz, cross(t3.xyz, t4.xyz));
-    uint seed = uint(t5.z) + 65536u * uint(t5.w);
-    return MapPoint(t0.xyz, t1.xyz, t1.w, t5.xy, int(t0.w), t2.xyz, axes, t2.w, seed,
-                    texelFetch(map_points, first + 6), vec2(t3.w, t4.w));
+    MapPoint point;
+    point.position = t0.xyz;
+    point.normal = t1.xyz;
+    point.extent = t1.w;
+    point.uv = t5.xy;
+    point.kind = int(t0.w);
+    point.origin = t2.xyz;
+    point.axes = mat3(t3.xyz, t4.xyz, cross(t3.xyz, t4.xyz));
+    point.scale = t2.w;
+    point.seed = uint(t5.z) + 65536u * uint(t5.w);
+    point.layers = texelFetch(map_points, first + 6);
+    point.layers_z = vec2(t3.w, t4.w);
+    return point;
 }

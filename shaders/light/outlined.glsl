@@ -13,7 +13,8 @@ int outlines_of(Light light) {
     if (has_mesh_lights && light.kind == mesh_light)
         return light.count <= most_outlined_triangles ? light.count : 0;
     if (light.kind == directional_light) return has_sun_disks && light.radius > 0.0 ? 1 : 0;
-    return light.kind == point_light || light.kind == spot_light || light.kind == environment_light ? 0 : 1;
+    bool is_flat = light.kind == rectangle_light || light.kind == disk_light || light.kind == polygon_light;
+    return is_flat || light.kind == sphere_light || light.kind == tube_light ? 1 : 0;
 }
 
 Outline outline_of(Light light, int part, vec3 x, mat3 warp) {

@@ -235,7 +235,7 @@ std::vector<vec4> evaluate_rows(const std::vector<glsl::Root>& path, const Assig
     std::vector<glsl::Root> whole{glsl::Root::memory(
         "check", {{"assignment/asked.glsl", asked_glsl(assignment, expression, inputs.columns)}})};
     whole.insert(whole.end(), path.begin(), path.end());
-    return render::GlslTable(whole, "assignment/value.frag").evaluate(inputs.rows);
+    return render::ShaderEvaluator(whole, "assignment/value.frag").evaluate(inputs.rows);
 }
 
 Values evaluate(const std::vector<glsl::Root>& path, const Assignment& assignment,

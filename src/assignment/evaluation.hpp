@@ -2,7 +2,7 @@
 // Evaluation of a GLSL expression over a table of inputs, with some regions of the reference replaced.
 #include "assignment/manifest.hpp"
 #include "assignment/parameters.hpp"
-#include "render/glsl_table.hpp"
+#include "render/gpu/shader_evaluator.hpp"
 
 #include <map>
 #include <span>

@@ -3,7 +3,7 @@
 #include "assignment/regions.hpp"
 #include "core/math.hpp"
 #include "glsl/root.hpp"
-#include "render/occluders.hpp"
+#include "render/visibility/visibility_backend.hpp"
 
 #include <array>
 #include <filesystem>

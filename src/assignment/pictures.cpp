@@ -97,11 +97,11 @@ const Pictures::Shown& Pictures::shown(const Check& check) {
     const auto found = shown_.find(key);
     if (found != shown_.end()) return found->second;
     const fs::path file = assignment_.folder / check.scene;
-    scene::StageOptions options;
+    scene::PrepareOptions options;
     options.camera = check.camera;
     options.aspect_ratio = static_cast<float>(check.width) / static_cast<float>(check.height);
     Shown& made = shown_[key];
-    made.stage = scene::set_stage(scene_of(file, parameters_), file.string(), options);
+    made.stage = scene::prepare_scene(scene_of(file, parameters_), file.string(), options);
     made.gpu = std::make_unique<render::GpuScene>(made.stage.scene, made.stage.lights, check.visibility);
     return made;
 }

@@ -2,7 +2,7 @@
 // Image checks: pictures of an assignment's scenes, with some regions of the reference replaced.
 #include "assignment/value_check.hpp"
 #include "render/renderer.hpp"
-#include "scene/stage.hpp"
+#include "scene/prepare.hpp"
 
 #include <memory>
 
@@ -27,7 +27,7 @@ public:
 
 private:
     struct Shown {
-        scene::Stage stage;
+        scene::RenderScene stage;
         std::unique_ptr<render::GpuScene> gpu;
     };
     const Shown& shown(const Check& check);

@@ -2,7 +2,7 @@
 // A BRDF under test: one of ours with parameters, a measured one, or a user's shader.
 #include "gl/trial_compiler.hpp"
 #include "glsl/root.hpp"
-#include "render/features.hpp"
+#include "render/gpu/features.hpp"
 
 #include <filesystem>
 #include <memory>

@@ -1,9 +1,9 @@
 #include "brdf/evaluator.hpp"
 
 #include "core/error.hpp"
-#include "render/blocks.hpp"
-#include "render/gpu_texture.hpp"
-#include "render/ltc_table.hpp"
+#include "render/gpu/blocks.hpp"
+#include "render/gpu/gpu_texture.hpp"
+#include "render/gpu/ltc_table.hpp"
 
 #include <algorithm>
 #include <array>
@@ -71,9 +71,9 @@ void BrdfEvaluator::change(const scene::Material& material) {
     require(features_of(tested_) == before, "the new material has the features of the old one");
 }
 
-std::vector<vec4> BrdfEvaluator::evaluate(std::unique_ptr<render::GlslTable>& table, const char* shader,
+std::vector<vec4> BrdfEvaluator::evaluate(std::unique_ptr<render::ShaderEvaluator>& table, const char* shader,
                                           std::span<const Row> rows) {
-    if (!table) table = std::make_unique<render::GlslTable>(path_, shader, tested_.trial.get());
+    if (!table) table = std::make_unique<render::ShaderEvaluator>(path_, shader, tested_.trial.get());
     const auto parameters = parameters_of(tested_);
     const gl::Program& program = table->program();
     glProgramUniform4fv(program.id(), program.uniform("parameters"), static_cast<GLsizei>(parameters.size()),

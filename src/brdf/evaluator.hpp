@@ -2,7 +2,7 @@
 // Evaluation of a BRDF by the shaders of shaders/trial/. Directions are unit vectors in a frame with the
 // normal along z and the tangent along x.
 #include "brdf/brdf_under_test.hpp"
-#include "render/glsl_table.hpp"
+#include "render/gpu/shader_evaluator.hpp"
 
 #include <memory>
 #include <span>
@@ -43,14 +43,14 @@ public:
     std::vector<WeightedDirection> samples(vec3 wo, std::span<const vec2> u);
 
 private:
-    std::vector<vec4> evaluate(std::unique_ptr<render::GlslTable>& table, const char* shader,
+    std::vector<vec4> evaluate(std::unique_ptr<render::ShaderEvaluator>& table, const char* shader,
                                std::span<const render::Row> rows);
 
     BrdfUnderTest tested_;
     std::vector<glsl::Root> path_;
     gl::Texture ltc_texture_;
     std::vector<gl::Texture> measured_;
-    std::unique_ptr<render::GlslTable> value_, reflected_, density_, sampled_;
+    std::unique_ptr<render::ShaderEvaluator> value_, reflected_, density_, sampled_;
 };
 
 } // namespace sr::brdf

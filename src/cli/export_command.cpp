@@ -4,8 +4,7 @@
 #include "core/output.hpp"
 #include "gltf/load.hpp"
 #include "mitsuba/write.hpp"
-#include "scene/emitters.hpp"
-#include "scene/stage.hpp"
+#include "scene/prepare.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -27,12 +26,12 @@ struct ExportCommand {
 };
 
 /// What `render` would render, without the surfaces that it gives to lights.
-scene::Stage staged(const ExportCommand& command, std::optional<Size> size, scene::Scene&& scene) {
-    scene::StageOptions options{command.camera, command.rig};
+scene::RenderScene staged(const ExportCommand& command, std::optional<Size> size, scene::Scene&& scene) {
+    scene::PrepareOptions options{command.camera, command.rig};
     options.environment = command.environment.light();
     if (size) options.aspect_ratio = static_cast<float>(size->width) / static_cast<float>(size->height);
     const std::size_t instances = scene.instances.size(), emitters = scene::emitters_of(scene).size();
-    scene::Stage stage = scene::set_stage(std::move(scene), command.scene, options);
+    scene::RenderScene stage = scene::prepare_scene(std::move(scene), command.scene, options);
     stage.scene.instances.resize(instances);
     const auto rig =
         stage.lights.begin() + static_cast<std::ptrdiff_t>(emitters); // behind what emits by itself
@@ -46,7 +45,7 @@ void export_scene(const ExportCommand& command) {
     options.scene = command.scene_index;
     gltf::Loaded loaded = gltf::load(command.scene, options);
     for (const std::string& warning : loaded.warnings) write_remark(warning);
-    const scene::Stage stage = staged(command, asked, std::move(loaded.scene));
+    const scene::RenderScene stage = staged(command, asked, std::move(loaded.scene));
     for (const std::string& remark : stage.remarks) write_remark(remark);
     const Size size = asked.value_or(picture_size(stage.camera.aspect_ratio()));
     const auto warnings =

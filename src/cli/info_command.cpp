@@ -7,9 +7,9 @@
 #include "gl/context.hpp"
 #include "gltf/extensions.hpp"
 #include "gltf/load.hpp"
-#include "render/features.hpp"
-#include "scene/emitters.hpp"
+#include "render/gpu/features.hpp"
 #include "scene/material_description.hpp"
+#include "scene/prepare.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "cli/light_description.hpp"
 
-#include "scene/photometry.hpp"
+#include "scene/spectrum.hpp"
 
 #include <cmath>
 #include <fmt/format.h>
@@ -13,7 +13,7 @@ using nlohmann::ordered_json;
 ordered_json list(vec3 v) { return {v.x, v.y, v.z}; }
 
 /// The smallest box around points.
-ordered_json box_of(const scene::Bounds& bounds) {
+ordered_json box(const scene::Bounds& bounds) {
     return {{"min", list(bounds.min)}, {"max", list(bounds.max)}};
 }
 
@@ -22,7 +22,7 @@ public:
     explicit Describe(const scene::Scene& scene) : scene_(scene) {}
 
     ordered_json operator()(const scene::PointLight& l) const {
-        ordered_json json = start("point", l.name);
+        ordered_json json = start(l);
         if (l.profile < 0) {
             json[quantity("I", scene::Quantity::intensity)] = list(l.I);
         } else {
@@ -32,7 +32,7 @@ public:
         return with_place(json, l);
     }
     ordered_json operator()(const scene::SpotLight& l) const {
-        ordered_json json = start("spot", l.name);
+        ordered_json json = start(l);
         json[quantity("I", scene::Quantity::intensity)] = list(l.I);
         json["inner angle [rad]"] = l.inner_angle;
         json["outer angle [rad]"] = l.outer_angle;
@@ -40,54 +40,40 @@ public:
         return with_place(json, l);
     }
     ordered_json operator()(const scene::DirectionalLight& l) const {
-        ordered_json json = start("directional", l.name);
+        ordered_json json = start(l);
         json[quantity("E", scene::Quantity::irradiance)] = list(l.E);
         json["direction"] = list(l.direction);
         if (l.angular_radius > 0.0f) json["angular radius [rad]"] = l.angular_radius;
         return json;
     }
-    ordered_json operator()(const scene::RectangleLight& l) const {
-        ordered_json json = flat("rectangle", l);
-        json["size [m]"] = {2.0f * glm::length(l.half_u), 2.0f * glm::length(l.half_v)};
-        return json;
-    }
-    ordered_json operator()(const scene::DiskLight& l) const {
-        ordered_json json = flat("disk", l);
-        json["size [m]"] = {2.0f * glm::length(l.half_u), 2.0f * glm::length(l.half_v)};
-        return json;
-    }
-    ordered_json operator()(const scene::SphereLight& l) const {
-        ordered_json json = area("sphere", l);
-        json["center [m]"] = place(l.center);
-        json["radius [m]"] = l.radius;
-        return json;
-    }
-    ordered_json operator()(const scene::TubeLight& l) const {
-        ordered_json json = area("tube", l);
-        json["center [m]"] = place(l.center);
-        json["axis [m]"] = list(2.0f * l.half_axis);
-        json["radius [m]"] = l.radius;
-        return json;
-    }
-    ordered_json operator()(const scene::PolygonLight& l) const {
-        ordered_json json = sided("polygon", l);
-        json["normal"] = list(l.normal());
-        for (const vec3 corner : l.corners) json["corners [m]"].push_back(list(corner));
-        return json;
-    }
-    ordered_json operator()(const scene::MeshLight& l) const {
-        ordered_json json = sided("mesh", l);
-        json["triangles"] = l.triangles.size();
-        scene::Bounds bounds;
-        for (const auto& triangle : l.triangles)
-            for (const vec3 corner : triangle.corners) bounds.extend(corner);
-        json["bounds [m]"] = box_of(bounds);
-        if (l.texture >= 0) json["texture"] = l.texture;
+    /// A light of any other kind: a surface of one radiance.
+    template<class Area>
+    ordered_json operator()(const Area& l) const {
+        ordered_json json = start(l);
+        json[quantity("L", scene::Quantity::radiance)] = list(l.L);
+        json["A [m^2]"] = l.area();
+        if constexpr (requires { l.is_two_sided; }) json["two-sided"] = l.is_two_sided;
+        if constexpr (requires { l.center + vec3(0.0f); }) json["center [m]"] = place(l.center);
+        if constexpr (requires { l.normal(); }) json["normal"] = list(l.normal());
+        if constexpr (requires { l.map; })
+            if (l.map.is_present()) json["texture"] = l.map.texture;
+        if constexpr (requires { l.half_u; })
+            json["size [m]"] = {2.0f * glm::length(l.half_u), 2.0f * glm::length(l.half_v)};
+        if constexpr (requires { l.half_axis; }) json["axis [m]"] = list(2.0f * l.half_axis);
+        if constexpr (requires { l.radius; }) json["radius [m]"] = l.radius;
+        if constexpr (requires { l.corners; })
+            for (const vec3 corner : l.corners) json["corners [m]"].push_back(list(corner));
+        if constexpr (requires { l.triangles; }) {
+            json["triangles"] = l.triangles.size();
+            json["bounds [m]"] = box(l.bounds());
+        }
+        if constexpr (requires { l.texture; })
+            if (l.texture >= 0) json["texture"] = l.texture;
         return json;
     }
 
     ordered_json operator()(const scene::EnvironmentLight& l) const {
-        ordered_json json = start("environment", l.name);
+        ordered_json json = start(l);
         const auto radiance = quantity("L", scene::Quantity::radiance);
         if (l.map) {
             json["factor"] = list(l.L);
@@ -106,32 +92,9 @@ public:
     }
 
 private:
-    static ordered_json start(const char* kind, const std::string& name) {
-        return {{"kind", kind}, {"name", name}};
-    }
-
-    template<class Area>
-    ordered_json area(const char* kind, const Area& l) const {
-        ordered_json json = start(kind, l.name);
-        json[quantity("L", scene::Quantity::radiance)] = list(l.L);
-        json["A [m^2]"] = l.area();
-        return json;
-    }
-
-    template<class Area>
-    ordered_json sided(const char* kind, const Area& l) const {
-        ordered_json json = area(kind, l);
-        json["two-sided"] = l.is_two_sided;
-        return json;
-    }
-
-    template<class Flat>
-    ordered_json flat(const char* kind, const Flat& l) const {
-        ordered_json json = sided(kind, l);
-        json["center [m]"] = place(l.center);
-        json["normal"] = list(l.normal());
-        if (l.map.is_present()) json["texture"] = l.map.texture;
-        return json;
+    template<class L>
+    static ordered_json start(const L& light) {
+        return {{"kind", light.kind}, {"name", light.name}};
     }
 
     template<class Punctual>

@@ -78,8 +78,8 @@ Opened open(const RenderCommand& command) {
     return opened;
 }
 
-scene::StageOptions stage_options(const RenderCommand& command, const Opened& opened) {
-    scene::StageOptions options{command.camera, command.rig};
+scene::PrepareOptions stage_options(const RenderCommand& command, const Opened& opened) {
+    scene::PrepareOptions options{command.camera, command.rig};
     if (command.size)
         options.aspect_ratio =
             static_cast<float>(command.size->width) / static_cast<float>(command.size->height);
@@ -90,7 +90,7 @@ scene::StageOptions stage_options(const RenderCommand& command, const Opened& op
 }
 
 /// Says which lights the analytic estimator cannot do without noise.
-void remark_on_estimator(const RenderCommand& command, const scene::Stage& stage) {
+void remark_on_estimator(const RenderCommand& command, const scene::RenderScene& stage) {
     if (command.rendering.estimator != render::Estimator::analytic) return;
     for (const scene::Light& light : stage.lights) {
         if (const auto* environment = std::get_if<scene::EnvironmentLight>(&light))
@@ -132,7 +132,8 @@ OpenScene open_scene(const RenderCommand& command, PhaseTimes& times) {
     tell_new_warnings(result);
     result.stage.scene = std::move(opened.scene);
     if (result.frames.empty())
-        result.stage = scene::set_stage(std::move(result.stage.scene), command.scene, result.stage_options);
+        result.stage =
+            scene::prepare_scene(std::move(result.stage.scene), command.scene, result.stage_options);
     else
         show_frame(result, command, result.frames.front());
     result.stage_options.rig = result.stage.rig; // what lights the first frame lights all
@@ -148,7 +149,7 @@ double seconds_of(int frame, const RenderCommand& command) { return frame / comm
 void show_frame(OpenScene& open, const RenderCommand& command, int frame) {
     scene::Scene posed =
         open.asset.posed(std::move(open.stage.scene), {open.animations, seconds_of(frame, command)});
-    open.stage = scene::set_stage(std::move(posed), command.scene, open.stage_options);
+    open.stage = scene::prepare_scene(std::move(posed), command.scene, open.stage_options);
     tell_new_warnings(open);
 }
 
@@ -161,7 +162,7 @@ render::RenderOptions render_options(const RenderCommand& command, Size size) {
     options.width = size.width;
     options.height = size.height;
     options.samples = command.stop.samples;
-    options.knows_error = command.asks_for_error();
+    options.estimates_error = command.asks_for_error();
     options.shader_path = shader_path(command.shaders);
     if (!command.shaders.empty()) options.trial = std::make_shared<gl::TrialCompiler>(command.backend);
     if (command.view) options.shader = command.view->shader;

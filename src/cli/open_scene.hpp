@@ -14,10 +14,10 @@ namespace sr::cli {
 
 struct OpenScene {
     std::unique_ptr<gl::Context> context;
-    scene::Stage stage;
+    scene::RenderScene stage;
     Size size;
     gltf::Asset asset; // what the scene was made of
-    scene::StageOptions stage_options;
+    scene::PrepareOptions stage_options;
     std::vector<int> animations; // that play
     std::vector<int> frames;     // of the sequence that was asked for; empty: a single picture
     std::set<std::string> told;  // warnings that were printed

@@ -38,32 +38,6 @@ struct ProbeCommand {
     PixelPlace pixel;
 };
 
-std::string shape_of(const scene::Light& light) {
-    struct Name {
-        const char* operator()(const scene::PointLight& l) const {
-            return l.radius > 0.0f ? "round point" : l.profile >= 0 ? "profile" : "point";
-        }
-        const char* operator()(const scene::SpotLight& l) const {
-            return l.radius > 0.0f ? "round spot" : "spot";
-        }
-        const char* operator()(const scene::DirectionalLight& l) const {
-            return l.angular_radius > 0.0f ? "sun" : "directional";
-        }
-        const char* operator()(const scene::RectangleLight&) const { return "rectangle"; }
-        const char* operator()(const scene::DiskLight&) const { return "disk"; }
-        const char* operator()(const scene::SphereLight&) const { return "sphere"; }
-        const char* operator()(const scene::TubeLight&) const { return "tube"; }
-        const char* operator()(const scene::PolygonLight&) const { return "polygon"; }
-        const char* operator()(const scene::MeshLight&) const { return "mesh"; }
-        const char* operator()(const scene::EnvironmentLight&) const { return "environment"; }
-    };
-    return std::visit(Name{}, light);
-}
-
-std::string light_name(const scene::Light& light) {
-    return std::visit([](const auto& l) { return l.name; }, light);
-}
-
 ordered_json triple(vec3 v) { return {v.x, v.y, v.z}; }
 
 /// A point in the file's world.
@@ -86,8 +60,8 @@ ordered_json as_json(const ProbeCommand& command, const OpenScene& open, const r
     for (std::size_t k = 0; k < terms.lights.size(); ++k) {
         const render::LightTerms& t = terms.lights[k];
         lights.push_back({{"light", k},
-                          {"name", light_name(open.stage.lights[k])},
-                          {"shape", shape_of(open.stage.lights[k])},
+                          {"name", scene::name_of(open.stage.lights[k])},
+                          {"shape", scene::variety_of(open.stage.lights[k])},
                           {"solid_angle [sr]", t.solid_angle},
                           {"wi", triple(t.wi)},
                           {"cos_i", t.cos_i},
@@ -126,8 +100,9 @@ std::string fitted(const std::string& name) {
 std::string row_of(int k, const scene::Light& light, const render::LightTerms& t) {
     const std::string extent = t.solid_angle > 0.0f ? fmt::format("{:.4g}", t.solid_angle) : "-";
     return fmt::format("{:>3} {:<18}{:<12}{:>9} {:>7.3f}{:>7.3f}{:>7.3f}{:>8.4f}{:>8.4f}{:>11.4g}{:>10.4g}{}",
-                       k, fitted(light_name(light)), shape_of(light), extent, t.wi.x, t.wi.y, t.wi.z, t.cos_i,
-                       t.V, luminance(t.f_r), luminance(t.E), cells(t.L_r, 11));
+                       k, fitted(scene::name_of(light)), scene::variety_of(light), extent, t.wi.x, t.wi.y,
+                       t.wi.z, t.cos_i, t.V, luminance(t.f_r), luminance(t.E),
+                       cells(t.L_r, 11));
 }
 
 void print(const ProbeCommand& command, const OpenScene& open, const render::PixelTerms& terms) {

@@ -34,7 +34,7 @@ struct Picture {
 };
 
 /// Sets the provenance of the images.
-void describe(Picture& picture, const RenderCommand& command, const scene::Stage& stage,
+void describe(Picture& picture, const RenderCommand& command, const scene::RenderScene& stage,
               const gl::ContextInfo& gl) {
     std::vector<image::Attribute> attributes =
         render::attributes_of({.unit = output::unit_of(command.view, stage.scene.units),
@@ -58,7 +58,7 @@ void describe(Picture& picture, const RenderCommand& command, const scene::Stage
 }
 
 /// Explains black pictures and non-finite pixels on stderr.
-void remark_on(const image::Image& film, const RenderCommand& command, const scene::Stage& stage) {
+void remark_on(const image::Image& film, const RenderCommand& command, const scene::RenderScene& stage) {
     std::size_t covered = 0, lit = 0, broken = 0;
     for (std::size_t i = 0; i < film.pixels.size(); i += 4) {
         const vec3 L(film.pixels[i], film.pixels[i + 1], film.pixels[i + 2]);
@@ -78,7 +78,7 @@ void remark_on(const image::Image& film, const RenderCommand& command, const sce
                      stage.camera.name);
 }
 
-ordered_json summary(const RenderCommand& command, const scene::Stage& stage, const gl::Context& context,
+ordered_json summary(const RenderCommand& command, const scene::RenderScene& stage, const gl::Context& context,
                      Size size) {
     return {{"scene", command.scene},
             {"outputs", command.outputs},
@@ -106,11 +106,11 @@ ordered_json stopping(const Picture& picture) {
 
 /// How V was found; null where nothing casts shadows.
 ordered_json shadows(const render::GpuScene& scene, const render::Renderer& renderer) {
-    const render::Occluders* occluders = scene.occluders();
+    const render::VisibilityBackend* occluders = scene.visibility_backend();
     if (!occluders) return nullptr;
     if (const render::DepthMaps* maps = renderer.depth_maps())
         return {{"by", "maps"}, {"maps_a_sample", maps->map_count()}, {"map_size", maps->size()}};
-    const render::RayAnswers* answers = renderer.ray_answers();
+    const render::CpuShadowRays* answers = renderer.shadow_rays();
     ordered_json json{{"by", answers ? "cpu" : "glsl"},
                       {"bvh_triangles", occluders->triangle_count()},
                       {"bvh_nodes", occluders->node_count()},
@@ -132,7 +132,7 @@ ordered_json seconds(const PhaseTimes& times) {
 /// A rendering at work.
 struct Work {
     const RenderCommand& command;
-    const scene::Stage& stage;
+    const scene::RenderScene& stage;
     const render::GpuScene& scene;
     const render::RenderOptions& options;
     render::Renderer& renderer;
@@ -296,7 +296,8 @@ ExitStatus render(const RenderCommand& command) {
     render::GpuScene gpu_scene = uploaded(open, command);
     glFinish();
     times.end("upload");
-    if (gpu_scene.occluders()) times.add("bvh (in upload)", gpu_scene.occluders()->build_seconds());
+    if (gpu_scene.visibility_backend())
+        times.add("bvh (in upload)", gpu_scene.visibility_backend()->build_seconds());
     const render::RenderOptions options = render_options(command, open.size);
     render::Renderer renderer(gpu_scene, open.stage.camera, options);
     renderer.compile();

@@ -8,9 +8,10 @@
 #include "image/file.hpp"
 #include "output/render_settings.hpp"
 #include "output/variables.hpp"
-#include "render/occluders.hpp"
+#include "render/visibility/visibility_backend.hpp"
 #include "render/renderer.hpp"
-#include "scene/stage.hpp"
+#include "render/visibility/visibility_backend.hpp"
+#include "scene/prepare.hpp"
 
 namespace CLI {
 class App;

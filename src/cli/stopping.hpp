@@ -1,7 +1,7 @@
 #pragma once
 // Sampling loops of `steradian render`, with a progress bar.
 #include "cli/interruption.hpp"
-#include "render/convergence.hpp"
+#include "render/adaptive/convergence.hpp"
 
 #include <optional>
 #include <string>

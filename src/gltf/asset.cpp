@@ -7,7 +7,7 @@
 #include "gltf/drawn.hpp"
 #include "gltf/environment.hpp"
 #include "gltf/extensions.hpp"
-#include "gltf/light.hpp"
+#include "gltf/lights.hpp"
 #include "gltf/text.hpp"
 #include "gltf/variants.hpp"
 

@@ -68,8 +68,8 @@ public:
     scene::Scene at_rest();
 
     /// The same scene at another moment. Images, textures and meshes that keep their shape are those of
-    /// `scene`, which comes from here, perhaps by way of a Stage, whose additions are dropped. Instances,
-    /// lights, cameras, materials and meshes that deform are made anew.
+    /// `scene`, which comes from here, perhaps by way of a RenderScene, whose additions are dropped.
+    /// Instances, lights, cameras, materials and meshes that deform are made anew.
     /// @throws Error if a value that an animation takes makes no sense where it goes
     scene::Scene posed(scene::Scene scene, const Moment& moment);
 

@@ -1,7 +1,7 @@
 #include "gltf/environment.hpp"
 
 #include "core/error.hpp"
-#include "gltf/statement.hpp"
+#include "gltf/emission.hpp"
 #include "gltf/uri.hpp"
 #include "image/file.hpp"
 

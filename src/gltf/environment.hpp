@@ -2,7 +2,7 @@
 // Environments: from an equirectangular picture, and what a glTF scene says of one.
 #include "gltf/document.hpp"
 #include "gltf/warnings.hpp"
-#include "scene/light.hpp"
+#include "scene/lights/light.hpp"
 
 #include <optional>
 

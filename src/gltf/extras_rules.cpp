@@ -1,7 +1,9 @@
 #include "gltf/extras_rules.hpp"
 
 #include "scene/conductor.hpp"
-#include "scene/units.hpp"
+#include "scene/lights/light.hpp"
+
+#include <algorithm>
 
 namespace sr::gltf {
 namespace {
@@ -17,7 +19,7 @@ struct ExtrasRules {
     Rule sample{.kind = Kind::list, .element = &number, .length = 2};
     Rule spectrum{.kind = Kind::list, .element = &sample};
     Rule texture{.kind = Kind::index, .pool = "/textures"};
-    Rule shape{.kind = Kind::text, .words = {"rectangle", "disk", "ellipse", "sphere", "tube", "polygon"}};
+    Rule shape{.kind = Kind::text}; // the names of all kinds of light
     Rule unit{.kind = Kind::text};
     Rule system{.kind = Kind::text, .words = {"photometric", "radiometric"}};
     Rule quantity{.kind = Kind::record,
@@ -37,13 +39,12 @@ struct ExtrasRules {
 
     // clang-format off
     Rule node{.kind = Kind::record, .properties = {
-        {"shape", &shape}, {"width", &number}, {"height", &number}, {"radius", &number}, {"length", &number},
-        {"corners", &corners}, {"angular_diameter", &number}, {"quantity", &quantity}, {"color", &three_numbers},
+        {"corners", &corners}, {"quantity", &quantity}, {"color", &three_numbers},
         {"temperature", &number}, {"spectrum", &spectrum}, {"texture", &texture}, {"visible", &boolean},
         {"two_sided", &boolean}}, .is_closed = true, .is_ours = true};
     Rule light{.kind = Kind::record, .properties = {
-        {"radius", &number}, {"angular_diameter", &number}, {"quantity", &quantity}, {"color", &three_numbers},
-        {"temperature", &number}, {"spectrum", &spectrum}, {"visible", &boolean}}, .is_closed = true, .is_ours = true};
+        {"quantity", &quantity}, {"color", &three_numbers}, {"temperature", &number}, {"spectrum", &spectrum},
+        {"visible", &boolean}}, .is_closed = true, .is_ours = true};
     Rule material{.kind = Kind::record, .properties = {
         {"quantity", &quantity}, {"color", &three_numbers}, {"temperature", &number}, {"spectrum", &spectrum},
         {"brdf", &brdf}, {"roughness_across", &number}, {"exponent", &number}, {"specular_color", &three_numbers},
@@ -64,6 +65,27 @@ struct ExtrasRules {
 
     ExtrasRules() {
         for (const scene::NamedUnit& named : scene::unit_names) unit.words.push_back(named.name);
+        std::vector<PropertyRule> of_node{{"shape", &shape}}, of_light;
+        const auto add = [&](std::vector<PropertyRule>& to, std::string_view key) {
+            if (std::ranges::find(to, key, &PropertyRule::name) == to.end()) to.push_back({key, &number});
+        };
+        scene::for_each_light_kind([&]<class L>(std::type_identity<L>) {
+            if constexpr (requires { L::shapes; })
+                for (const auto& named : L::shapes) {
+                    shape.words.push_back(named.name);
+                    for (const auto& size : named.dimensions) add(of_node, size.key);
+                }
+        });
+        scene::for_each_light_kind([&]<class L>(std::type_identity<L>) { // lights of extensions
+            if constexpr (
+                requires { L::dimensions; } && !requires { L::shapes; })
+                for (const auto& size : L::dimensions) {
+                    add(of_node, size.key);
+                    add(of_light, size.key);
+                }
+        });
+        node.properties.insert(node.properties.begin(), of_node.begin(), of_node.end());
+        light.properties.insert(light.properties.begin(), of_light.begin(), of_light.end());
     }
 };
 

@@ -169,8 +169,8 @@ void MaterialTable::read_emission(const tinygltf::Material& from, scene::Materia
         return is_determined ? std::optional(value) : std::nullopt;
     };
     const vec3 stated_emission =
-        emitted(document_, statement_of(document_, stated, title), glm::dvec3(to.emission), conversion, title,
-                "state what a material emits in cd/m^2 or lm, or in W/(m^2 sr) or W");
+        emitted(document_, parse_emission(document_, stated, title), glm::dvec3(to.emission), conversion,
+                title, "state what a material emits in cd/m^2 or lm, or in W/(m^2 sr) or W");
     if (!is_flux) {
         to.emission = stated_emission;
         return;

@@ -1,7 +1,7 @@
 #pragma once
 // glTF materials.
+#include "gltf/emission.hpp"
 #include "gltf/measured.hpp"
-#include "gltf/statement.hpp"
 #include "gltf/texture.hpp"
 #include "scene/scene.hpp"
 

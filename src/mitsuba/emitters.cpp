@@ -1,6 +1,6 @@
 #include "mitsuba/emitters.hpp"
 
-#include "mitsuba/capsule.hpp"
+#include "scene/lights/shapes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,26 +18,22 @@ mat4 placed(vec3 x, vec3 y, vec3 z, vec3 origin) {
     return {vec4(x, 0.0f), vec4(y, 0.0f), vec4(z, 0.0f), vec4(origin, 1.0f)};
 }
 
-/// A fan around its first corner.
-Triangles fan(const std::vector<vec3>& corners, vec3 normal) {
+Triangles as_triangles(scene::Mesh mesh) {
     Triangles triangles;
-    triangles.positions = corners;
-    triangles.normals.assign(corners.size(), normal);
-    for (std::uint32_t i = 2; i < corners.size(); ++i)
-        triangles.indices.insert(triangles.indices.end(), {0, i - 1, i});
+    triangles.positions = std::move(mesh.positions);
+    triangles.normals = std::move(mesh.normals);
+    triangles.uv = std::move(mesh.texcoords[0]);
+    triangles.indices = std::move(mesh.indices);
     return triangles;
 }
 
-/// The flat polygon center + s*half_u + t*half_v for the corners (s, t), with its texture coordinates.
-template<class Flat>
-Triangles flat(const Flat& light, const std::vector<vec2>& st) {
-    std::vector<vec3> corners;
-    for (const vec2 p : st) corners.push_back(light.center + p.x * light.half_u + p.y * light.half_v);
-    Triangles triangles = fan(corners, light.normal());
-    if (light.map.is_present())
-        for (const vec2 p : st)
-            triangles.uv.push_back(light.map.origin + p.x * light.map.along_u + p.y * light.map.along_v);
-    return triangles;
+double area_of(const scene::Mesh& mesh) {
+    double area = 0.0;
+    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+        const auto corner = [&](std::size_t k) { return mesh.positions[mesh.indices[i + k]]; };
+        area += 0.5 * double{glm::length(glm::cross(corner(1) - corner(0), corner(2) - corner(0)))};
+    }
+    return area;
 }
 
 template<class Flat>
@@ -59,7 +55,7 @@ public:
 
     void operator()(const scene::SpotLight& light) {
         if (light.radius > 0.0f) warn(light.name, "is a spot with a radius: exported without the radius");
-        const scene::ConeFalloff cone = scene::cone_falloff(light);
+        const scene::ConeFalloff cone = light.falloff();
         open_punctual(light.position, light.direction, light.I, light.range);
         xml_.number("cone_scale", cone.scale);
         xml_.number("cone_offset", cone.offset);
@@ -91,7 +87,8 @@ public:
 
     void operator()(const scene::RectangleLight& light) {
         if (light.map.is_present() || light.is_two_sided)
-            return mesh(flat(light, {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}), emission_of(light));
+            return mesh(as_triangles(flat_mesh(light, {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}})),
+                        emission_of(light));
         open("rectangle");
         xml_.transform("to_world", placed(light.half_u, light.half_v, light.normal(), light.center));
         close(light.L);
@@ -114,8 +111,13 @@ public:
         mesh(capsule(light), {light.L});
     }
 
-    void operator()(const scene::PolygonLight& light) {
-        mesh(fan(light.corners, light.normal()), {light.L, -1, mat3(1.0f), light.is_two_sided});
+    /// A light of any other kind, as the triangles that cameras see.
+    template<class Area>
+    void operator()(Area light) {
+        light.is_visible = true;
+        scene::LightSurface surface = *light.surface();
+        mesh(as_triangles(std::move(surface.mesh)),
+             {surface.L, surface.texture, mat3(1.0f), surface.is_two_sided});
     }
 
     void operator()(const scene::MeshLight& light) {
@@ -167,7 +169,7 @@ private:
             const float angle = step * static_cast<float>(i);
             st.push_back(scale * vec2(std::cos(angle), std::sin(angle)));
         }
-        return flat(light, st);
+        return as_triangles(flat_mesh(light, st));
     }
 
     void open_punctual(vec3 position, vec3 direction, vec3 I, float range) {
@@ -213,27 +215,25 @@ private:
     Xml& xml_;
 };
 
-/// Returns whether cameras see the light; absent for those that nothing could see.
-struct IsVisible {
-    std::optional<bool> operator()(const scene::DirectionalLight&) const { return std::nullopt; }
-    std::optional<bool> operator()(const scene::MeshLight&) const { return true; }
-    std::optional<bool> operator()(const scene::PointLight& l) const {
-        return l.radius > 0.0f ? std::optional(l.is_visible) : std::nullopt;
-    }
-    std::optional<bool> operator()(const scene::SpotLight&) const { return std::nullopt; }
-    template<class Area>
-    std::optional<bool> operator()(const Area& light) const {
-        return light.is_visible;
-    }
-};
-
 bool any_light_is(const scene::Scene& scene, bool visible) {
     for (const scene::Light& light : scene.lights)
-        if (std::visit(IsVisible{}, light) == visible) return true;
+        if (scene::visibility_of(light) == visible) return true;
     return false;
 }
 
 } // namespace
+
+Triangles capsule(const scene::TubeLight& light) {
+    constexpr int around = 192;
+    const auto tessellated = [&](float radius) {
+        return scene::capsule_mesh(light.center, light.half_axis, radius, around);
+    };
+    // One Newton step from the inscribed capsule, whose surface of 4π r (r + h) is too small by 10⁻⁴.
+    const double r = light.radius, h = glm::length(light.half_axis);
+    const double missing = double{light.area()} - area_of(tessellated(light.radius));
+    const double slope = 4.0 * double{pi} * (2.0 * r + h);
+    return as_triangles(tessellated(static_cast<float>(r + missing / slope)));
+}
 
 void write_emitters(Output& output) {
     Writer writer(output);

@@ -65,7 +65,7 @@ private:
         options.shader = shader;
         options.background = vec3(0.0f);
         options.estimator = render::Estimator::sampled; // whose points these shaders take
-        options.knows_error = false;
+        options.estimates_error = false;
         options.samples = std::min(max_samples, std::ranges::max(source_.samples));
         render::Renderer renderer(source_.scene, source_.camera, options);
         renderer.use_lights(0, lights);

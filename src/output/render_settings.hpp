@@ -1,10 +1,10 @@
 #pragma once
 // Settings that `steradian render` and the viewer share.
 #include "image/display.hpp"
-#include "render/occluders.hpp"
+#include "render/visibility/visibility_backend.hpp"
 #include "render/renderer.hpp"
-#include "render/stop_rule.hpp"
-#include "scene/stage.hpp"
+#include "render/adaptive/stop_rule.hpp"
+#include "scene/prepare.hpp"
 
 #include <optional>
 #include <string>
@@ -15,7 +15,7 @@ namespace sr::output {
 struct RenderSettings {
     std::string scene; // a file
     std::optional<int> scene_index;
-    std::string camera; // as StageOptions has it
+    std::string camera; // as PrepareOptions has it
     scene::Rig rig = scene::Rig::automatic;
     bool hide_emitters = false;
     std::string animation;    // by name, by index, or "all"; empty: the first

@@ -26,7 +26,7 @@ void allocate(GLint internal_format, GLenum format, int width, int height) {
 
 } // namespace
 
-Target::Target(const char* name, int width, int height, bool has_depth)
+RenderTarget::RenderTarget(const char* name, int width, int height, bool has_depth)
     : width_(width),
       height_(height),
       color_(GL_TEXTURE_2D, name),
@@ -48,12 +48,12 @@ Target::Target(const char* name, int width, int height, bool has_depth)
                     "choose a smaller --size, or another --backend");
 }
 
-void Target::bind() const {
+void RenderTarget::bind() const {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
     glViewport(0, 0, width_, height_);
 }
 
-image::Image Target::read() const {
+image::Image RenderTarget::read() const {
     bind();
     image::Image image(width_, height_, 4);
     glPixelStorei(GL_PACK_ALIGNMENT, 4);

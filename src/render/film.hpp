@@ -6,10 +6,10 @@
 namespace sr::render {
 
 /// A colour texture of 32-bit floats that can be drawn into, with a depth buffer if asked for.
-class Target {
+class RenderTarget {
 public:
     /// @throws Error if the driver does not take the size.
-    Target(const char* name, int width, int height, bool has_depth);
+    RenderTarget(const char* name, int width, int height, bool has_depth);
 
     /// Makes it the target of drawing, whole.
     void bind() const;

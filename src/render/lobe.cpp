@@ -13,8 +13,8 @@ struct Seen {
 };
 
 /// The nearest triangle that the scissor's one pixel sees, transparent ones included.
-std::optional<Seen> seen_at(const GpuScene& scene, const Target& frame, ShaderLibrary& shaders, int column,
-                            int row) {
+std::optional<Seen> seen_at(const GpuScene& scene, const RenderTarget& frame, ShaderLibrary& shaders,
+                            int column, int row) {
     seen_pass(frame, scene, shaders);
     const image::Image film = frame.read();
     const auto texel = film.at(column, row);
@@ -71,7 +71,7 @@ private:
     int column_;
     int row_;
     int height_;
-    Target target_;
+    RenderTarget target_;
 };
 
 } // namespace
@@ -91,7 +91,7 @@ std::optional<PixelBrdf> brdf_at(const GpuScene& scene, const scene::Camera& cam
     scene.bind_lights();
     glEnable(GL_SCISSOR_TEST);
     glScissor(column, row_from_below, 1, 1);
-    const Target frame("seen", options.width, options.height, true);
+    const RenderTarget frame("seen", options.width, options.height, true);
     const auto seen = seen_at(scene, frame, shaders, column, row);
     if (!seen) {
         glDisable(GL_SCISSOR_TEST);

@@ -31,13 +31,13 @@ void draw_visible(const GpuScene& scene, ShaderLibrary& shaders, const std::stri
 }
 
 /// Larger is farther from the camera.
-float farness(const Draw& draw, vec4 eye) {
+float view_depth(const Draw& draw, vec4 eye) {
     if (eye.w == 0.0f) return -glm::dot(draw.center, vec3(eye));
     return glm::distance(draw.center, vec3(eye));
 }
 
 /// An empty frame, in which the nearest surfaces win.
-void begin_nearest(const Target& frame, vec3 background) {
+void begin_nearest(const RenderTarget& frame, vec3 background) {
     frame.bind();
     glDisable(GL_BLEND);
     glEnable(GL_DEPTH_TEST);
@@ -54,7 +54,7 @@ const std::string& fragment_of(const Draw& draw, const std::string& shader) {
     return draw.features.is_transmissive && shader == "forward.frag" ? glass_shader : shader;
 }
 
-void depth_pass(const Target& frame, const GpuScene& scene, ShaderLibrary& shaders, vec3 background) {
+void depth_pass(const RenderTarget& frame, const GpuScene& scene, ShaderLibrary& shaders, vec3 background) {
     begin_nearest(frame, background);
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     for (const Draw& draw : scene.opaque_draws()) {
@@ -65,7 +65,7 @@ void depth_pass(const Target& frame, const GpuScene& scene, ShaderLibrary& shade
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
-void background_pass(const Target& frame, const GpuScene& scene, ShaderLibrary& shaders) {
+void background_pass(const RenderTarget& frame, const GpuScene& scene, ShaderLibrary& shaders) {
     frame.bind();
     glEnable(GL_BLEND);
     glBlendEquation(GL_FUNC_ADD);
@@ -83,7 +83,7 @@ void background_pass(const Target& frame, const GpuScene& scene, ShaderLibrary& 
     }
 }
 
-void rest_pass(const Target& frame, ShaderLibrary& shaders) {
+void rest_pass(const RenderTarget& frame, ShaderLibrary& shaders) {
     frame.bind();
     glDisable(GL_BLEND);
     glDisable(GL_CULL_FACE);
@@ -103,14 +103,14 @@ void record_pass(const GpuScene& scene, ShaderLibrary& shaders, int attachments)
     draw_visible(scene, shaders, "record.frag", VisibilityTerm::record);
 }
 
-void forward_pass(const Target& frame, const GpuScene& scene, ShaderLibrary& shaders,
+void forward_pass(const RenderTarget& frame, const GpuScene& scene, ShaderLibrary& shaders,
                   const std::string& shader, VisibilityTerm visibility) {
     frame.bind();
     draw_visible(scene, shaders, shader, visibility);
 }
 
-void blend_pass(const Target& frame, const GpuScene& scene, ShaderLibrary& shaders, const std::string& shader,
-                vec4 eye, VisibilityTerm visibility) {
+void blend_pass(const RenderTarget& frame, const GpuScene& scene, ShaderLibrary& shaders,
+                const std::string& shader, vec4 eye, VisibilityTerm visibility) {
     if (scene.blended_draws().empty()) return;
     frame.bind();
     glEnable(GL_BLEND);
@@ -121,7 +121,7 @@ void blend_pass(const Target& frame, const GpuScene& scene, ShaderLibrary& shade
     scene.bind_lights();
     std::vector<Draw> draws = scene.blended_draws();
     std::stable_sort(draws.begin(), draws.end(),
-                     [&](const Draw& a, const Draw& b) { return farness(a, eye) > farness(b, eye); });
+                     [&](const Draw& a, const Draw& b) { return view_depth(a, eye) > view_depth(b, eye); });
     for (const Draw& draw : draws) {
         const std::string& fragment = fragment_of(draw, shader);
         if (fragment == glass_shader)
@@ -138,7 +138,7 @@ void blend_pass(const Target& frame, const GpuScene& scene, ShaderLibrary& shade
     }
 }
 
-void accumulate_pass(const Target& film, const Target& frame, ShaderLibrary& shaders) {
+void accumulate_pass(const RenderTarget& film, const RenderTarget& frame, ShaderLibrary& shaders) {
     film.bind();
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
@@ -151,7 +151,7 @@ void accumulate_pass(const Target& film, const Target& frame, ShaderLibrary& sha
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-void seen_pass(const Target& frame, const GpuScene& scene, ShaderLibrary& shaders) {
+void seen_pass(const RenderTarget& frame, const GpuScene& scene, ShaderLibrary& shaders) {
     begin_nearest(frame, vec3(0.0f));
     for (const auto* draws : {&scene.opaque_draws(), &scene.blended_draws()})
         for (const Draw& draw : *draws) {

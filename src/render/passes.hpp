@@ -1,21 +1,21 @@
 #pragma once
 // The passes of a frame, in the order in which they run. Each sets all the state that it depends on.
 #include "render/film.hpp"
-#include "render/gpu_scene.hpp"
-#include "render/shader_library.hpp"
+#include "render/gpu/gpu_scene.hpp"
+#include "render/gpu/shader_library.hpp"
 #include "render/view.hpp"
 
 namespace sr::render {
 
 /// Clears to the background radiance with no coverage, then lays down the depth of opaque and masked
 /// surfaces.
-void depth_pass(const Target& frame, const GpuScene& scene, ShaderLibrary& shaders, vec3 background);
+void depth_pass(const RenderTarget& frame, const GpuScene& scene, ShaderLibrary& shaders, vec3 background);
 
 /// Adds the environments that cameras see where no surface is, without coverage.
-void background_pass(const Target& frame, const GpuScene& scene, ShaderLibrary& shaders);
+void background_pass(const RenderTarget& frame, const GpuScene& scene, ShaderLibrary& shaders);
 
 /// Leaves the frame black, and closed to all passes that follow, where the texture of unit 0 is not 0.
-void rest_pass(const Target& frame, ShaderLibrary& shaders);
+void rest_pass(const RenderTarget& frame, ShaderLibrary& shaders);
 
 /// Writes the rays that the forward pass will ask about within the scissor into the bound framebuffer, whose
 /// depth is the pre-pass's: to attachment 0 the receivers, to `attachments` - 1 others a ray each.
@@ -23,7 +23,7 @@ void record_pass(const GpuScene& scene, ShaderLibrary& shaders, int attachments)
 
 /// Shades the surfaces whose depth the pre-pass left, each pixel once, by the fragment shader `shader`.
 /// `visibility` says how V is found.
-void forward_pass(const Target& frame, const GpuScene& scene, ShaderLibrary& shaders,
+void forward_pass(const RenderTarget& frame, const GpuScene& scene, ShaderLibrary& shaders,
                   const std::string& shader, VisibilityTerm visibility);
 
 /// The fragment shader that draws this in the place of `shader`: glass multiplies what is behind it by a
@@ -32,14 +32,14 @@ const std::string& fragment_of(const Draw& draw, const std::string& shader);
 
 /// Blends the transparent instances over what is behind them, the farthest first; of double-sided ones the
 /// backs first. Instances that interpenetrate are not split.
-void blend_pass(const Target& frame, const GpuScene& scene, ShaderLibrary& shaders, const std::string& shader,
-                vec4 eye, VisibilityTerm visibility);
+void blend_pass(const RenderTarget& frame, const GpuScene& scene, ShaderLibrary& shaders,
+                const std::string& shader, vec4 eye, VisibilityTerm visibility);
 
 /// Not of a frame that is rendered: writes which instance and triangle each pixel sees, transparent ones
 /// included.
-void seen_pass(const Target& frame, const GpuScene& scene, ShaderLibrary& shaders);
+void seen_pass(const RenderTarget& frame, const GpuScene& scene, ShaderLibrary& shaders);
 
 /// Adds the frame to the film.
-void accumulate_pass(const Target& film, const Target& frame, ShaderLibrary& shaders);
+void accumulate_pass(const RenderTarget& film, const RenderTarget& frame, ShaderLibrary& shaders);
 
 } // namespace sr::render

@@ -27,7 +27,7 @@ public:
 private:
     static RenderOptions windowed(RenderOptions options, std::string shader, int column, int row) {
         options.shader = std::move(shader);
-        options.window = Window{column, row, 1, 1};
+        options.window = PixelRect{column, row, 1, 1};
         return options;
     }
 
@@ -91,7 +91,7 @@ std::optional<PixelTerms> probe(const GpuScene& scene, const scene::Camera& came
         t.V = film.z > 0.0f ? film.y / film.z : 1.0f;
     });
     for (LightTerms& t : terms.lights) t.V_color = vec3(t.V);
-    if (goes && scene.occluders() && scene.occluders()->casters().is_tinted())
+    if (goes && scene.visibility_backend() && scene.visibility_backend()->casters().is_tinted())
         for_each_light("views/unshadowed.frag", [](LightTerms& t, vec4 film) {
             for (int c = 0; c < 3; ++c) t.V_color[c] = film[c] > 0.0f ? t.E[c] / film[c] : 1.0f;
         });

@@ -2,9 +2,10 @@
 // Provenance of a picture, as attributes of its file.
 #include "gl/context.hpp"
 #include "image/image.hpp"
-#include "render/convergence.hpp"
-#include "render/occluders.hpp"
+#include "render/adaptive/convergence.hpp"
+#include "render/visibility/visibility_backend.hpp"
 #include "render/renderer.hpp"
+#include "render/visibility/visibility_backend.hpp"
 
 #include <string>
 #include <vector>

@@ -49,17 +49,17 @@ Renderer::Renderer(const GpuScene& scene, const scene::Camera& camera, const Ren
       shaders_(shaders ? std::move(shaders) : programs(options)),
       frame_("frame", options.width, options.height, true),
       film_("film", options.width, options.height, false),
-      resting_(options.width, options.height) {
-    if (options.knows_error) first_half_.emplace("first half", options.width, options.height, false);
+      converged_(options.width, options.height) {
+    if (options.estimates_error) first_half_.emplace("first half", options.width, options.height, false);
     ask_for_shadows();
     clear();
 }
 
 void Renderer::resize(int width, int height, int samples) {
-    ray_answers_.reset(); // its framebuffer holds on to the frame's depth
+    shadow_rays_.reset(); // its framebuffer holds on to the frame's depth
     if (width != options_.width || height != options_.height) {
-        frame_ = Target("frame", width, height, true);
-        film_ = Target("film", width, height, false);
+        frame_ = RenderTarget("frame", width, height, true);
+        film_ = RenderTarget("film", width, height, false);
         if (first_half_) first_half_.emplace("first half", width, height, false);
     }
     options_.width = width;
@@ -72,15 +72,16 @@ void Renderer::resize(int width, int height, int samples) {
 
 void Renderer::ask_for_shadows() {
     depth_maps_.reset();
-    if (options_.has_shadows && scene_.occluders() && scene_.occluders()->map_stage())
+    if (options_.has_shadows && scene_.visibility_backend()
+        && scene_.visibility_backend()->shadow_map_scene())
         depth_maps_.emplace(scene_, options_.maps);
-    const bool is_asked = options_.has_shadows && scene_.occluders() && scene_.occluders()->occlusion();
+    const bool is_asked =
+        options_.has_shadows && scene_.visibility_backend() && scene_.visibility_backend()->occlusion();
     const int rays_per_point = scene_.light_count() * scene_.rays_per_light();
-    if (is_asked == ray_answers_.has_value() && rays_per_point == rays_per_point_) return;
-    ray_answers_.reset();
+    if (is_asked == shadow_rays_.has_value() && rays_per_point == rays_per_point_) return;
+    shadow_rays_.reset();
     rays_per_point_ = rays_per_point;
-    if (is_asked)
-        ray_answers_.emplace(scene_, frame_, options_.width, options_.height, options_.most_answers);
+    if (is_asked) shadow_rays_.emplace(scene_, frame_, options_.width, options_.height, options_.max_rays);
 }
 
 void Renderer::compile() {
@@ -88,7 +89,7 @@ void Renderer::compile() {
     for (const Draw& draw : scene_.opaque_draws()) {
         shaders_->mesh_program("depth.frag", depth_features(draw.features));
         shaders_->mesh_program(options_.shader, draw.features, opaque_visibility());
-        if (ray_answers_) shaders_->mesh_program("record.frag", draw.features, VisibilityTerm::record);
+        if (shadow_rays_) shaders_->mesh_program("record.frag", draw.features, VisibilityTerm::record);
     }
     for (const Draw& draw : scene_.blended_draws())
         shaders_->mesh_program(fragment_of(draw, options_.shader), draw.features, blended_visibility());
@@ -103,14 +104,14 @@ void Renderer::use_lights(int first, int end) {
 }
 
 void Renderer::clear() {
-    resting_ = Resting(options_.width, options_.height);
+    converged_ = ConvergedPixels(options_.width, options_.height);
     repeat();
 }
 
 void Renderer::repeat() {
     sample_count_ = rows_done_ = 0;
     glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
-    for (const Target* target : {&film_, first_half_ ? &*first_half_ : nullptr}) {
+    for (const RenderTarget* target : {&film_, first_half_ ? &*first_half_ : nullptr}) {
         if (!target) continue;
         target->bind();
         glClear(GL_COLOR_BUFFER_BIT);
@@ -123,7 +124,7 @@ void Renderer::look_from(const scene::Camera& camera) {
 }
 
 void Renderer::add_sample() {
-    const Window part = window();
+    const PixelRect part = window();
     require(!part.is_empty(), "a pixel works");
     require(rows_done_ == 0, "a sample that was begun by rows is ended by rows");
     draw(part);
@@ -131,9 +132,9 @@ void Renderer::add_sample() {
 }
 
 bool Renderer::add_rows(int count) {
-    const Window whole = window();
+    const PixelRect whole = window();
     require(!whole.is_empty() && count > 0, "a pixel works");
-    Window part = whole;
+    PixelRect part = whole;
     part.row += rows_done_;
     part.height = std::min(count, whole.height - rows_done_);
     draw(part);
@@ -144,14 +145,14 @@ bool Renderer::add_rows(int count) {
     return true;
 }
 
-void Renderer::draw(const Window& part) {
+void Renderer::draw(const PixelRect& part) {
     const View view = begin_frame();
     keep_to(part);
     depth_pass(frame_, scene_, *shaders_, options_.background);
     glBindVertexArray(no_vertices_.id());
     if (shows_environment()) background_pass(frame_, scene_, *shaders_);
-    if (resting_.any(sample_count_)) {
-        resting_.bind(sample_count_, 0);
+    if (converged_.any(sample_count_)) {
+        converged_.bind(sample_count_, 0);
         rest_pass(frame_, *shaders_);
     }
     shade_opaque(part);
@@ -171,12 +172,12 @@ void Renderer::accumulate() {
     if (first_half_ && half_of(sample_count_) == 0) accumulate_pass(*first_half_, frame_, *shaders_);
 }
 
-Window Renderer::window() const {
-    const Window working = resting_.working(sample_count_);
+PixelRect Renderer::window() const {
+    const PixelRect working = converged_.working(sample_count_);
     return options_.window ? common_part(*options_.window, working) : working;
 }
 
-void Renderer::keep_to(const Window& window) const {
+void Renderer::keep_to(const PixelRect& window) const {
     if (window.width == options_.width && window.height == options_.height) return glDisable(GL_SCISSOR_TEST);
     glEnable(GL_SCISSOR_TEST);
     glScissor(window.column, options_.height - window.row - window.height, window.width,
@@ -184,7 +185,7 @@ void Renderer::keep_to(const Window& window) const {
 }
 
 View Renderer::begin_frame() {
-    const bool halves = options_.knows_error;
+    const bool halves = options_.estimates_error;
     const int index = halves ? sample_count_ / 2 : sample_count_;
     const std::uint32_t seed = halves ? half_seed(half_of(sample_count_), options_.seed) : options_.seed;
     const View view =
@@ -197,27 +198,27 @@ View Renderer::begin_frame() {
 }
 
 VisibilityTerm Renderer::opaque_visibility() const {
-    if (!scene_.occluders() || !options_.has_shadows) return VisibilityTerm::none;
-    return ray_answers_ ? VisibilityTerm::answered : blended_visibility();
+    if (!scene_.visibility_backend() || !options_.has_shadows) return VisibilityTerm::none;
+    return shadow_rays_ ? VisibilityTerm::answered : blended_visibility();
 }
 
 VisibilityTerm Renderer::blended_visibility() const {
-    if (!scene_.occluders() || !options_.has_shadows) return VisibilityTerm::none;
+    if (!scene_.visibility_backend() || !options_.has_shadows) return VisibilityTerm::none;
     // Several layers of a pixel can ask, so the shader answers.
-    return scene_.occluders()->map_stage() ? VisibilityTerm::map : VisibilityTerm::ray;
+    return scene_.visibility_backend()->shadow_map_scene() ? VisibilityTerm::map : VisibilityTerm::ray;
 }
 
-void Renderer::shade_opaque(const Window& window) {
-    if (!ray_answers_ || first_light_ == end_light_) {
+void Renderer::shade_opaque(const PixelRect& window) {
+    if (!shadow_rays_ || first_light_ == end_light_) {
         forward_pass(frame_, scene_, *shaders_, options_.shader, opaque_visibility());
         return;
     }
-    const Band rows{options_.height - window.row - window.height, window.height};
-    const std::vector<Band> bands = ray_answers_->bands(rows, end_light_ - first_light_);
+    const RowRange rows{options_.height - window.row - window.height, window.height};
+    const std::vector<RowRange> bands = shadow_rays_->bands(rows, end_light_ - first_light_);
     glEnable(GL_SCISSOR_TEST);
-    for (const Band& band : bands) {
+    for (const RowRange& band : bands) {
         glScissor(window.column, band.first, window.width, band.count);
-        ray_answers_->find(band, first_light_, end_light_, frame_data_, *shaders_);
+        shadow_rays_->find(band, first_light_, end_light_, frame_data_, *shaders_);
         forward_pass(frame_, scene_, *shaders_, options_.shader, VisibilityTerm::answered);
     }
     glDisable(GL_SCISSOR_TEST);
@@ -226,11 +227,11 @@ void Renderer::shade_opaque(const Window& window) {
 std::vector<int> Renderer::pixel_samples() const {
     std::vector<int> samples(static_cast<std::size_t>(options_.width)
                              * static_cast<std::size_t>(options_.height));
-    for (std::size_t i = 0; i < samples.size(); ++i) samples[i] = resting_.samples_of(i, sample_count_);
+    for (std::size_t i = 0; i < samples.size(); ++i) samples[i] = converged_.samples_of(i, sample_count_);
     return samples;
 }
 
-image::Image Renderer::mean_of(const Target& sum, const std::vector<int>& samples) const {
+image::Image Renderer::mean_of(const RenderTarget& sum, const std::vector<int>& samples) const {
     image::Image image = sum.read();
     for (std::size_t i = 0; i < image.pixels.size(); ++i)
         image.pixels[i] *= 1.0f / static_cast<float>(samples[i / 4]);

@@ -1,11 +1,11 @@
 #pragma once
 // A scene, a camera and a size; out comes the Film. Adding samples is adding frames.
-#include "render/depth_maps.hpp"
-#include "render/error_estimate.hpp"
-#include "render/frame_data.hpp"
+#include "render/adaptive/converged_pixels.hpp"
+#include "render/adaptive/error_estimate.hpp"
+#include "render/gpu/frame_data.hpp"
 #include "render/passes.hpp"
-#include "render/ray_answers.hpp"
-#include "render/resting.hpp"
+#include "render/visibility/cpu_shadow_rays.hpp"
+#include "render/visibility/depth_maps.hpp"
 
 #include <memory>
 #include <optional>
@@ -32,7 +32,7 @@ struct RenderOptions {
     /// What surfaces are drawn with: forward.frag is the equation, views/ shows one of its terms.
     std::string shader = "forward.frag";
     /// The only part that is drawn; the rest of the film stays black.
-    std::optional<Window> window;
+    std::optional<PixelRect> window;
     /// The roots that shaders come from, most particular first.
     std::vector<glsl::Root> shader_path{glsl::embedded()};
     /// Tries what others wrote of that path before this process compiles it; null: nothing is tried.
@@ -42,11 +42,11 @@ struct RenderOptions {
     MapOptions maps;                               // of a scene whose shadows are found by depth maps
     /// Shadow rays whose answers by the CPU are held at once, 4 bytes each; a picture with more is shaded in
     /// bands.
-    std::size_t most_answers = std::size_t{64} << 20;
+    std::size_t max_rays = std::size_t{64} << 20;
     /// Samples come by turns from two independent sequences and the first one's are kept a second time, so
     /// that error_estimate() can tell how far the picture is from converged. Without it they come from one
     /// sequence, which converges a little faster.
-    bool knows_error = false;
+    bool estimates_error = false;
     bool has_shadows = true; // false: V = 1, whatever casts them
 };
 
@@ -94,20 +94,20 @@ public:
     int sample_count() const { return sample_count_; }
 
     /// These pixels take no more samples, until clear() or look_from(). It costs them nothing that others do.
-    void rest(const PixelMask& pixels) { resting_.add(pixels, sample_count_); }
+    void rest(const PixelMask& pixels) { converged_.add(pixels, sample_count_); }
     /// Whether no pixel is left that takes samples.
-    bool all_rest() const { return resting_.working(sample_count_).is_empty(); }
-    const Resting& resting() const { return resting_; }
+    bool all_rest() const { return converged_.working(sample_count_).is_empty(); }
+    const ConvergedPixels& converged_pixels() const { return converged_; }
     /// How many samples each pixel has, rows from top to bottom.
     std::vector<int> pixel_samples() const;
 
-    bool knows_error() const { return options_.knows_error; }
+    bool estimates_error() const { return options_.estimates_error; }
     /// How far the film is from what it converges to, as far as two halves of its samples tell; absent before
-    /// both have one. Reads the film back. Only with RenderOptions::knows_error.
+    /// both have one. Reads the film back. Only with RenderOptions::estimates_error.
     std::optional<ErrorEstimate> error_estimate() const;
 
     /// The mean of the first sequence's samples, of which a pixel has one more if their number is odd. Only
-    /// with RenderOptions::knows_error.
+    /// with RenderOptions::estimates_error.
     image::Image first_half() const;
 
     /// The mean of all samples so far: L_o [cd/m²] in RGB, coverage in A.
@@ -119,7 +119,7 @@ public:
 
     std::size_t program_count() const { return shaders_->program_count(); }
     /// The rays that the CPU answered; null where it is not asked.
-    const RayAnswers* ray_answers() const { return ray_answers_ ? &*ray_answers_ : nullptr; }
+    const CpuShadowRays* shadow_rays() const { return shadow_rays_ ? &*shadow_rays_ : nullptr; }
 
     /// The depth maps; null where shadows are found otherwise.
     const DepthMaps* depth_maps() const { return depth_maps_ ? &*depth_maps_ : nullptr; }
@@ -127,15 +127,15 @@ public:
 private:
     void ask_for_shadows();
     View begin_frame();
-    Window window() const; // what this frame draws
-    void draw(const Window& part);
-    void keep_to(const Window& window) const;
+    PixelRect window() const; // what this frame draws
+    void draw(const PixelRect& part);
+    void keep_to(const PixelRect& window) const;
     VisibilityTerm opaque_visibility() const;
     VisibilityTerm blended_visibility() const;
-    void shade_opaque(const Window& window);
+    void shade_opaque(const PixelRect& window);
     bool shows_environment() const; // behind everything; terms of the equation have no background
     void accumulate();
-    image::Image mean_of(const Target& sum, const std::vector<int>& samples) const;
+    image::Image mean_of(const RenderTarget& sum, const std::vector<int>& samples) const;
 
     const GpuScene& scene_;
     scene::Camera camera_;
@@ -143,13 +143,13 @@ private:
     int first_light_ = 0;
     int end_light_ = 0;
     std::shared_ptr<ShaderLibrary> shaders_;
-    Target frame_;
-    Target film_;
-    std::optional<Target> first_half_; // the sum of the first sequence's samples
-    Resting resting_;
+    RenderTarget frame_;
+    RenderTarget film_;
+    std::optional<RenderTarget> first_half_; // the sum of the first sequence's samples
+    ConvergedPixels converged_;
     FrameData frame_data_;
-    std::optional<RayAnswers> ray_answers_;
-    int rays_per_point_ = 0; // that ray_answers_ was made for
+    std::optional<CpuShadowRays> shadow_rays_;
+    int rays_per_point_ = 0; // that shadow_rays_ was made for
     std::optional<DepthMaps> depth_maps_;
     gl::VertexArray no_vertices_{"no vertices"}; // core profile draws need one bound
     int sample_count_ = 0;

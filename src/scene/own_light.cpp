@@ -1,6 +1,6 @@
 #include "scene/own_light.hpp"
 
-#include "scene/photometry.hpp"
+#include "scene/spectrum.hpp"
 
 #include <algorithm>
 #include <array>
@@ -75,18 +75,21 @@ public:
         source.is_everywhere = true;
         all.push_back(source);
     }
-    void operator()(const SphereLight& light) {
-        const float disk = pi * light.radius * light.radius;
-        all.push_back({light.center, vec3(0.0f), disk * luminance_of(light.L), disk});
+    /// A light of any other kind, whose radiance is the same in all directions.
+    template<class Area>
+    void operator()(const Area& light) {
+        if constexpr (requires { light.normal(); }) {
+            float L = luminance_of(light.L);
+            if constexpr (requires { light.map; }) L *= mean_luminance(scene_, light.map.texture);
+            if constexpr (requires { light.center(); })
+                add_flat(light.center(), light.normal(), light.area(), L, light.is_two_sided);
+            else
+                add_flat(light.center, light.normal(), light.area(), L, light.is_two_sided);
+        } else {
+            const auto side = static_cast<float>(light.radiator().axis_area.value_or(0.0));
+            all.push_back({light.center, vec3(0.0f), side * luminance_of(light.L), side});
+        }
     }
-    void operator()(const TubeLight& light) {
-        const float side =
-            4.0f * light.radius * glm::length(light.half_axis) + pi * light.radius * light.radius;
-        all.push_back({light.center, vec3(0.0f), side * luminance_of(light.L), side});
-    }
-    void operator()(const RectangleLight& light) { flat(light, light.center, light.map.texture); }
-    void operator()(const DiskLight& light) { flat(light, light.center, light.map.texture); }
-    void operator()(const PolygonLight& light) { flat(light, light.center(), -1); }
     void operator()(const MeshLight& light) {
         if (light.texture >= 0) return;  // painted glows: what they send to others is next to nothing
         constexpr std::size_t most = 64; // triangles that stand for all
@@ -105,11 +108,6 @@ public:
     std::vector<Source> all;
 
 private:
-    template<class Flat>
-    void flat(const Flat& light, vec3 center, int texture) {
-        add_flat(center, light.normal(), light.area(),
-                 luminance_of(light.L) * mean_luminance(scene_, texture), light.is_two_sided);
-    }
     void add_flat(vec3 center, vec3 normal, float area, float L, bool is_two_sided) {
         all.push_back({center, normal, L * area, area, true, is_two_sided});
     }

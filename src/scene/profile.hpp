@@ -16,4 +16,7 @@ struct LightProfile {
     std::vector<float> I;     // [cd]: phi.size() columns of gamma.size() values each
 };
 
+/// ∫ I dω of a profile [lm], exact for its interpolation: in closed form over γ, by trapezoids over φ.
+double flux_of(const LightProfile& profile);
+
 } // namespace sr::scene

@@ -19,4 +19,9 @@ std::string_view name_of(Unit unit) {
     return found->name;
 }
 
+double converted(double value, UnitSystem from, UnitSystem to, double efficacy) {
+    if (from == to) return value;
+    return to == UnitSystem::photometric ? value * efficacy : value / efficacy;
+}
+
 } // namespace sr::scene

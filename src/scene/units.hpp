@@ -49,4 +49,7 @@ std::string_view name_of(Unit unit);
 /// The unit of a scene's radiance, and so of its film: "cd/m^2" or "W/(m^2 sr)".
 inline std::string_view radiance_unit(UnitSystem system) { return name_of({Quantity::radiance, system}); }
 
+/// Converts a quantity to a system in which a watt counts `efficacy` lumens [lm/W].
+double converted(double value, UnitSystem from, UnitSystem to, double efficacy);
+
 } // namespace sr::scene

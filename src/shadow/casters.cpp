@@ -53,7 +53,7 @@ public:
     Casters take() { return std::move(all_); }
 
 private:
-    /// Where a renderer is given other lights than the Stage's, none is a surface of the scene.
+    /// Where a renderer is given other lights than the RenderScene's, none is a surface of the scene.
     scene::LightRange clipped(scene::LightRange range) const {
         return range.end <= static_cast<int>(lights_.size()) ? range : scene::LightRange{};
     }

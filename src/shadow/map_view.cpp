@@ -80,7 +80,7 @@ bool MapView::has_face(int face) const {
     return !is_half || face != forward_face + 1;
 }
 
-MapView view_from(const EmitterPoint& point, const scene::Light& light, const Ball& receivers,
+MapView view_from(const scene::EmitterPoint& point, const scene::Light& light, const Ball& receivers,
                   const Ball& casters, float roll, int size) {
     MapView view;
     view.origin = point.place;

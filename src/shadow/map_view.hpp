@@ -1,6 +1,6 @@
 #pragma once
 // The views of the scene from a point on an emitter that depth maps are drawn in.
-#include "shadow/emitter_point.hpp"
+#include "scene/lights/light.hpp"
 
 #include <span>
 
@@ -38,7 +38,7 @@ struct MapView {
 
 /// How the scene is seen from `point` of `light`, in maps of size² texels. `receivers` is what has to be in
 /// the picture, `casters` all that stands in the light's way; `roll` turns the maps' texels [rad].
-MapView view_from(const EmitterPoint& point, const scene::Light& light, const Ball& receivers,
+MapView view_from(const scene::EmitterPoint& point, const scene::Light& light, const Ball& receivers,
                   const Ball& casters, float roll, int size);
 
 /// To clip coordinates of that face; w of a perspective one is the distance along it over `far`.

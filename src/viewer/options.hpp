@@ -7,7 +7,7 @@ namespace sr::viewer {
 
 /// `rendering` and `stop` are those of the converging render.
 struct Options : output::RenderSettings {
-    std::optional<scene::EnvironmentLight> environment; // as StageOptions has it
+    std::optional<scene::EnvironmentLight> environment; // as PrepareOptions has it
     bool plays = false;                                 // from `at` or the beginning on
     bool is_reloading = false; // parts that the file has lost are remarks instead of errors
     // Of an assignment.

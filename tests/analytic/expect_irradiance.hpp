@@ -1,7 +1,7 @@
 #pragma once
 // Comparison of a white Lambert plane under one light, by `--estimator analytic`, with a number in doubles
 // for each pixel.
-#include "scene/light.hpp"
+#include "scene/lights/light.hpp"
 
 #include <functional>
 #include <glm/glm.hpp>

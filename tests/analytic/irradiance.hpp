@@ -1,7 +1,7 @@
 #pragma once
 // Irradiance in closed form or by a contour in doubles: what emitters of radiance 1 give on the plane y = 0,
 // facing up.
-#include "scene/light.hpp"
+#include "scene/lights/light.hpp"
 
 #include <glm/vec3.hpp>
 #include <vector>

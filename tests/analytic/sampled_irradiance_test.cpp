@@ -1,5 +1,5 @@
 #include "irradiance.hpp"
-#include "scene/emitters.hpp"
+#include "scene/prepare.hpp"
 #include "support/address.hpp"
 #include "support/scenes.hpp"
 

@@ -1,7 +1,7 @@
 // Broken IES files: reading them succeeds with a profile that can be used, or throws Error with one line.
 #include "core/error.hpp"
 #include "scene/ies.hpp"
-#include "scene/photometry.hpp"
+#include "scene/spectrum.hpp"
 #include "support/address.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // Light that passes the backs of single-sided faces, as the camera looks through them.
-#include "scene/stage.hpp"
+#include "scene/prepare.hpp"
 #include "support/address.hpp"
 #include "support/scenes.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 // The χ² test of how a light is sampled: counts of directions in cells against the density's integral over
 // them.
-#include "render/gpu_scene.hpp"
+#include "render/gpu/gpu_scene.hpp"
 #include "support/glsl_table.hpp"
 
 #include <vector>

@@ -1,5 +1,5 @@
 #include "law/direction_counts.hpp"
-#include "scene/rig.hpp"
+#include "scene/prepare.hpp"
 #include "support/address.hpp"
 #include "support/gl.hpp"
 #include "support/scenes.hpp"

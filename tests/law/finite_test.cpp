@@ -65,7 +65,7 @@ public:
     }
 
     /// Counts the values that are not finite.
-    int broken(const scene::Stage& stage, std::uint32_t seed) {
+    int broken(const scene::RenderScene& stage, std::uint32_t seed) {
         const render::GpuScene gpu_scene(stage.scene, stage.lights, way_.visibility);
         options_.seed = seed;
         render::Renderer renderer(gpu_scene, stage.camera, options_, shaders_);
@@ -90,7 +90,7 @@ void expect_finite(std::size_t index) {
     int scenes = 0, refused = 0, failed = 0;
     for (int i = 0; i < scenes_of_a_recipe(usual_scenes); ++i) {
         const std::uint64_t seed = first_seed() + static_cast<std::uint64_t>(i);
-        std::optional<scene::Stage> stage;
+        std::optional<scene::RenderScene> stage;
         try {
             stage = staged(loaded(random_scene(recipe, seed, extremes_of(seed)), false));
         } catch (const Error&) {

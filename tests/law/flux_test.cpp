@@ -1,7 +1,7 @@
 // Φ = ∫ I dω: the flux that a file states against the intensities of the light that is made of it, integrated
 // in doubles over directions and, for I = ∫ L max(0, n·ω) dA, over the emitter's surface.
 #include "gltf/load.hpp"
-#include "scene/photometry.hpp"
+#include "scene/spectrum.hpp"
 #include "support/address.hpp"
 #include "support/made_gltf.hpp"
 #include "support/models.hpp"
@@ -113,12 +113,14 @@ struct NumericFlux {
         return integral([&](dvec3) { return luminance_of(l.I); }, 4);
     }
     double operator()(const scene::SpotLight& l) const {
-        const double inner = std::cos(l.inner_angle), outer = std::cos(l.outer_angle);
-        const auto I = [&](dvec3 w) {
-            const double t = (glm::dot(w, dvec3(l.direction)) - outer) / std::max(0.001, inner - outer);
-            return luminance_of(l.I) * std::pow(std::clamp(t, 0.0, 1.0), 2.0);
-        };
-        return integral(I, 800);
+        const scene::ConeFalloff cone = l.falloff(); // as it is drawn
+        constexpr int steps = 400'000;               // of the cosine: a hard edge is narrow
+        double sum = 0.0;
+        for (int i = 0; i < steps; ++i) {
+            const double cosine = -1.0 + (2.0 * i + 1.0) / steps;
+            sum += std::pow(std::clamp(cosine * cone.scale + cone.offset, 0.0, 1.0), 2.0);
+        }
+        return luminance_of(l.I) * 4.0 * pi64 * sum / steps;
     }
     double operator()(const scene::DirectionalLight&) const { return 0.0; }
     double operator()(const scene::EnvironmentLight&) const { return 0.0; }

@@ -1,6 +1,5 @@
 // Points and lines: a few pixels wide whatever the distance, seen, and of no effect on light.
-#include "scene/emitters.hpp"
-#include "scene/stage.hpp"
+#include "scene/prepare.hpp"
 #include "support/address.hpp"
 #include "support/gl.hpp"
 #include "support/scenes.hpp"
@@ -210,7 +209,7 @@ const Test aovs("law.line.is_in_every_picture_of_its_terms", [] {
 const Test remark("law.line.is_one_remark", [] {
     scene::Scene scene = only(line({0, 0, 0}, {1, 0, 0}));
     add(scene, point({0, 1, 0}));
-    const auto stage = scene::set_stage(scene, "wires.glb", {});
+    const auto stage = scene::prepare_scene(scene, "wires.glb", {});
     ASSERT_EQ(stage.remarks.size(), 1u) << "and no studio, which would light nothing";
     EXPECT_EQ(stage.remarks[0],
               "wires.glb: 2 meshes are points or lines: they are drawn 3 pixels wide at every "

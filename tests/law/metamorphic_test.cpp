@@ -119,7 +119,7 @@ const std::array laws{Law{"in vertices", in_vertices, true},
 
 /// Returns whether a picture by the analytic estimator has no noise: all emitters have closed forms but
 /// meshes of many triangles.
-bool is_noiseless(const scene::Stage& stage) {
+bool is_noiseless(const scene::RenderScene& stage) {
     return std::ranges::all_of(stage.lights, [](const scene::Light& light) {
         const auto* mesh = std::get_if<scene::MeshLight>(&light);
         return !mesh || mesh->triangles.size() <= render::most_outlined_triangles;
@@ -166,7 +166,7 @@ private:
     bool has_held(const Law& law, const MadeGltf& made, std::uint64_t seed) {
         Random random(~seed);
         const ScenePair scenes = law.change(made, random);
-        const scene::Stage a = staged(scenes.a), b = staged(scenes.b);
+        const scene::RenderScene a = staged(scenes.a), b = staged(scenes.b);
         // Surfaces that emit are other emitters to a picture's random numbers when their vertices change.
         const bool keeps_samples =
             recipe_.is_without_extent()
@@ -183,7 +183,7 @@ private:
         Pictures& pictures;
     };
 
-    void compare(const Case& c, const scene::Stage& a, const scene::Stage& b) {
+    void compare(const Case& c, const scene::RenderScene& a, const scene::RenderScene& b) {
         const image::Image picture = c.pictures.of(a);
         image::Image changed = c.pictures.of(b);
         if (c.law.is_mirrored) changed = in_a_mirror(changed);

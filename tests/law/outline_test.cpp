@@ -1,7 +1,7 @@
 // The analytic estimator's table and its error bar; what it does where geometry degenerates.
 #include "ltc/ggx.hpp"
 #include "ltc/trial.hpp"
-#include "render/ltc_table.hpp"
+#include "render/gpu/ltc_table.hpp"
 #include "render/renderer.hpp"
 #include "support/address.hpp"
 
@@ -131,7 +131,7 @@ void expect_finite(int points) {
             for (const double cos_o : {0.0, 0.3, 1.0}) cases.push_back({light, alpha, cos_o, 1.0});
     const auto reflected = ltc::evaluated(cases, ltc::Material::plastic, points);
     for (std::size_t i = 0; i < cases.size(); ++i) {
-        const auto name = std::visit([](const auto& light) { return light.name; }, cases[i].light);
+        const auto name = scene::name_of(cases[i].light);
         // White plastic of glTF reflects more than twice the light at grazing (shaders/README.md).
         EXPECT_TRUE(reflected[i] >= 0.0 && reflected[i] < 2.5)
             << cases[i].light.index() << " '" << name << "', alpha " << cases[i].alpha << ", cos_o "

@@ -2,8 +2,7 @@
 #include "support/gl.hpp"
 #include "support/scenes.hpp"
 
-#include "scene/emitters.hpp"
-#include "scene/stage.hpp"
+#include "scene/prepare.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -103,13 +102,13 @@ const Test receiver("law.shadow.a_transparent_sheet_receives_shadows", [] {
 });
 
 /// The plane under an emissive box, whose six faces are six rectangles of one instance.
-scene::Stage under_a_glowing_box(bool is_two_sided) {
+scene::RenderScene under_a_glowing_box(bool is_two_sided) {
     auto scene = lambert_plane(4.0f);
     scene::Material glowing = lambert(vec3(0.0f));
     glowing.emission = vec3(5.0f);
     glowing.is_double_sided = is_two_sided;
     add_box(scene, {0.0f, 1.0f, 0.0f}, mat3(0.4f), 1, glowing);
-    return scene::set_stage(std::move(scene), "", {});
+    return scene::prepare_scene(std::move(scene), "", {});
 }
 
 // From below only the lowest face of the box is seen, though a two-sided one shines down from the topmost as
@@ -142,7 +141,7 @@ const Test emitter("law.shadow.an_emitter_shadows_others_only", [] {
     scene.lights.emplace_back(
         scene::RectangleLight{"panel", {0.0f, 0.5f, 0.0f}, {0.2f, 0, 0}, {0, 0, 0.2f}, vec3(5.0f)});
     scene.lights.emplace_back(scene::PointLight{"lamp", {0.0f, 1.0f, 0.0f}, vec3(1.0f)});
-    const auto stage = scene::set_stage(scene, "", {});
+    const auto stage = scene::prepare_scene(scene, "", {});
     const std::span<const scene::Light> all(stage.lights);
     const auto camera = camera_from_above(extent);
     for (const Visibility visibility : every_provider) {

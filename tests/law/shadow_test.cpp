@@ -172,11 +172,11 @@ const Test bands("law.shadow.bands_of_rows_make_the_same_picture", [] {
     auto scene = lambert_plane(4.0f);
     add_box(scene, {0.0f, 0.5f, 0.0f}, turned(vec3(0.3f)), 1, lambert());
     const render::GpuScene gpu_scene(scene, zoo, Visibility::ray_on_cpu);
-    const auto shaded = [&](std::size_t most_answers) {
+    const auto shaded = [&](std::size_t max_rays) {
         render::RenderOptions options;
         options.width = options.height = 64;
         options.samples = 2;
-        options.most_answers = most_answers;
+        options.max_rays = max_rays;
         render::Renderer renderer(gpu_scene, camera_from_above(2.0f), options);
         for (int i = 0; i < 2; ++i) renderer.add_sample();
         return renderer.film();
@@ -196,7 +196,7 @@ const Test window("law.shadow.a_window_shows_what_the_picture_shows", [] {
     options.width = options.height = 64;
     options.samples = 2;
     render::Renderer whole(gpu_scene, camera_from_above(2.0f), options);
-    options.window = render::Window{20, 30, 16, 8};
+    options.window = render::PixelRect{20, 30, 16, 8};
     render::Renderer part(gpu_scene, camera_from_above(2.0f), options);
     for (const int first : {0, 2}) {
         for (render::Renderer* renderer : {&whole, &part}) {

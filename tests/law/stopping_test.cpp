@@ -1,5 +1,5 @@
 #include "image/relative_error.hpp"
-#include "render/convergence.hpp"
+#include "render/adaptive/convergence.hpp"
 #include "support/address.hpp"
 #include "support/gl.hpp"
 #include "support/scenes.hpp"
@@ -62,7 +62,7 @@ struct Stopped {
 Stopped stopped_at(double target, std::uint32_t seed, const render::GpuScene& scene,
                    const image::Image& reference) {
     render::RenderOptions halved = options(seed);
-    halved.knows_error = true;
+    halved.estimates_error = true;
     render::Renderer renderer(scene, camera_from_above(half_extent), halved);
     render::Convergence convergence(target);
     while (!convergence.is_reached() && renderer.sample_count() < 4096) {

@@ -3,7 +3,7 @@
 #include "core/error.hpp"
 #include "gltf/load.hpp"
 #include "image/display.hpp"
-#include "scene/stage.hpp"
+#include "scene/prepare.hpp"
 #include "support/address.hpp"
 #include "support/models.hpp"
 #include "support/scenes.hpp"
@@ -52,9 +52,10 @@ Shares shares_of(const image::Image& film) {
 std::optional<image::Image> first_look(const fs::path& file) {
     try {
         gltf::Loaded loaded = gltf::load(file);
-        scene::StageOptions options{"auto"};
+        scene::PrepareOptions options{"auto"};
         options.aspect_ratio = 1.0f;
-        const scene::Stage stage = scene::set_stage(std::move(loaded.scene), file.string(), options);
+        const scene::RenderScene stage =
+            scene::prepare_scene(std::move(loaded.scene), file.string(), options);
         if (stage.rig != scene::Rig::studio) return std::nullopt;
         return picture(stage.scene, stage.lights, stage.camera, 96, 16);
     } catch (const Error&) {

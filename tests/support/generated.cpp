@@ -15,7 +15,7 @@ render::RenderOptions options_of(const Look& look) {
     options.samples = look.samples;
     options.seed = look.seed;
     options.estimator = look.estimator;
-    options.knows_error = look.knows_error;
+    options.estimates_error = look.estimates_error;
     options.maps.size = 128;
     return options;
 }
@@ -31,9 +31,9 @@ Pictures::Pictures(const Look& look) : look_(look), shaders_(render::Renderer::p
     context();
 }
 
-image::Image Pictures::of(const scene::Stage& stage) { return of(stage, look_.samples, look_.seed); }
+image::Image Pictures::of(const scene::RenderScene& stage) { return of(stage, look_.samples, look_.seed); }
 
-image::Image Pictures::of(const scene::Stage& stage, int samples, std::uint32_t seed) {
+image::Image Pictures::of(const scene::RenderScene& stage, int samples, std::uint32_t seed) {
     const render::GpuScene gpu_scene(stage.scene, stage.lights, look_.visibility);
     render::RenderOptions options = options_of(look_);
     options.samples = samples;
@@ -52,11 +52,11 @@ scene::Scene loaded(const MadeGltf& made, bool is_strict) {
     return gltf::load(file, options).scene;
 }
 
-scene::Stage staged(scene::Scene scene) {
-    scene::StageOptions options;
+scene::RenderScene staged(scene::Scene scene) {
+    scene::PrepareOptions options;
     options.rig = scene::Rig::none;
     options.aspect_ratio = 1.0f;
-    return scene::set_stage(std::move(scene), "generated", options);
+    return scene::prepare_scene(std::move(scene), "generated", options);
 }
 
 int scenes_of_a_recipe(int usual) {

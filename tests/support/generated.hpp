@@ -1,7 +1,7 @@
 #pragma once
 // Pictures of many generated scenes by one OpenGL context and few programs.
 #include "render/renderer.hpp"
-#include "scene/stage.hpp"
+#include "scene/prepare.hpp"
 #include "support/random_scene.hpp"
 
 #include <functional>
@@ -16,7 +16,7 @@ struct Look {
     std::uint32_t seed = 0;
     render::Visibility visibility = render::Visibility::ray;
     render::Estimator estimator = render::Estimator::sampled;
-    bool knows_error = false;
+    bool estimates_error = false;
 };
 
 /// Makes pictures of scenes, one after the other. Programs that one scene needed are there for the next.
@@ -24,9 +24,9 @@ class Pictures {
 public:
     explicit Pictures(const Look& look);
 
-    image::Image of(const scene::Stage& stage);
+    image::Image of(const scene::RenderScene& stage);
     /// The same with other samples, and seed.
-    image::Image of(const scene::Stage& stage, int samples, std::uint32_t seed);
+    image::Image of(const scene::RenderScene& stage, int samples, std::uint32_t seed);
     std::size_t program_count() const { return shaders_->program_count(); }
 
 private:
@@ -38,7 +38,7 @@ private:
 scene::Scene loaded(const MadeGltf& made, bool is_strict = true);
 
 /// Its stage, by its own camera, without a rig. @throws Error
-scene::Stage staged(scene::Scene scene);
+scene::RenderScene staged(scene::Scene scene);
 
 /// Returns the number of scenes of each recipe: $STERADIAN_SCENES, or `usual`.
 int scenes_of_a_recipe(int usual);

@@ -16,7 +16,7 @@ std::vector<vec4> evaluate(const std::string& preamble, const std::string& body,
                                    "row_part(2)) : vec4(0.0);\n}\n";
     const std::array path{glsl::Root::memory("table", {{"table.frag", fragment}}),
                           glsl::Root::memory("overlay", overlay), glsl::embedded()};
-    const render::GlslTable table(path, "table.frag");
+    const render::ShaderEvaluator table(path, "table.frag");
     if (scene) scene->bind_lights();
     return table.evaluate(rows);
 }

@@ -2,8 +2,8 @@
 // Evaluates GLSL over a table of inputs, on the very code that renders: a law is tested where it applies.
 #include "core/math.hpp"
 #include "glsl/root.hpp"
-#include "render/glsl_table.hpp"
-#include "render/gpu_scene.hpp"
+#include "render/gpu/gpu_scene.hpp"
+#include "render/gpu/shader_evaluator.hpp"
 
 #include <array>
 #include <span>

@@ -3,7 +3,7 @@
 #include "core/error.hpp"
 #include "image/file.hpp"
 #include "render/renderer.hpp"
-#include "scene/emitters.hpp"
+#include "scene/prepare.hpp"
 #include "support/gl.hpp"
 #include "support/models.hpp"
 #include "truth/ball_scenes.hpp"

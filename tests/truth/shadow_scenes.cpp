@@ -2,7 +2,7 @@
 
 #include "core/error.hpp"
 #include "gltf/load.hpp"
-#include "scene/stage.hpp"
+#include "scene/prepare.hpp"
 #include "support/models.hpp"
 #include "support/scenes.hpp"
 #include "truth/scenes.hpp"
@@ -18,8 +18,8 @@ using testing::add_quad;
 
 ShadowScene bundled(std::string_view name) {
     const auto file = testing::source_folder() / "assets/scenes" / fmt::format("{}.gltf", name);
-    scene::Stage stage =
-        scene::set_stage(gltf::load(file).scene, file.string(), {"", scene::Rig::none, 1.0f});
+    scene::RenderScene stage =
+        scene::prepare_scene(gltf::load(file).scene, file.string(), {"", scene::Rig::none, 1.0f});
     return {gltf::load(file).scene, stage.camera};
 }
 

@@ -1,7 +1,7 @@
 #include "compare/compare.hpp"
 #include "image/file.hpp"
 #include "render/renderer.hpp"
-#include "scene/stage.hpp"
+#include "scene/prepare.hpp"
 #include "support/address.hpp"
 #include "support/gl.hpp"
 #include "support/models.hpp"
@@ -26,8 +26,8 @@ struct How {
 image::Image rendered(std::string_view name, const How& how) {
     context();
     truth::ShadowScene made = truth::shadow_scene(name);
-    scene::Stage stage =
-        scene::set_stage(std::move(made.scene), std::string(name), {"", scene::Rig::none, 1.0f});
+    scene::RenderScene stage =
+        scene::prepare_scene(std::move(made.scene), std::string(name), {"", scene::Rig::none, 1.0f});
     const render::GpuScene gpu_scene(stage.scene, stage.lights, how.visibility);
     render::RenderOptions options;
     options.width = options.height = how.size;

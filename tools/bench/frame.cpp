@@ -3,8 +3,7 @@
 #include "gl/context.hpp"
 #include "gltf/load.hpp"
 #include "render/renderer.hpp"
-#include "scene/rig.hpp"
-#include "scene/stage.hpp"
+#include "scene/prepare.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -31,12 +30,12 @@ struct Arguments {
     std::string backend = "auto";
 };
 
-scene::Stage stage_for(const Arguments& arguments) {
+scene::RenderScene stage_for(const Arguments& arguments) {
     scene::Scene scene = gltf::load(arguments.scene).scene;
     const scene::Bounds bounds = scene::bounds_of(scene);
     const float aspect = static_cast<float>(arguments.width) / static_cast<float>(arguments.height);
-    scene::Stage stage =
-        scene::set_stage(std::move(scene), arguments.scene, {"auto", scene::Rig::automatic, aspect});
+    scene::RenderScene stage =
+        scene::prepare_scene(std::move(scene), arguments.scene, {"auto", scene::Rig::automatic, aspect});
     if (arguments.own_lights) return stage;
     for (scene::Instance& instance : stage.scene.instances) instance.emits_as = {}; // of the lights to come
     if (arguments.softboxes > 0) {
@@ -77,15 +76,15 @@ render::PixelMask spread(double share, int width, int height) {
 }
 
 void report_rays(const render::GpuScene& scene, const render::Renderer& renderer) {
-    if (!scene.occluders()) return;
+    if (!scene.visibility_backend()) return;
     if (const auto* maps = renderer.depth_maps()) {
         fmt::print("shadows: {} maps of {}x{} texels a frame\n", maps->map_count(), maps->size(),
                    maps->size());
         return;
     }
-    fmt::print("shadows: built in {:.3f} s, {} boxes", scene.occluders()->build_seconds(),
-               scene.occluders()->node_count());
-    if (const auto* answers = renderer.ray_answers())
+    fmt::print("shadows: built in {:.3f} s, {} boxes", scene.visibility_backend()->build_seconds(),
+               scene.visibility_backend()->node_count());
+    if (const auto* answers = renderer.shadow_rays())
         fmt::print(", {:.2f} M rays a frame, {:.1f} M rays/s",
                    1e-6 * static_cast<double>(answers->ray_count()) / renderer.sample_count(),
                    1e-6 * static_cast<double>(answers->ray_count()) / answers->seconds());
@@ -95,7 +94,7 @@ void report_rays(const render::GpuScene& scene, const render::Renderer& renderer
 void run(const Arguments& arguments) {
     const auto context =
         gl::open_context({gl::backend_named(arguments.backend).value_or(gl::Backend::automatic)});
-    const scene::Stage stage = stage_for(arguments);
+    const scene::RenderScene stage = stage_for(arguments);
     const render::GpuScene gpu_scene(stage.scene, stage.lights,
                                      *render::visibility_named(arguments.visibility));
     render::RenderOptions options;

@@ -1,5 +1,5 @@
 #include "ltc/trial.hpp"
-#include "render/features.hpp"
+#include "render/gpu/features.hpp"
 #include "support/gl.hpp"
 #include "support/glsl_table.hpp"
 

@@ -10,7 +10,7 @@ namespace {
 
 using namespace sr::ltc;
 
-constexpr int grid = 32; // src/render/ltc_table.hpp has the same number
+constexpr int grid = 32; // src/render/gpu/ltc_table.hpp has the same number
 
 struct Sample {
     dvec3 wi;

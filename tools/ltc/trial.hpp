@@ -1,7 +1,7 @@
 #pragma once
 // Random emitters over a GGX surface, with what they reflect by brute force: what the analytic estimator is
 // judged by.
-#include "scene/light.hpp"
+#include "scene/lights/light.hpp"
 
 #include <cstdint>
 #include <span>

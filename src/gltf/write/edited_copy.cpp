@@ -144,23 +144,23 @@ private:
         if (node.contains("extensions") && node["extensions"].contains("EXT_lights_area"))
             return resize_area(node["extensions"]["EXT_lights_area"]["light"], edit.sizes, scale);
         constexpr double rounding = 1e-6;
-        for (const StatedSize& size : edit.sizes) {
+        for (const scene::LightSize& size : edit.sizes) {
             ordered_json& stated = node["extras"]["steradian"][std::string(size.key)];
-            const double value = size.meters / scale;
+            const double value = size.size / scale;
             if (!stated.is_number() || std::abs(stated.get<double>() - value) > rounding * value)
                 stated = value;
         }
     }
 
     /// A light of EXT_lights_area can be at several nodes, so this node gets a copy of it.
-    void resize_area(ordered_json& reference, const std::vector<StatedSize>& sizes, double scale) {
+    void resize_area(ordered_json& reference, const std::vector<scene::LightSize>& sizes, double scale) {
         ordered_json& lights = gltf_["extensions"]["EXT_lights_area"]["lights"];
         ordered_json copy = lights[reference.get<std::size_t>()];
         if (sizes.size() == 1) {
-            copy["size"] = 2.0 * sizes[0].meters / scale; // the diameter of a disk
+            copy["size"] = 2.0 * sizes[0].size / scale; // the diameter of a disk
         } else {
-            copy["size"] = sizes[1].meters / scale;
-            copy["rect"]["aspect"] = sizes[0].meters / sizes[1].meters;
+            copy["size"] = sizes[1].size / scale;
+            copy["rect"]["aspect"] = sizes[0].size / sizes[1].size;
         }
         reference = lights.size();
         lights.push_back(std::move(copy));
@@ -196,18 +196,16 @@ private:
     }
 
     void add(const AddedLight& added) {
-        ordered_json node{{"name", std::visit([](const auto& l) { return l.name; }, added.light)}};
+        ordered_json node{{"name", scene::name_of(added.light)}};
         ordered_json steradian;
         if (const auto* flat = std::get_if<scene::RectangleLight>(&added.light)) {
             node["matrix"] =
                 matrix_json(file_from_scene() * frame_of(flat->center, flat->half_u, flat->half_v));
-            steradian = {{"shape", "rectangle"},
-                         {"width", 2.0f * glm::length(flat->half_u)},
-                         {"height", 2.0f * glm::length(flat->half_v)}};
+            steradian["shape"] = "rectangle";
             if (!flat->is_visible) steradian["visible"] = false;
         } else if (const auto* sphere = std::get_if<scene::SphereLight>(&added.light)) {
             node["translation"] = place_json(sphere->center);
-            steradian = {{"shape", "sphere"}, {"radius", sphere->radius}};
+            steradian["shape"] = "sphere";
         } else {
             node["translation"] = place_json(std::get<scene::PointLight>(added.light).position);
             ordered_json& lights = gltf_["extensions"]["KHR_lights_punctual"]["lights"];
@@ -217,6 +215,9 @@ private:
             if (used.is_null() || std::ranges::find(used, "KHR_lights_punctual") == used.end())
                 used.push_back("KHR_lights_punctual");
         }
+        if (steradian.contains("shape"))
+            for (const scene::LightSize& size : scene::sizes_of(added.light))
+                steradian[std::string(size.key)] = size.size;
         state(steradian, added.emission);
         node["extras"]["steradian"] = steradian;
         add_root(std::move(node), false);

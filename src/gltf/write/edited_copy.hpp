@@ -1,7 +1,7 @@
 #pragma once
 // Writer of a glTF file with other lights, another emission and another first camera.
 #include "scene/camera.hpp"
-#include "scene/light.hpp"
+#include "scene/lights/light.hpp"
 
 #include <filesystem>
 #include <optional>
@@ -17,18 +17,12 @@ struct StatedEmission {
     vec3 color{1.0f};      // linear RGB, of any luminance
 };
 
-/// A size of a light along one of its dimensions.
-struct StatedSize {
-    std::string_view key; // as extras.steradian names it: width, height, length, radius
-    float meters = 0.0f;  // in the world
-};
-
 /// Edits to the light of a node.
 struct NodeLightEdit {
     int node = 0;
     bool is_removed = false;
     std::optional<StatedEmission> emission; // absent: as the file states it
-    std::vector<StatedSize> sizes;          // all of the light's, or none: as the file states them
+    std::vector<scene::LightSize> sizes;    // all of the light's, in the world; none: as the file states them
     mat4 motion{1.0f}; // from the light's place in the file to its new place, in the scene
 };
 

@@ -2,9 +2,8 @@
 
 #include "core/error.hpp"
 #include "gltf/write/edited_copy.hpp"
-#include "scene/emitters.hpp"
-#include "scene/light_surfaces.hpp"
-#include "viewer/extents.hpp"
+#include "scene/lights/light.hpp"
+#include "scene/prepare.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,16 +15,13 @@ namespace {
 
 using Kind = LightEdit::Kind;
 
-std::string name_of(const scene::Light& light) {
-    return std::visit([](const auto& l) { return l.name; }, light);
-}
-
 /// Gives a light the sizes of another one of its kind.
 void take_sizes(scene::Light& light, const scene::Light& from) {
-    const std::vector<Extent> sizes = extents_of(from);
-    const std::size_t count = extents_of(light).size();
-    const float across = sizes.size() < count ? 2.0f : 1.0f;   // a radius, where an ellipse became a circle
-    for (std::size_t i = 0; i < extents_of(light).size(); ++i) // an ellipse may become a circle on the way
+    const std::vector<scene::LightSize> sizes = scene::sizes_of(from);
+    const std::size_t count = scene::sizes_of(light).size();
+    const float across = sizes.size() < count ? 2.0f : 1.0f; // a radius, where an ellipse became a circle
+    for (std::size_t i = 0; i < scene::sizes_of(light).size();
+         ++i) // an ellipse may become a circle on the way
         set_size(light, i, across * sizes[std::min(i, sizes.size() - 1)].size);
 }
 
@@ -95,7 +91,8 @@ gltf::StatedEmission emission_of(const LightEdit& edit, const scene::Scene& scen
         return stated(scene::luminance(L), scene::Quantity::radiance, L);
     }
     const vec3 quantity = is_on ? quantity_of(edit.light) : vec3(0.0f);
-    if (!has_profile(edit.light)) return stated(scene::luminance(quantity), kind_of(edit.light), quantity);
+    if (!has_profile(edit.light))
+        return stated(scene::luminance(quantity), quantity_kind_of(edit.light), quantity);
     const double flux = is_on ? scene::luminance(*scene::flux_of(edit.light, scene.profiles)) : 0.0;
     return stated(flux, scene::Quantity::flux, quantity);
 }
@@ -114,9 +111,7 @@ std::optional<gltf::NodeLightEdit> node_edit(const LightEdit& edit, const scene:
     const bool is_resized = edit.overrides_size || is_scaled(edit.motion);
     if (edit.overrides_quantity || !edit.is_enabled || is_resized)
         written.emission = emission_of(edit, scene);
-    if (edit.overrides_size)
-        for (const Extent& extent : extents_of(edit.light))
-            written.sizes.push_back({extent.name, extent.size});
+    if (edit.overrides_size) written.sizes = scene::sizes_of(edit.light);
     written.motion = edit.motion;
     if (!written.emission && written.motion == mat4(1.0f)) return std::nullopt;
     return written;
@@ -161,8 +156,8 @@ LightEditor::LightEditor(const LoadedScene& loaded, bool hides_emitters) : hides
     list(loaded.stage, emitters);
 }
 
-std::optional<LightEntry> LightEditor::entry_of(const LightEdit& edit, const scene::Stage& stage, int& staged,
-                                                int first_softbox) const {
+std::optional<LightEntry> LightEditor::entry_of(const LightEdit& edit, const scene::RenderScene& stage,
+                                                int& staged, int first_softbox) const {
     if (!edit.is_shown()) return std::nullopt;
     LightEntry entry{edit.kind, edit.source, 0, edit.name, {}, edit.is_enabled};
     if (edit.kind != Kind::material) {
@@ -180,7 +175,7 @@ std::optional<LightEntry> LightEditor::entry_of(const LightEdit& edit, const sce
     return entry.lights.empty() ? std::nullopt : std::optional(entry);
 }
 
-void LightEditor::list(const scene::Stage& stage, int first_softbox) {
+void LightEditor::list(const scene::RenderScene& stage, int first_softbox) {
     entries_.clear();
     for (const Kind kind : {Kind::light, Kind::material, Kind::softbox}) {
         int staged = 0;
@@ -203,7 +198,8 @@ std::optional<std::size_t> LightEditor::entry_like(const LightEntry& entry) cons
     return static_cast<std::size_t>(same - entries_.begin());
 }
 
-std::optional<std::size_t> LightEditor::entry_of_instance(const scene::Stage& stage, int instance) const {
+std::optional<std::size_t> LightEditor::entry_of_instance(const scene::RenderScene& stage,
+                                                          int instance) const {
     const scene::LightRange range = stage.scene.instances[static_cast<std::size_t>(instance)].emits_as;
     for (std::size_t i = 0; i < entries_.size(); ++i)
         if (std::ranges::any_of(entries_[i].lights, [&](int k) { return range.contains(k); })) return i;
@@ -233,7 +229,7 @@ void LightEditor::set_quantity(std::size_t entry, vec3 quantity) {
     if (edit.kind == Kind::material)
         edit.emission = quantity;
     else
-        viewer::set_quantity(edit.light, quantity);
+        scene::set_quantity(edit.light, quantity);
 }
 
 void LightEditor::enable(std::size_t entry, bool is_enabled) {
@@ -261,7 +257,7 @@ void LightEditor::set_size(std::size_t entry, std::size_t extent, float size) {
     require(can_move(entry), "surfaces keep their sizes");
     remember();
     LightEdit& edit = edit_of(entry);
-    viewer::set_size(edit.light, extent, size);
+    scene::set_size(edit.light, extent, size);
     edit.overrides_size = true;
 }
 
@@ -339,11 +335,10 @@ void LightEditor::apply(LoadedScene& loaded) {
     // A disabled light keeps its place, so that all others keep their indices.
     for (const LightEntry& entry : entries_) {
         if (entry.is_enabled) continue;
-        for (const int k : entry.lights)
-            viewer::set_quantity(lights[static_cast<std::size_t>(k)], vec3(0.0f));
+        for (const int k : entry.lights) scene::set_quantity(lights[static_cast<std::size_t>(k)], vec3(0.0f));
         if (entry.kind == Kind::material) scene.materials[edits_[entry.edit].material].emission = vec3(0.0f);
         if (entry.kind == Kind::light) // its surface goes dark, too
-            viewer::set_quantity(scene.lights[static_cast<std::size_t>(entry.lights.front())], vec3(0.0f));
+            scene::set_quantity(scene.lights[static_cast<std::size_t>(entry.lights.front())], vec3(0.0f));
     }
     if (hides_emitters_)
         for (scene::Material& material : scene.materials) material.emission = vec3(0.0f);

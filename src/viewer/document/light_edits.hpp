@@ -1,6 +1,6 @@
 #pragma once
-// Light editor with undo and redo: the lights of a file, what a person changed, and the Stage that follows.
-// Plain data: no GL.
+// Light editor with undo and redo: the lights of a file, what a person changed, and the RenderScene that
+// follows. Plain data: no GL.
 #include "viewer/document/loaded_scene.hpp"
 #include "viewer/light_value.hpp"
 
@@ -68,7 +68,7 @@ struct LightEntry {
     int source = 0;
     std::size_t edit = 0; // index in LightEditor::edits()
     std::string name;
-    std::vector<int> lights; // of the Stage
+    std::vector<int> lights; // of the RenderScene
     bool is_enabled = true;
 };
 
@@ -81,11 +81,11 @@ public:
     const std::vector<LightEntry>& entries() const { return entries_; }
     /// The entry of the same light; absent if it is not present now.
     std::optional<std::size_t> entry_like(const LightEntry& entry) const;
-    std::optional<std::size_t> entry_of_instance(const scene::Stage& stage, int instance) const;
+    std::optional<std::size_t> entry_of_instance(const scene::RenderScene& stage, int instance) const;
     /// The lights of an entry, enabled or not. A material has one for each surface.
     std::vector<scene::Light> lights_of(std::size_t entry) const;
 
-    // Edits, each of which can be undone. apply() brings them to the Stage.
+    // Edits, each of which can be undone. apply() brings them to the RenderScene.
     void set_quantity(std::size_t entry, vec3 quantity); // zero disables
     void enable(std::size_t entry, bool is_enabled);
     /// Disables all other lights; if they are disabled already, enables all.
@@ -116,7 +116,7 @@ public:
     void apply(LoadedScene& loaded);
 
     /// Carries the edits over to another time or another variant. `loaded` has no edits yet; apply() brings
-    /// them to its Stage.
+    /// them to its RenderScene.
     void rebase(const LoadedScene& loaded);
 
     /// Writes a copy of the file with the edits and, if `view` is given, a new first camera. What is edited
@@ -130,16 +130,16 @@ private:
     bool step(std::vector<Edits>& from, std::vector<Edits>& to);
     void remember();
     LightEdit& edit_of(std::size_t entry) { return edits_[entries_[entry].edit]; }
-    std::optional<LightEntry> entry_of(const LightEdit& edit, const scene::Stage& stage, int& staged,
+    std::optional<LightEntry> entry_of(const LightEdit& edit, const scene::RenderScene& stage, int& staged,
                                        int first_softbox) const;
-    void list(const scene::Stage& stage, int first_softbox);
+    void list(const scene::RenderScene& stage, int first_softbox);
 
     Edits edits_;
     FileLights file_;
     std::vector<Edits> undo_;
     std::vector<Edits> redo_; // the next one last
     std::vector<LightEntry> entries_;
-    std::vector<scene::Light> staged_; // the Stage's lights as if all were enabled
+    std::vector<scene::Light> staged_; // the RenderScene's lights as if all were enabled
     bool hides_emitters_;
     bool is_step_open_ = false;
 };

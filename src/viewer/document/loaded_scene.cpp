@@ -67,9 +67,9 @@ LoadedScene load_scene(const std::string& file, const Options& options, float as
     result.contents = asset.contents();
     result.scene_index = options.scene_index;
     if (!result.animations.empty()) result.asset = std::move(asset);
-    scene::StageOptions stage{options.camera, options.rig, aspect_ratio, options.hide_emitters};
+    scene::PrepareOptions stage{options.camera, options.rig, aspect_ratio, options.hide_emitters};
     stage.environment = options.environment;
-    result.stage = scene::set_stage(std::move(scene), file, stage);
+    result.stage = scene::prepare_scene(std::move(scene), file, stage);
     result.remarks.insert(result.remarks.end(), result.stage.remarks.begin(), result.stage.remarks.end());
     result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return result;

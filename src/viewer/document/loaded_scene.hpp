@@ -1,5 +1,5 @@
 #pragma once
-// Loaded file with its Stage: everything of a scene that needs no GL, so that any thread can load it.
+// Loaded file with its RenderScene: everything of a scene that needs no GL, so that any thread can load it.
 #include "gltf/asset.hpp"
 #include "viewer/options.hpp"
 #include "viewer/view/camera_controller.hpp"
@@ -18,7 +18,7 @@ struct BaseCounts {
 
 struct LoadedScene {
     std::string file;
-    scene::Stage stage;
+    scene::RenderScene stage;
     scene::Bounds bounds;           // of the file's contents
     std::optional<int> scene_index; // that was requested
     BaseCounts base;

@@ -1,7 +1,7 @@
 #include "viewer/panels/lights.hpp"
 
 #include "core/error.hpp"
-#include "viewer/extents.hpp"
+#include "scene/lights/light.hpp"
 #include "viewer/palette.hpp"
 
 #include <algorithm>
@@ -165,10 +165,10 @@ Changes LightsPanel::draw_place(LightEditor& editor, std::size_t selected) {
 Changes LightsPanel::draw_sizes(LightEditor& editor, std::size_t selected) {
     if (!editor.can_move(selected)) return {};
     Changes change;
-    const std::vector<Extent> extents = extents_of(editor.lights_of(selected).front());
+    const std::vector<scene::LightSize> extents = scene::sizes_of(editor.lights_of(selected).front());
     for (std::size_t i = 0; i < extents.size(); ++i) {
         float size = extents[i].size;
-        const std::string label = fmt::format("{} [m]", extents[i].name);
+        const std::string label = fmt::format("{} [m]", extents[i].key);
         const bool is_changed = ImGui::DragFloat(label.c_str(), &size, 0.01f * size, 1e-4f, 1e4f, "%.4g",
                                                  ImGuiSliderFlags_AlwaysClamp);
         if (ImGui::IsItemActivated()) editor.begin_step();

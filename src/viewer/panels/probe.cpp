@@ -236,7 +236,7 @@ void ProbePanel::place(const char* avoided) {
     ImGui::SetNextWindowPos({best.x, best.y});
 }
 
-void ProbePanel::draw(const scene::Stage& stage, const LightEditor& lights,
+void ProbePanel::draw(const scene::RenderScene& stage, const LightEditor& lights,
                       std::optional<std::size_t>& selected, const char* avoided, float scale) {
     if (!result) {
         is_placed_ = false;
@@ -281,15 +281,14 @@ void ProbePanel::draw(const scene::Stage& stage, const LightEditor& lights,
     if (!is_open) result.reset();
 }
 
-void ProbePanel::draw_row(int k, const scene::Stage& stage, const LightEditor& lights,
+void ProbePanel::draw_row(int k, const scene::RenderScene& stage, const LightEditor& lights,
                           std::optional<std::size_t>& selected) {
     const render::LightTerms& t = result->terms.lights[static_cast<std::size_t>(k)];
     const auto& entries = lights.entries();
     const auto entry = std::ranges::find_if(
         entries, [k](const LightEntry& l) { return std::ranges::find(l.lights, k) != l.lights.end(); });
     const auto index = static_cast<std::size_t>(entry - entries.begin());
-    const auto name =
-        std::visit([](const auto& l) { return l.name; }, stage.lights[static_cast<std::size_t>(k)]);
+    const auto name = scene::name_of(stage.lights[static_cast<std::size_t>(k)]);
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     const std::string label = fmt::format("{} {}", k, name);
@@ -310,7 +309,8 @@ void ProbePanel::draw_row(int k, const scene::Stage& stage, const LightEditor& l
     }
 }
 
-void ProbePanel::draw_directions(const scene::Stage& stage, const Projection& projection, float scale) const {
+void ProbePanel::draw_directions(const scene::RenderScene& stage, const Projection& projection,
+                                 float scale) const {
     if (!result) return;
     const render::PixelTerms& terms = result->terms;
     if (terms.coverage == 0.0f || terms.lights.size() != stage.lights.size()) return;

@@ -39,15 +39,15 @@ public:
 
     /// Draws the table, if there is a result. A click on a row selects its light in `selected`. `avoided`: a
     /// window that the panel does not open over.
-    void draw(const scene::Stage& stage, const LightEditor& lights, std::optional<std::size_t>& selected,
-              const char* avoided, float scale);
+    void draw(const scene::RenderScene& stage, const LightEditor& lights,
+              std::optional<std::size_t>& selected, const char* avoided, float scale);
 
     /// Draws n, wo, the mean wi of every light and the lobe at x.
-    void draw_directions(const scene::Stage& stage, const Projection& projection, float scale) const;
+    void draw_directions(const scene::RenderScene& stage, const Projection& projection, float scale) const;
 
 private:
     void place(const char* avoided);
-    void draw_row(int light, const scene::Stage& stage, const LightEditor& lights,
+    void draw_row(int light, const scene::RenderScene& stage, const LightEditor& lights,
                   std::optional<std::size_t>& selected);
 
     LobePanel lobe_;

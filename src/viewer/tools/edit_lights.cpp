@@ -38,7 +38,7 @@ std::optional<Changes> EditLights::select_at(vec2 pointer) {
     const LightEditor& lights = ws_.scene->lights();
     const Projection projection = ws_.projection();
     auto found = mark_under(lights, projection, pointer);
-    const scene::Stage& stage = ws_.scene->stage();
+    const scene::RenderScene& stage = ws_.scene->stage();
     if (!found)
         if (const auto hit = first_hit(stage.scene, projection.ray(pointer)))
             found = lights.entry_of_instance(stage, hit->instance);

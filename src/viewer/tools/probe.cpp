@@ -63,7 +63,7 @@ void Probe::probe(int column, int row) {
     constexpr int max_samples = 64; // the terms of one pixel take as long as a small picture
     render::RenderOptions options = ws_.render_options();
     options.samples = std::min(options.samples, max_samples);
-    options.knows_error = false;
+    options.estimates_error = false;
     const auto goes_on = [this] {
         glfwPollEvents();
         return !ws_.input.has_cancel();
@@ -111,7 +111,7 @@ void Probe::notice(Changes changes) {
 }
 
 Changes Probe::draw(const Overlay& overlay) {
-    const scene::Stage& stage = ws_.scene->stage();
+    const scene::RenderScene& stage = ws_.scene->stage();
     panel_.draw_directions(stage, overlay.projection, overlay.scale);
     panel_.draw(stage, ws_.scene->lights(), ws_.selected, "Assignment", overlay.scale);
     return {};

@@ -108,10 +108,10 @@ float stretched(const TransformDrag& drag, const Projection& projection, vec2 po
 TransformDelta sized(const TransformDrag& drag, const Projection& projection, vec2 pointer, bool snaps) {
     const auto typed = typed_number(drag.typed);
     if (drag.axis) {
-        const Extent& extent = drag.extents[static_cast<std::size_t>(*drag.axis)];
+        const scene::LightSize& extent = drag.extents[static_cast<std::size_t>(*drag.axis)];
         const float pointed = snapped(extent.size * stretched(drag, projection, pointer), 0.1f, snaps);
         const float size = std::max(min_factor * extent.size, typed.value_or(pointed));
-        return {mat4(1.0f), size, fmt::format("{} {:.4g} m", extent.name, size)};
+        return {mat4(1.0f), size, fmt::format("{} {:.4g} m", extent.key, size)};
     }
     const float factor =
         std::max(min_factor, typed ? *typed : snapped(stretched(drag, projection, pointer), 0.1f, snaps));
@@ -205,7 +205,7 @@ TransformDelta evaluate(const TransformDrag& drag, const Projection& projection,
             fmt::format("moved by {:.3f} {:.3f} {:.3f} m", by.x, by.y, by.z)};
 }
 
-Handles handles_of(const std::vector<Extent>& extents, vec3 center, bool has_place,
+Handles handles_of(const std::vector<scene::LightSize>& extents, vec3 center, bool has_place,
                    const Projection& projection, float scale) {
     Handles handles;
     const auto at = projection(center);
@@ -271,7 +271,7 @@ std::optional<Handles> Transform::handles() const {
     const LightEditor& lights = ws_.scene->lights();
     if (!ws_.selected || !lights.can_move(*ws_.selected)) return std::nullopt;
     const bool has_place = center_of(lights, *ws_.selected).has_value();
-    return handles_of(extents_of(lights.lights_of(*ws_.selected).front()), center(), has_place,
+    return handles_of(scene::sizes_of(lights.lights_of(*ws_.selected).front()), center(), has_place,
                       ws_.projection(), ws_.ui.scale());
 }
 
@@ -338,7 +338,7 @@ std::string Transform::refusal(TransformMode mode) const {
     if (!lights.can_move(*ws_.selected)) return "Emissive surfaces cannot be moved.";
     if (mode != TransformMode::turn && !center_of(lights, *ws_.selected))
         return "A directional light can only be turned (R).";
-    if (mode == TransformMode::scale && !has_size(lights.lights_of(*ws_.selected).front()))
+    if (mode == TransformMode::scale && !is_scalable(lights.lights_of(*ws_.selected).front()))
         return "A light without a size cannot be scaled. Give it a radius in its file.";
     return {};
 }
@@ -349,7 +349,7 @@ void Transform::begin(TransformMode mode, std::optional<int> axis, bool is_free)
     drag.is_free = is_free;
     drag.center = center();
     drag.from = pointer_;
-    drag.extents = extents_of(ws_.scene->lights().lights_of(*ws_.selected).front());
+    drag.extents = scene::sizes_of(ws_.scene->lights().lights_of(*ws_.selected).front());
     if (axis) drag.constrain_to(*axis);
     drag_ = std::move(drag);
     ws_.is_time_held = true;
@@ -358,7 +358,7 @@ void Transform::begin(TransformMode mode, std::optional<int> axis, bool is_free)
 
 /// A light without a size casts no shadow.
 Changes Transform::changes() const {
-    const bool casts = has_size(ws_.scene->lights().lights_of(*ws_.selected).front());
+    const bool casts = is_scalable(ws_.scene->lights().lights_of(*ws_.selected).front());
     return casts ? Change::lights | Change::shadows : Changes(Change::lights);
 }
 

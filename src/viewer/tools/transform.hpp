@@ -1,6 +1,6 @@
 #pragma once
 // Transform tool: moves, turns and resizes the selected light by handles, or by keys and typed numbers.
-#include "viewer/extents.hpp"
+#include "scene/lights/light.hpp"
 #include "viewer/tools/tool.hpp"
 
 #include <array>
@@ -18,7 +18,7 @@ struct TransformDrag {
     std::optional<int> axis{};
     bool is_free = false;          // begun by a key: a click or Enter ends it, not the release of a button
     vec3 center{0.0f};             // fixed point of turning and scaling [m]
-    std::vector<Extent> extents{}; // at the beginning
+    std::vector<scene::LightSize> extents{}; // at the beginning
     vec2 from{0.0f};               // the pointer at the beginning, in the window
     std::string typed{};           // a number: metres, degrees; of an extent metres, of all extents a factor
     std::string description{};     // of the change so far; empty if there is none
@@ -56,7 +56,7 @@ struct Handles {
 
 /// Handles of a light around `center`; none behind the camera. `has_place`: the light can be moved. `scale`:
 /// of a HiDPI screen.
-Handles handles_of(const std::vector<Extent>& extents, vec3 center, bool has_place,
+Handles handles_of(const std::vector<scene::LightSize>& extents, vec3 center, bool has_place,
                    const Projection& projection, float scale);
 
 /// The handle under the pointer; absent if there is none.

@@ -135,7 +135,7 @@ NamedCamera named_camera(const std::vector<scene::Camera>& cameras, std::size_t 
     return {cameras[index], is_unique ? name : std::to_string(index)};
 }
 
-NamedCamera named_camera(const scene::Stage& stage, const std::string& wanted) {
+NamedCamera named_camera(const scene::RenderScene& stage, const std::string& wanted) {
     if (!wanted.empty()) return {stage.camera, wanted};
     if (stage.scene.cameras.empty()) return {stage.camera, "auto"};
     return named_camera(stage.scene.cameras, 0);

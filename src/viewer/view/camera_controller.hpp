@@ -1,6 +1,6 @@
 #pragma once
 // Camera controller: a camera of the file, unchanged, or a free camera that a person moves.
-#include "scene/stage.hpp"
+#include "scene/prepare.hpp"
 #include "viewer/bindings.hpp"
 #include "viewer/view/viewpoint.hpp"
 
@@ -59,7 +59,7 @@ private:
 /// A camera of the file, named by its name if that is unique, or else by its index.
 NamedCamera named_camera(const std::vector<scene::Camera>& cameras, std::size_t index);
 
-/// The camera that set_stage() chose for the argument `wanted`.
-NamedCamera named_camera(const scene::Stage& stage, const std::string& wanted);
+/// The camera that prepare_scene() chose for the argument `wanted`.
+NamedCamera named_camera(const scene::RenderScene& stage, const std::string& wanted);
 
 } // namespace sr::viewer

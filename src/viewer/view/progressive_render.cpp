@@ -151,7 +151,7 @@ void ProgressiveRender::update_frozen_weights() {
     std::vector<float> weights(width * height);
     for (std::size_t y = 0; y < height; ++y)
         for (std::size_t x = 0; x < width; ++x) {
-            const int samples = renderer_.resting().samples_of(y * width + x, endless);
+            const int samples = renderer_.converged_pixels().samples_of(y * width + x, endless);
             weights[(height - 1 - y) * width + x] =
                 samples == endless ? 0.0f : 1.0f / static_cast<float>(samples);
         }
@@ -178,7 +178,7 @@ image::Image ProgressiveRender::film() const {
 
 /// An interactive render has no frozen pixels, and can be what is kept.
 int ProgressiveRender::kept_samples_of(std::size_t pixel) const {
-    return frozen_weights_ ? renderer_.resting().samples_of(pixel, kept_samples_) : kept_samples_;
+    return frozen_weights_ ? renderer_.converged_pixels().samples_of(pixel, kept_samples_) : kept_samples_;
 }
 
 vec3 ProgressiveRender::pixel(vec2 place) const {
@@ -194,7 +194,7 @@ vec3 ProgressiveRender::pixel(vec2 place) const {
     const auto index = static_cast<std::size_t>(row) * static_cast<std::size_t>(film.width)
                        + static_cast<std::size_t>(column);
     const int samples =
-        film.frozen_weights ? renderer_.resting().samples_of(index, film.samples) : film.samples;
+        film.frozen_weights ? renderer_.converged_pixels().samples_of(index, film.samples) : film.samples;
     return vec3(sum) / static_cast<float>(samples);
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 // Progressive render of the view: coarse and quick during interaction, then converging, then converged.
-#include "render/convergence.hpp"
+#include "render/adaptive/convergence.hpp"
+#include "render/adaptive/stop_rule.hpp"
 #include "render/renderer.hpp"
-#include "render/stop_rule.hpp"
 #include "viewer/view/presenter.hpp"
 
 #include <chrono>
@@ -98,7 +98,7 @@ private:
     double spent_ = 0.0;          // on the incomplete sample [s]
     /// Copy of the film before a sample that takes several calls, or before the render became a converging
     /// one.
-    std::optional<render::Target> kept_;
+    std::optional<render::RenderTarget> kept_;
     int kept_width_ = 0;
     int kept_height_ = 0;
     int kept_samples_ = 0;

@@ -119,7 +119,7 @@ render::RenderOptions render_options(const Options& options, int width, int heig
     rendering.width = width;
     rendering.height = height;
     rendering.samples = options.stop.samples;
-    rendering.knows_error = options.stop.asks_for_error();
+    rendering.estimates_error = options.stop.asks_for_error();
     if (rendering.shader != render::RenderOptions().shader)
         rendering.estimator = render::Estimator::sampled; // views take points on the lights
     if (options.shows_reference) {

@@ -16,7 +16,7 @@ public:
     SceneView& operator=(const SceneView&) = delete;
 
     const LoadedScene& loaded() const { return loaded_; }
-    const scene::Stage& stage() const { return loaded_.stage; }
+    const scene::RenderScene& stage() const { return loaded_.stage; }
     const render::GpuScene& gpu() const { return gpu_; }
     ProgressiveRender& render() { return *render_; }
     const ProgressiveRender& render() const { return *render_; }

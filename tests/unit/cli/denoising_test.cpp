@@ -36,7 +36,7 @@ Films films_of(const Shade& shade, int samples, bool denoises) {
     options.width = options.height = denoised_size;
     options.samples = samples;
     options.estimator = render::Estimator::analytic;
-    options.knows_error = true;
+    options.estimates_error = true;
     render::Renderer renderer(scene, camera, options);
     for (int i = 0; i < samples; ++i) renderer.add_sample();
     Films films{renderer.film(), {}};

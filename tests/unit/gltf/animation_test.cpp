@@ -60,7 +60,7 @@ const Test posing("unit.gltf.animation.an_asset_is_posed_again_and_again", [] {
     ASSERT_EQ(asset.contents().animations.size(), 2u);
     EXPECT_EQ(asset.contents().animations[1].duration, 3.0);
     scene::Scene scene = asset.at_rest();
-    scene.meshes.emplace_back(); // as a Stage adds them
+    scene.meshes.emplace_back(); // as a RenderScene adds them
     scene = asset.posed(std::move(scene), {{0}, 2.0});
     EXPECT_EQ(scene.meshes.size(), 1u);
     EXPECT_EQ(scene.instances.at(0).world_from_object[3], vec4(1, 0, 0, 1));

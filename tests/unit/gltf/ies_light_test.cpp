@@ -1,5 +1,5 @@
 #include "loading.hpp"
-#include "scene/photometry.hpp"
+#include "scene/spectrum.hpp"
 
 #include <cstring>
 

@@ -108,7 +108,7 @@ const Test hard_edge("unit.gltf.light.a_hard_edge_is_full_inside", [] {
     for (const float angle : {0.01f, 0.6f, pi / 2}) {
         scene::SpotLight light;
         light.inner_angle = light.outer_angle = angle;
-        const scene::ConeFalloff cone = scene::cone_falloff(light);
+        const scene::ConeFalloff cone = light.falloff();
         const auto falloff = [&](double theta) {
             return std::clamp(std::cos(theta) * cone.scale + cone.offset, 0.0, 1.0);
         };

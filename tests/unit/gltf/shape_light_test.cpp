@@ -1,6 +1,6 @@
 #include "gltf/extras_rules.hpp"
 #include "loading.hpp"
-#include "scene/photometry.hpp"
+#include "scene/spectrum.hpp"
 
 #include <fstream>
 #include <set>

@@ -1,4 +1,4 @@
-#include "mitsuba/capsule.hpp"
+#include "mitsuba/emitters.hpp"
 #include "support/address.hpp"
 
 #include <cmath>

@@ -1,6 +1,6 @@
-#include "render/blocks.hpp"
+#include "render/gpu/blocks.hpp"
 
-#include "render/shader_library.hpp"
+#include "render/gpu/shader_library.hpp"
 #include "support/address.hpp"
 #include "support/gl.hpp"
 
@@ -15,9 +15,8 @@ namespace {
 /// Everything on, so that the linker drops no member that some material uses.
 Features everything() {
     Features f;
-    f.has_point_lights = f.has_spot_lights = f.has_directional_lights = f.has_rectangle_lights = true;
-    f.has_disk_lights = f.has_sphere_lights = f.has_tube_lights = f.has_polygon_lights = true;
-    f.has_mesh_lights = f.has_sun_disks = f.has_profiles = f.has_emission_maps = true;
+    f.has_lights.fill(true);
+    f.has_sun_disks = f.has_profiles = f.has_emission_maps = true;
     f.has_base_color_texture = f.has_metallic_roughness_texture = f.has_normal_texture = true;
     f.has_emission_texture = f.has_specular_texture = f.has_specular_color_texture = true;
     f.has_vertex_colors = f.is_masked = f.is_blended = true;

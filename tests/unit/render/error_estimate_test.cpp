@@ -1,6 +1,6 @@
-#include "render/error_estimate.hpp"
+#include "render/adaptive/error_estimate.hpp"
 
-#include "render/resting.hpp"
+#include "render/adaptive/converged_pixels.hpp"
 #include "support/address.hpp"
 #include "support/gl.hpp"
 #include "support/scenes.hpp"
@@ -85,7 +85,7 @@ const Test rest("unit.render.resting.pixels_keep_their_samples", [] {
     const render::GpuScene scene(plane, lamp);
     render::RenderOptions options;
     options.width = options.height = size;
-    options.knows_error = true;
+    options.estimates_error = true;
     render::Renderer whole(scene, camera_from_above(1.0f), options),
         other(scene, camera_from_above(1.0f), options);
     const auto add = [](render::Renderer& renderer, int count) {

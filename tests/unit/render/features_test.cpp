@@ -1,4 +1,4 @@
-#include "render/features.hpp"
+#include "render/gpu/features.hpp"
 
 #include "core/error.hpp"
 #include "support/address.hpp"
@@ -54,6 +54,18 @@ const Test units("unit.render.features.too_many_textures_name_the_material", [] 
     } catch (const Error& error) {
         EXPECT_NE(std::string(error.what()).find("material \"paint\" reads 9 textures"), std::string::npos)
             << error.what();
+    }
+});
+
+// The shaders read without a renderer, as tests read them, number the lights as the renderer does.
+const Test kinds("unit.render.features.lights_have_the_same_numbers_in_c_and_in_glsl", [] {
+    const std::string text = glsl::embedded().text_of("interface/features.glsl").value();
+    for (std::size_t kind = 0; kind < scene::light_kind_count; ++kind) {
+        const std::string name(scene::light_kind_names()[kind]);
+        const std::string number = "const int " + name + "_light = " + std::to_string(kind) + ";";
+        EXPECT_NE(text.find(number), std::string::npos) << number;
+        EXPECT_NE(render::Features{}.glsl().find(number), std::string::npos) << number;
+        EXPECT_NE(text.find("const bool has_" + name + "_lights = true;"), std::string::npos) << name;
     }
 });
 

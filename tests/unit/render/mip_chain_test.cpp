@@ -1,4 +1,4 @@
-#include "render/mip_chain.hpp"
+#include "render/gpu/mip_chain.hpp"
 
 #include "image/srgb.hpp"
 #include "support/address.hpp"

@@ -1,6 +1,6 @@
 #include "render/sampling.hpp"
 
-#include "render/alias_table.hpp"
+#include "render/gpu/light_table.hpp"
 #include "support/address.hpp"
 #include "support/glsl_table.hpp"
 

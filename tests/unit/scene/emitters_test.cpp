@@ -1,6 +1,4 @@
-#include "scene/emitters.hpp"
-
-#include "scene/light_surfaces.hpp"
+#include "scene/prepare.hpp"
 
 #include "support/address.hpp"
 

@@ -1,6 +1,6 @@
 #include "scene/environment.hpp"
 
-#include "scene/light.hpp"
+#include "scene/lights/light.hpp"
 #include "support/address.hpp"
 
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "scene/ies.hpp"
 
 #include "core/error.hpp"
-#include "scene/photometry.hpp"
+#include "scene/spectrum.hpp"
 #include "support/address.hpp"
 
 #include <cmath>

@@ -1,7 +1,6 @@
-#include "scene/stage.hpp"
+#include "scene/prepare.hpp"
 
 #include "core/error.hpp"
-#include "scene/framing.hpp"
 #include "support/address.hpp"
 
 #include <algorithm>
@@ -25,13 +24,13 @@ Scene with_cameras() {
 
 const Test cameras("unit.scene.stage.cameras_by_name_index_and_default", [] {
     const auto chosen = [](const char* wanted) {
-        return set_stage(with_cameras(), "f", {wanted}).camera.name;
+        return prepare_scene(with_cameras(), "f", {wanted}).camera.name;
     };
     EXPECT_EQ(chosen(""), "front");
     EXPECT_EQ(chosen("side"), "side");
     EXPECT_EQ(chosen("1"), "side");
     EXPECT_EQ(chosen("auto"), "auto");
-    EXPECT_EQ(set_stage(Scene{}, "f", {}).camera.name, "auto");
+    EXPECT_EQ(prepare_scene(Scene{}, "f", {}).camera.name, "auto");
     try {
         chosen("2");
         FAIL();
@@ -55,28 +54,28 @@ Scene square() {
 }
 
 /// The square, lit by one light.
-Stage lit_by(const Light& light, Rig rig = Rig::automatic) {
+RenderScene lit_by(const Light& light, Rig rig = Rig::automatic) {
     Scene scene = square();
     scene.lights.push_back(light);
-    return set_stage(std::move(scene), "f", {"auto", rig});
+    return prepare_scene(std::move(scene), "f", {"auto", rig});
 }
 
 const Test rig("unit.scene.stage.a_scene_without_light_gets_the_studio_and_says_so", [] {
-    const Stage lit = set_stage(square(), "f", {});
+    const RenderScene lit = prepare_scene(square(), "f", {});
     ASSERT_EQ(lit.lights.size(), 1u);
     ASSERT_TRUE(std::holds_alternative<EnvironmentLight>(lit.lights[0]));
     EXPECT_FALSE(std::get<EnvironmentLight>(lit.lights[0]).is_visible);
     EXPECT_EQ(lit.remarks.size(), 1u);
     EXPECT_EQ(lit.rig, Rig::studio);
-    const Stage dark = set_stage(square(), "f", {"", Rig::none});
+    const RenderScene dark = prepare_scene(square(), "f", {"", Rig::none});
     EXPECT_TRUE(dark.lights.empty());
     EXPECT_EQ(dark.remarks.size(), 1u) << "that almost nothing is lit";
-    const Stage softboxes = set_stage(square(), "f", {"", Rig::softboxes});
+    const RenderScene softboxes = prepare_scene(square(), "f", {"", Rig::softboxes});
     EXPECT_EQ(softboxes.lights.size(), 3u);
     EXPECT_EQ(softboxes.scene.instances.size(), 1u) << "softboxes are not seen";
     Scene unlit = square();
     unlit.materials[0].is_unlit = true;
-    EXPECT_TRUE(set_stage(unlit, "f", {}).lights.empty()) << "it needs no light";
+    EXPECT_TRUE(prepare_scene(unlit, "f", {}).lights.empty()) << "it needs no light";
 });
 
 const Test arriving("unit.scene.stage.the_studio_comes_where_the_scenes_own_light_does_not_arrive", [] {
@@ -107,7 +106,7 @@ const Test headlight("unit.scene.stage.a_glowing_detail_is_no_lamp", [] {
     mat4 small(0.05f);
     small[3] = vec4(0.4f, 0.0f, 0.001f, 1.0f);
     scene.instances.push_back({1, small, "headlight"});
-    const Stage stage = set_stage(scene, "f", {});
+    const RenderScene stage = prepare_scene(scene, "f", {});
     EXPECT_EQ(stage.rig, Rig::studio);
     EXPECT_EQ(stage.lights.size(), 2u);
 });
@@ -124,11 +123,11 @@ const Test hidden("unit.scene.stage.hidden_emitters_still_light", [] {
     quad.indices = {0, 1, 2, 0, 2, 3};
     scene.meshes.push_back(quad);
     scene.instances.push_back({0, mat4(1.0f), "glow"});
-    StageOptions options;
+    PrepareOptions options;
     options.rig = Rig::none;
-    const Stage seen = set_stage(scene, "f", options);
+    const RenderScene seen = prepare_scene(scene, "f", options);
     options.hide_emitters = true;
-    const Stage unseen = set_stage(scene, "f", options);
+    const RenderScene unseen = prepare_scene(scene, "f", options);
     EXPECT_EQ(seen.lights.size(), 2u);
     EXPECT_EQ(unseen.lights.size(), 2u);
     EXPECT_EQ(seen.scene.instances.size(), 2u);

@@ -2,7 +2,6 @@
 #include "core/error.hpp"
 #include "support/address.hpp"
 #include "viewer/document/light_edits.hpp"
-#include "viewer/extents.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -132,7 +131,7 @@ const Test resized("unit.viewer.lights.a_saved_file_has_the_sizes_that_were_seen
         const mat4 by = glm::scale(glm::rotate(mat4(1.0f), 0.3f, vec3(0, 0, 1)), vec3(0.8f));
         for (std::size_t i = 0; i < lights; ++i) {
             if (i % 2 == 0) lighting.transform(i, by);
-            const std::vector<Extent> extents = extents_of(lighting.edits()[i].light);
+            const std::vector<scene::LightSize> extents = scene::sizes_of(lighting.edits()[i].light);
             for (std::size_t k = 0; k < extents.size(); ++k, ++pulled)
                 lighting.set_size(i, k, extents[k].size * (1.5f + 0.2f * static_cast<float>(k)));
         }

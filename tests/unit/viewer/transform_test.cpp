@@ -76,7 +76,7 @@ const Test sizing("unit.viewer.transform.an_edge_goes_to_the_pointer", [] {
     const Projection projection{eye, 1.5f, {600.0f, 400.0f}};
     scene::Light light = scene::RectangleLight{"plate", center, {0.4f, 0, 0}, {0, 0.3f, 0}};
     TransformDrag drag{
-        .mode = TransformMode::scale, .axis = 0, .center = center, .extents = extents_of(light)};
+        .mode = TransformMode::scale, .axis = 0, .center = center, .extents = scene::sizes_of(light)};
     drag.from = *projection(center + vec3(0.4f, 0, 0));
     const TransformDelta pull = evaluate(drag, projection, *projection(center + vec3(0.6f, 0, 0)), false);
     EXPECT_NEAR(pull.size, 1.2f, 1e-3f);
@@ -91,7 +91,7 @@ const Test found("unit.viewer.transform.handles_are_found_where_they_are_drawn",
     const scene::Camera eye = camera();
     const Projection projection{eye, 1.5f, {600.0f, 400.0f}};
     const scene::Light light = scene::TubeLight{"tube", center, {0.8f, 0, 0}, 0.4f};
-    const Handles handles = handles_of(extents_of(light), center, true, projection, 1.0f);
+    const Handles handles = handles_of(scene::sizes_of(light), center, true, projection, 1.0f);
     EXPECT_EQ(handles.arrows.size(), 3u);
     EXPECT_EQ(handles.sizes.size(), 4u) << "two for the length, two for the radius";
     for (const auto& [at, extent] : handles.sizes) {

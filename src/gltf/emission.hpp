@@ -1,0 +1,66 @@
+#pragma once
+// What extras.steradian says of a light: how much, and of which colour.
+#include "gltf/document.hpp"
+#include "scene/spectrum.hpp"
+#include "scene/units.hpp"
+
+#include <functional>
+#include <optional>
+#include <string>
+
+namespace sr::gltf {
+
+/// The object `steradian` in a glTF object's extras; null where there is none.
+const tinygltf::Value* steradian_in(const tinygltf::Value& extras);
+
+/// What asset.extras.steradian.units says: photometric unless it is "radiometric".
+scene::UnitSystem unit_system_of(const Document& document);
+
+struct PhotometricValue {
+    double value = 0.0; // >= 0
+    scene::Unit unit;
+};
+
+struct EmissionSpec {
+    std::optional<PhotometricValue> quantity;
+    std::optional<scene::LightColor> color; // by colour, temperature or spectrum
+
+    /// What is stated here, and else what `other` states.
+    EmissionSpec over(const EmissionSpec& other) const {
+        return {quantity ? quantity : other.quantity, color ? color : other.color};
+    }
+};
+
+/// The "quantity" and the "color", "temperature" or "spectrum" of an object; nothing for a null.
+/// @throws Error calling its owner `title`, for a negative quantity, a temperature or a spectrum that is none
+EmissionSpec parse_emission(const Document& document, const tinygltf::Value* object,
+                            const std::string& title);
+
+/// A light's own quantity (I, E or L) from a stated one in the scene's units; absent where that is not
+/// determined.
+using Conversion = std::function<std::optional<double>(scene::Quantity, double)>;
+
+/// I, E or L as RGB. Where a quantity is stated, the light has this quantity, whatever its colour: colours
+/// are taken at luminance 1. Where only a colour is, the luminance of `own` (glTF's colour times intensity)
+/// stays.
+/// @throws Error if the conversion is absent; `takes` says in which units such a light can be stated
+vec3 emitted(const Document& document, const EmissionSpec& emission, glm::dvec3 own,
+             const Conversion& conversion, const std::string& title, std::string_view takes);
+
+/// The numbers of a light as 32-bit floats. @throws Error if they are too large for that
+vec3 as_floats(const Document& document, glm::dvec3 rgb, const std::string& title);
+
+/// What errors call a light: "light "Key" (/extensions/…/lights/0)".
+std::string light_title(std::string_view extension, int index, std::string_view name);
+
+/// Returns colour times quantity. @throws Error if either is negative
+glm::dvec3 emitted_color(const Document& document, glm::dvec3 color, double quantity,
+                         const std::string& title);
+
+/// The text, the flag and the three numbers of an object's property, or what stands for them where it is
+/// absent.
+std::string text_in(const tinygltf::Value& object, const std::string& key);
+bool flag_in(const tinygltf::Value* object, const std::string& key, bool fallback);
+glm::dvec3 color_in(const tinygltf::Value& object);
+
+} // namespace sr::gltf

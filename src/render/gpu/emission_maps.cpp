@@ -1,0 +1,84 @@
+#include "render/gpu/emission_maps.hpp"
+
+#include "image/srgb.hpp"
+#include "render/sampling.hpp"
+#include "scene/alpha.hpp"
+
+#include <cmath>
+#include <glm/gtc/packing.hpp>
+#include <limits>
+
+namespace sr::render {
+namespace {
+
+/// The linear value of every value that a texel can store.
+template<class Texel>
+std::vector<float> linear_values(bool is_srgb) {
+    constexpr std::size_t most = std::numeric_limits<Texel>::max();
+    std::vector<float> values(most + 1);
+    for (std::size_t i = 0; i <= most; ++i) {
+        const float stored = static_cast<float>(i) / static_cast<float>(most);
+        values[i] = is_srgb ? image::linear_of_srgb(stored) : stored;
+    }
+    return values;
+}
+
+template<class Texel>
+void append(const std::vector<Texel>& values, bool is_srgb, std::vector<std::uint64_t>& texels) {
+    const std::vector<float> linear = linear_values<Texel>(is_srgb);
+    texels.reserve(texels.size() + values.size() / 4);
+    for (std::size_t i = 0; i < values.size(); i += 4)
+        texels.push_back(
+            glm::packHalf4x16({linear[values[i]], linear[values[i + 1]], linear[values[i + 2]], 1.0f}));
+}
+
+/// Evenly spread weights of a triangle's second and third corner.
+std::array<vec2, 64> points_of_triangle() {
+    std::array<vec2, 64> points;
+    for (std::uint32_t i = 0; i < points.size(); ++i) {
+        const vec2 u = sobol_2d(i, 0);
+        points[i] = u.x + u.y < 1.0f ? u : 1.0f - u;
+    }
+    return points;
+}
+
+} // namespace
+
+EmissionMapPlace EmissionMaps::place_of(const scene::Scene& scene, int index) {
+    if (const auto known = places_.find(index); known != places_.end()) return known->second;
+    const scene::Texture& texture = scene.textures[static_cast<std::size_t>(index)];
+    const scene::TextureImage& image = scene.images[static_cast<std::size_t>(texture.image)];
+    const EmissionMapPlace place{static_cast<int>(texels_.size()), image.width, image.height,
+                                 static_cast<int>(texture.sampler.wrap_u)
+                                     + 4 * static_cast<int>(texture.sampler.wrap_v)};
+    std::visit(
+        [&](const auto& texels) { append(texels, texture.color_space == scene::ColorSpace::srgb, texels_); },
+        image.texels);
+    return places_.emplace(index, place).first->second;
+}
+
+vec3 EmissionMaps::mean(const scene::Scene& scene, int index, const std::array<vec2, 3>& uv) {
+    if (asked_ == means_.size()) means_.emplace_back();
+    Mean& known = means_[asked_++];
+    if (known.texture != index || known.uv != uv) known = {index, uv, measured_mean(scene, index, uv)};
+    return known.color;
+}
+
+vec3 EmissionMaps::measured_mean(const scene::Scene& scene, int index, const std::array<vec2, 3>& uv) {
+    const EmissionMapPlace place = place_of(scene, index);
+    const scene::Sampler& sampler = scene.textures[static_cast<std::size_t>(index)].sampler;
+    static const std::array points = points_of_triangle();
+    vec3 sum(0.0f);
+    for (const vec2 b : points) {
+        const vec2 at = scene::texel_place(uv[0] + b.x * (uv[1] - uv[0]) + b.y * (uv[2] - uv[0]), place.width,
+                                           place.height)
+                        + 0.5f;
+        const int x = scene::wrapped(static_cast<int>(std::floor(at.x)), place.width, sampler.wrap_u);
+        const int y = scene::wrapped(static_cast<int>(std::floor(at.y)), place.height, sampler.wrap_v);
+        sum +=
+            vec3(glm::unpackHalf4x16(texels_[static_cast<std::size_t>(place.first + y * place.width + x)]));
+    }
+    return sum / static_cast<float>(points.size());
+}
+
+} // namespace sr::render

@@ -1,0 +1,248 @@
+#include "render/gpu/features.hpp"
+
+#include "core/error.hpp"
+
+#include <algorithm>
+#include <array>
+#include <fmt/format.h>
+
+namespace sr::render {
+namespace {
+
+template<class L>
+void ask_for_light(Features& f, const L& light) {
+    bool is_sphere = false;
+    if constexpr (requires { light.position; }) is_sphere = light.radius > 0.0f;
+    (is_sphere ? f.has<scene::SphereLight>() : f.has<L>()) = true;
+    if constexpr (requires { light.profile; }) f.has_profiles |= light.profile >= 0;
+    if constexpr (requires { light.angular_radius; }) f.has_sun_disks |= light.angular_radius > 0.0f;
+    if constexpr (requires { light.texture; }) f.has_emission_maps |= light.texture >= 0;
+    if constexpr (std::is_same_v<L, scene::EnvironmentLight>)
+        f.has_environment_maps |= light.map && light.map->has_light();
+    else if constexpr (requires { light.map; })
+        f.has_emission_maps |= light.map.is_present();
+}
+
+// What goes into GLSL as `const bool`, by the member's own name.
+struct Flag {
+    const char* name;
+    bool Features::*member;
+};
+
+constexpr std::array light_flags{Flag{"has_sun_disks", &Features::has_sun_disks},
+                                 Flag{"has_profiles", &Features::has_profiles},
+                                 Flag{"has_emission_maps", &Features::has_emission_maps},
+                                 Flag{"has_environment_maps", &Features::has_environment_maps}};
+
+constexpr std::array texture_flags{
+    Flag{"has_base_color_texture", &Features::has_base_color_texture},
+    Flag{"has_metallic_roughness_texture", &Features::has_metallic_roughness_texture},
+    Flag{"has_normal_texture", &Features::has_normal_texture},
+    Flag{"has_emission_texture", &Features::has_emission_texture},
+    Flag{"has_specular_texture", &Features::has_specular_texture},
+    Flag{"has_specular_color_texture", &Features::has_specular_color_texture},
+    Flag{"has_anisotropy_texture", &Features::has_anisotropy_texture},
+    Flag{"has_clearcoat_texture", &Features::has_clearcoat_texture},
+    Flag{"has_clearcoat_roughness_texture", &Features::has_clearcoat_roughness_texture},
+    Flag{"has_clearcoat_normal_texture", &Features::has_clearcoat_normal_texture},
+    Flag{"has_sheen_color_texture", &Features::has_sheen_color_texture},
+    Flag{"has_sheen_roughness_texture", &Features::has_sheen_roughness_texture},
+    Flag{"has_iridescence_texture", &Features::has_iridescence_texture},
+    Flag{"has_film_thickness_texture", &Features::has_film_thickness_texture},
+    Flag{"has_transmission_texture", &Features::has_transmission_texture},
+    Flag{"has_thickness_texture", &Features::has_thickness_texture},
+    Flag{"has_diffuse_transmission_texture", &Features::has_diffuse_transmission_texture},
+    Flag{"has_diffuse_transmission_color_texture", &Features::has_diffuse_transmission_color_texture}};
+
+constexpr std::array other_flags{Flag{"has_vertex_colors", &Features::has_vertex_colors},
+                                 Flag{"has_anisotropy", &Features::has_anisotropy},
+                                 Flag{"has_clearcoat", &Features::has_clearcoat},
+                                 Flag{"has_sheen", &Features::has_sheen},
+                                 Flag{"has_iridescence", &Features::has_iridescence},
+                                 Flag{"has_energy_compensation", &Features::has_energy_compensation},
+                                 Flag{"is_transmissive", &Features::is_transmissive},
+                                 Flag{"is_opaque_part", &Features::is_opaque_part},
+                                 Flag{"has_diffuse_transmission", &Features::has_diffuse_transmission},
+                                 Flag{"is_specular_glossiness", &Features::is_specular_glossiness},
+                                 Flag{"has_transparent_casters", &Features::has_transparent_casters},
+                                 Flag{"has_tinted_casters", &Features::has_tinted_casters},
+                                 Flag{"is_masked", &Features::is_masked},
+                                 Flag{"is_blended", &Features::is_blended},
+                                 Flag{"is_unlit", &Features::is_unlit},
+                                 Flag{"is_line", &Features::is_line},
+                                 Flag{"is_point", &Features::is_point}};
+
+/// Whether a model has GGX microfacets, which lose energy.
+bool takes_compensation(scene::Model model) {
+    return model == scene::Model::metallic_roughness || model == scene::Model::ggx
+           || model == scene::Model::conductor;
+}
+
+/// What the layers of glTF's own model take of this mesh.
+void ask_for_layers(Features& f, const scene::Material& m, bool has_tangents) {
+    f.has_anisotropy = m.is_anisotropic() && has_tangents;
+    f.has_anisotropy_texture = f.has_anisotropy && m.anisotropy_texture.is_present();
+    f.has_clearcoat = m.clearcoat > 0.0f;
+    f.has_clearcoat_texture = f.has_clearcoat && m.clearcoat_texture.is_present();
+    f.has_clearcoat_roughness_texture = f.has_clearcoat && m.clearcoat_roughness_texture.is_present();
+    f.has_clearcoat_normal_texture =
+        f.has_clearcoat && m.clearcoat_normal_texture.is_present() && has_tangents;
+    f.has_energy_compensation &= takes_compensation(m.model);
+    f.has_sheen = m.has_sheen();
+    f.has_sheen_color_texture = f.has_sheen && m.sheen_color_texture.is_present();
+    f.has_sheen_roughness_texture = f.has_sheen && m.sheen_roughness_texture.is_present();
+    f.has_iridescence = m.iridescence > 0.0f;
+    f.has_iridescence_texture = f.has_iridescence && m.iridescence_texture.is_present();
+    f.has_film_thickness_texture = f.has_iridescence && m.film_thickness_texture.is_present();
+}
+
+/// What lets light through this material.
+void ask_for_transmission(Features& f, const scene::Material& m) {
+    f.is_transmissive = m.is_transmissive();
+    f.has_transmission_texture = f.is_transmissive && m.transmission_texture.is_present();
+    f.has_thickness_texture = f.is_transmissive && m.thickness_texture.is_present();
+    f.has_diffuse_transmission = m.transmits_diffusely();
+    f.has_diffuse_transmission_texture =
+        f.has_diffuse_transmission && m.diffuse_transmission_texture.is_present();
+    f.has_diffuse_transmission_color_texture =
+        f.has_diffuse_transmission && m.diffuse_transmission_color_texture.is_present();
+}
+
+/// Whether an instance of the scene has a material of which `is_so`.
+template<class Predicate>
+bool any_material(const scene::Scene& scene, Predicate is_so) {
+    return std::ranges::any_of(scene.instances, [&](const scene::Instance& instance) {
+        const auto material =
+            static_cast<std::size_t>(scene.meshes[static_cast<std::size_t>(instance.mesh)].material);
+        return is_so(scene.materials[material]);
+    });
+}
+
+} // namespace
+
+std::string Features::glsl() const {
+    std::string text;
+    const auto append = [&](const auto& flags) {
+        for (const Flag& flag : flags)
+            text += fmt::format("const bool {} = {};\n", flag.name, this->*flag.member);
+    };
+    for (std::size_t kind = 0; kind < scene::light_kind_count; ++kind) {
+        const std::string_view name = scene::light_kind_names()[kind];
+        text += fmt::format("const int {0}_light = {1};\nconst bool has_{0}_lights = {2};\n", name, kind,
+                            has_lights[kind]);
+    }
+    append(light_flags);
+    append(texture_flags);
+    append(other_flags);
+    text += fmt::format("const bool is_mirror = {};\n", model == scene::Model::mirror);
+    text += fmt::format("const bool is_lambert = {};\n", model == scene::Model::lambert);
+    return text + fmt::format("const int rays_per_light = {};\n", rays_per_light);
+}
+
+std::string Features::model_glsl() const {
+    return fmt::format("#include \"brdf/models/{}.glsl\"\n", scene::name_of(model));
+}
+
+bool Features::is_analytic() const {
+    switch (model) {
+    case scene::Model::metallic_roughness:
+    case scene::Model::ggx:
+    case scene::Model::conductor:
+        return !has_anisotropy && !has_clearcoat && !has_sheen && !has_diffuse_transmission;
+    case scene::Model::lambert:
+    case scene::Model::oren_nayar: return true;
+    case scene::Model::mirror:
+    case scene::Model::phong:
+    case scene::Model::blinn_phong:
+    case scene::Model::merl: return false;
+    }
+    return false;
+}
+
+int Features::material_texture_count() const {
+    return static_cast<int>(
+        std::ranges::count_if(texture_flags, [this](const Flag& flag) { return this->*flag.member; }));
+}
+
+Features light_features(std::span<const scene::Light> lights) {
+    Features f;
+    for (const scene::Light& light : lights)
+        std::visit([&f](const auto& any) { ask_for_light(f, any); }, light);
+    // What a direction of the BRDF's choice can meet: has_lights_to_meet in shaders/light/sample_light.glsl.
+    bool has_lights_to_meet = f.has_sun_disks;
+    scene::for_each_light_kind([&]<class L>(std::type_identity<L>) {
+        constexpr bool is_met =
+            !std::is_same_v<
+                L,
+                scene::
+                    PointLight> && !std::is_same_v<L, scene::SpotLight> && !std::is_same_v<L, scene::DirectionalLight> && !std::is_same_v<L, scene::MeshLight>;
+        has_lights_to_meet |= is_met && f.has<L>();
+    });
+    f.rays_per_light = has_lights_to_meet ? 2 : 1;
+    return f;
+}
+
+bool has_transparent_casters(const scene::Scene& scene) {
+    return any_material(scene, [](const scene::Material& m) {
+        return m.alpha_mode != scene::AlphaMode::opaque || m.is_transmissive();
+    });
+}
+
+bool has_tinted_casters(const scene::Scene& scene) {
+    return any_material(scene, [](const scene::Material& m) { return m.is_transmissive(); });
+}
+
+Features shading_features(const scene::Scene& scene, const scene::Mesh& mesh, const Features& lights) {
+    const scene::Material& material = scene.materials[mesh.material];
+    Features f = lights;
+    f.has_base_color_texture = material.base_color_texture.is_present();
+    f.has_metallic_roughness_texture = material.metallic_roughness_texture.is_present();
+    f.has_normal_texture = material.normal_texture.is_present() && !mesh.tangents.empty();
+    f.has_emission_texture = material.emission_texture.is_present() && material.is_emissive();
+    f.has_specular_texture = material.specular_texture.is_present();
+    f.has_specular_color_texture = material.specular_color_texture.is_present();
+    f.has_vertex_colors = !mesh.colors.empty();
+    f.model = material.model;
+    f.is_specular_glossiness = material.is_specular_glossiness;
+    ask_for_layers(f, material, !mesh.tangents.empty());
+    if (mesh.is_surface()) ask_for_transmission(f, material);
+    f.is_masked = material.alpha_mode == scene::AlphaMode::mask;
+    f.is_blended = material.alpha_mode == scene::AlphaMode::blend;
+    f.is_unlit = scene::is_unlit(mesh, material);
+    f.is_line = !mesh.lines.empty();
+    f.is_point = !mesh.points.empty();
+    return f;
+}
+
+void require_texture_units(const Features& features, std::string_view material, int units) {
+    // Lights, their textures, five of the casters, the fitted lobes; an environment.
+    const int of_lights_and_shadows = features.has_environment_maps ? 9 : 8;
+    const int count = features.material_texture_count();
+    if (count + of_lights_and_shadows <= units) return;
+    throw Error(fmt::format("material \"{}\" reads {} textures, this driver has room for {}", material, count,
+                            units - of_lights_and_shadows),
+                "take a texture of its clearcoat, sheen or iridescence away");
+}
+
+Features depth_features(const Features& shading) {
+    Features f = caster_features(shading);
+    if (!shading.is_opaque_part) return f;
+    f.is_transmissive = f.is_opaque_part = true;
+    f.has_transmission_texture = shading.has_transmission_texture;
+    f.has_metallic_roughness_texture = shading.has_metallic_roughness_texture;
+    return f;
+}
+
+Features caster_features(const Features& shading) {
+    Features f;
+    f.is_line = shading.is_line;
+    f.is_point = shading.is_point;
+    if (!shading.is_masked && !shading.is_blended) return f;
+    f.is_masked = shading.is_masked;
+    f.is_blended = shading.is_blended;
+    f.has_base_color_texture = shading.has_base_color_texture;
+    f.has_vertex_colors = shading.has_vertex_colors;
+    return f;
+}
+
+} // namespace sr::render

@@ -1,0 +1,114 @@
+#pragma once
+// What a program has to deal with: constants that overlay shaders/interface/features.glsl, so that the
+// compiler drops what a scene does not use. (One program for everything costs seconds of compile time in
+// software GL.)
+#include "scene/scene.hpp"
+
+#include <array>
+#include <compare>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace sr::render {
+
+struct Features {
+    std::array<bool, scene::light_kind_count>
+        has_lights{}; // by kind; a point or spot with a radius is a sphere
+    bool has_sun_disks = false;
+    bool has_profiles = false;
+    bool has_emission_maps = false;
+    bool has_environment_maps = false;
+
+    bool has_base_color_texture = false;
+    bool has_metallic_roughness_texture = false;
+    bool has_normal_texture = false;
+    bool has_emission_texture = false;
+    bool has_specular_texture = false;
+    bool has_specular_color_texture = false;
+    bool has_vertex_colors = false;
+
+    scene::Model model = scene::Model::metallic_roughness;
+    bool has_anisotropy = false;
+    bool has_clearcoat = false;
+    bool has_sheen = false;
+    bool has_iridescence = false;
+    bool has_energy_compensation = false;
+    bool is_specular_glossiness = false;
+    bool has_anisotropy_texture = false;
+    bool has_clearcoat_texture = false;
+    bool has_clearcoat_roughness_texture = false;
+    bool has_clearcoat_normal_texture = false;
+    bool has_sheen_color_texture = false;
+    bool has_sheen_roughness_texture = false;
+    bool has_iridescence_texture = false;
+    bool has_film_thickness_texture = false;
+
+    bool is_transmissive = false; // light goes straight through
+    bool is_opaque_part = false;  // but only what its textures keep opaque is drawn
+    bool has_diffuse_transmission = false;
+    bool has_transmission_texture = false;
+    bool has_thickness_texture = false;
+    bool has_diffuse_transmission_texture = false;
+    bool has_diffuse_transmission_color_texture = false;
+
+    int rays_per_light = 1;               // that a point sends to each light
+    bool has_transparent_casters = false; // surfaces that are masked, blended or of glass cast shadows
+    bool has_tinted_casters = false;      // glass does
+
+    bool is_masked = false;
+    bool is_blended = false;
+    bool is_unlit = false;
+    bool is_line = false; // drawn a few pixels wide
+    bool is_point = false;
+
+    auto operator<=>(const Features&) const = default;
+
+    /// Whether there are lights of the kind L.
+    template<class L>
+    bool& has() {
+        return has_lights[scene::light_kind<L>()];
+    }
+
+    /// The text that stands for interface/features.glsl.
+    std::string glsl() const;
+
+    /// The text that stands for brdf/model.glsl: the one BRDF that the material has.
+    std::string model_glsl() const;
+
+    /// Whether a texture can make parts of glass opaque, which then hide what is behind like other surfaces.
+    bool may_have_opaque_part() const {
+        return is_transmissive && !is_blended && (has_transmission_texture || has_metallic_roughness_texture);
+    }
+
+    /// Whether the analytic estimator can take the BRDF: one GGX lobe without a direction, or none.
+    /// Others are sampled.
+    bool is_analytic() const;
+
+    /// How many of the material's textures shading reads.
+    int material_texture_count() const;
+};
+
+/// What these lights take, whatever they shine on. A point sends each of them a ray to a point of its, and,
+/// where a direction of the BRDF's choice can meet any of them, another along that.
+Features light_features(std::span<const scene::Light> lights);
+
+/// Whether any surface of the scene is masked, blended or of glass, and so lets some light through.
+bool has_transparent_casters(const scene::Scene& scene);
+/// Whether any is of glass, so that V has a colour.
+bool has_tinted_casters(const scene::Scene& scene);
+
+/// What shading this mesh takes under lights that take `lights`.
+Features shading_features(const scene::Scene& scene, const scene::Mesh& mesh, const Features& lights);
+
+/// @throws Error if the material of that name takes more than `units` textures together with lights and
+/// shadows; OpenGL grants 16 at least, GL_MAX_TEXTURE_IMAGE_UNITS
+void require_texture_units(const Features& features, std::string_view material, int units);
+
+/// What the depth pre-pass needs of `shading`: nothing, unless the material is masked or glass in part.
+Features depth_features(const Features& shading);
+
+/// What depth maps need of `shading`: what alpha takes, unless the material is opaque.
+Features caster_features(const Features& shading);
+
+} // namespace sr::render

@@ -1,0 +1,320 @@
+#include "render/gpu/gpu_scene.hpp"
+
+#include "core/error.hpp"
+#include "core/parallel.hpp"
+#include "gl/context.hpp"
+#include "render/gpu/gpu_texture.hpp"
+#include "render/gpu/light_table.hpp"
+#include "scene/alpha.hpp"
+#include "scene/transform.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <deque>
+#include <future>
+#include <set>
+#include <thread>
+#include <tuple>
+#include <utility>
+
+namespace sr::render {
+namespace {
+
+/// A block array in one uniform buffer; each entry starts where GL allows a range to start.
+template<class BlockType>
+GLsizeiptr upload_blocks(const gl::Buffer& buffer, const std::vector<BlockType>& blocks) {
+    GLint alignment = 1;
+    glGetIntegerv(GL_UNIFORM_BUFFER_OFFSET_ALIGNMENT, &alignment);
+    const auto step = static_cast<std::size_t>(alignment);
+    const std::size_t stride = (sizeof(BlockType) + step - 1) / step * step;
+    std::vector<std::byte> bytes(std::max<std::size_t>(1, blocks.size()) * stride);
+    for (std::size_t i = 0; i < blocks.size(); ++i)
+        std::memcpy(&bytes[i * stride], &blocks[i], sizeof(BlockType));
+    glBindBuffer(GL_UNIFORM_BUFFER, buffer.id());
+    glBufferData(GL_UNIFORM_BUFFER, static_cast<GLsizeiptr>(bytes.size()), bytes.data(), GL_STATIC_DRAW);
+    return static_cast<GLsizeiptr>(stride);
+}
+
+/// `is_body`: a closed mesh of glass.
+ObjectBlock packed_object(const scene::Instance& instance, std::size_t first_triangle, std::size_t object,
+                          int material, bool is_body) {
+    const mat4& m = instance.world_from_object;
+    return {m,
+            mat4(scene::normal_transform(m)),
+            vec4(scene::mirrors(m) ? -1.0f : 1.0f, scene::length_scale(m), is_body ? 1.0f : 0.0f, 0.0f),
+            static_cast<std::int32_t>(first_triangle),
+            static_cast<std::int32_t>(object),
+            material};
+}
+
+MaterialBlock packed_material(const scene::Material& m, const scene::Scene& scene) {
+    MaterialBlock block{};
+    block.base_color_factor = m.base_color;
+    block.emission_factor = vec4(m.emission, 0.0f);
+    block.specular_color_factor = vec4(m.specular_color, m.specular);
+    block.anisotropy_factor = vec4(m.anisotropy, std::cos(m.anisotropy_rotation),
+                                   std::sin(m.anisotropy_rotation), m.roughness_across);
+    block.clearcoat_factor = vec4(m.clearcoat, m.clearcoat_roughness, m.clearcoat_normal_scale, 0.0f);
+    block.sheen_factor = vec4(m.sheen_color, m.sheen_roughness);
+    block.iridescence_factor =
+        vec4(m.iridescence, m.film_ior, m.least_film_thickness, m.largest_film_thickness);
+    block.ior_factor = vec4(m.conductor.n, m.exponent);
+    block.extinction_factor = vec4(m.conductor.k, m.measured < 0 ? 1.0f : scene.measured[m.measured].alpha);
+    block.transmission_factor = vec4(m.transmission, m.thickness, 0.0f, m.diffuse_transmission);
+    block.attenuation_factor = vec4(scene::attenuation_coefficient(m), 0.0f);
+    block.diffuse_transmission_color_factor = vec4(m.diffuse_transmission_color, 0.0f);
+    block.metallic_factor = m.metallic;
+    block.roughness_factor = m.roughness;
+    block.normal_scale = m.normal_scale;
+    block.alpha_cutoff = scene::least_opaque_alpha(m);
+    const float r = (m.ior - 1.0f) / (m.ior + 1.0f);
+    block.F0_from_ior = m.ior == 0.0f ? 1.0f : r * r; // KHR_materials_ior: 0 stands for infinity
+    const auto slots = scene::texture_slots(m);
+    for (unsigned s = 0; s < slot_count; ++s) {
+        const mat3 rows = glm::transpose(slots[s]->uv_transform);
+        const auto set = static_cast<float>(slots[s]->texcoord);
+        block.uv_row_u[s] = vec4(rows[0], set);
+        block.uv_row_v[s] = vec4(rows[1], set);
+    }
+    return block;
+}
+
+/// An image as textures use it: the same picture may be colours to one and data to another.
+struct ImageUse {
+    int image = 0;
+    scene::ColorSpace color_space = scene::ColorSpace::linear;
+    TexelNeeds needs;
+
+    bool operator==(const ImageUse&) const = default;
+};
+
+/// For each texture, whether a material compares its alpha with a cutoff.
+std::vector<bool> alpha_is_compared(const scene::Scene& scene) {
+    std::vector<bool> is_compared(scene.textures.size(), false);
+    for (const scene::Material& material : scene.materials)
+        if (material.alpha_mode == scene::AlphaMode::mask && material.base_color_texture.is_present())
+            is_compared[static_cast<std::size_t>(material.base_color_texture.texture)] = true;
+    return is_compared;
+}
+
+/// An image in the form that the GPU stores.
+struct ReadyImage {
+    TexelFormat format = TexelFormat::unorm8;
+    std::vector<MipLevel> levels;
+};
+
+ReadyImage make_ready(const scene::TextureImage& image, const ImageUse& use) {
+    const TexelFormat format = texel_format(image, use.color_space, use.needs);
+    return {format, mip_chain(image, use.color_space, format)};
+}
+
+/// The mean of the triangles' corners: it goes with the vertices wherever an affine transform takes them, so
+/// that a transform worked into them leaves the order of blended instances alone. (The centre of their box
+/// does not.)
+vec3 center_of(const scene::Mesh& mesh, const mat4& world_from_object) {
+    glm::dvec3 sum(0.0);
+    for (const std::uint32_t index : mesh.indices) sum += glm::dvec3(mesh.positions[index]);
+    const glm::dvec3 mean = sum / static_cast<double>(std::max<std::size_t>(1, mesh.indices.size()));
+    return vec3(glm::dmat4(world_from_object) * glm::dvec4(mean, 1.0));
+}
+
+} // namespace
+
+GpuScene::GpuScene(const scene::Scene& scene, std::span<const scene::Light> lights, Visibility visibility,
+                   bool has_energy_compensation)
+    : visibility_(visibility), has_energy_compensation_(has_energy_compensation) {
+    upload_textures(scene);
+    update(scene, lights);
+}
+
+void GpuScene::update(const scene::Scene& scene, std::span<const scene::Light> lights) {
+    require(image_of_texture_.size() == scene.textures.size(), "a scene keeps its textures");
+    relight(scene, lights, 0, true);
+}
+
+void GpuScene::relight(const scene::Scene& scene, std::span<const scene::Light> lights,
+                       std::size_t first_mesh, bool casters_change) {
+    meshes_.erase(meshes_.begin() + static_cast<std::ptrdiff_t>(std::min(first_mesh, meshes_.size())),
+                  meshes_.end());
+    meshes_.reserve(scene.meshes.size());
+    for (std::size_t i = meshes_.size(); i < scene.meshes.size(); ++i) meshes_.emplace_back(scene.meshes[i]);
+    upload_objects(scene);
+    upload_materials(scene);
+    upload_lights(scene, lights);
+    list_draws(scene, lights);
+    if (casters_change || visibility_ == Visibility::map)
+        cast_shadows(scene, lights); // maps know where lights are
+}
+
+void GpuScene::cast_shadows(const scene::Scene& scene, std::span<const scene::Light> lights) {
+    visibility_backend_.reset();
+    if (visibility_ != Visibility::none && !lights.empty())
+        visibility_backend_ =
+            std::make_unique<VisibilityBackend>(scene, lights, visibility_, !blended_.empty());
+}
+
+void GpuScene::upload_textures(const scene::Scene& scene) {
+    const bool driver_is_inexact =
+        gl::is_software_renderer(reinterpret_cast<const char*>(glGetString(GL_RENDERER)));
+    const std::vector<bool> is_compared = alpha_is_compared(scene);
+    std::vector<ImageUse> uses;
+    std::vector<scene::Sampler> made;
+    for (std::size_t i = 0; i < scene.textures.size(); ++i) {
+        const scene::Texture& texture = scene.textures[i];
+        const ImageUse use{texture.image, texture.color_space, {driver_is_inexact, is_compared[i]}};
+        const auto image = std::find(uses.begin(), uses.end(), use);
+        image_of_texture_.push_back(static_cast<int>(image - uses.begin()));
+        if (image == uses.end()) uses.push_back(use);
+        const auto sampler = std::find(made.begin(), made.end(), texture.sampler);
+        sampler_of_texture_.push_back(static_cast<int>(sampler - made.begin()));
+        if (sampler == made.end()) {
+            made.push_back(texture.sampler);
+            samplers_.push_back(sampler_object(texture.sampler));
+        }
+    }
+    // Threads convert and halve the images, a few ahead of the upload: all at once would take their memory at
+    // once.
+    const std::size_t max_ahead = std::max(2u, std::thread::hardware_concurrency());
+    std::deque<std::future<ReadyImage>> ready;
+    for (std::size_t i = 0, begun = 0; i < uses.size(); ++i) {
+        for (; begun < uses.size() && begun < i + max_ahead; ++begun)
+            ready.push_back(started([&image = scene.images[uses[begun].image], use = uses[begun]] {
+                return make_ready(image, use);
+            }));
+        const ReadyImage image = ready.front().get();
+        ready.pop_front();
+        images_.push_back(upload(scene.images[uses[i].image].name, image.format, image.levels));
+    }
+    for (const scene::MeasuredBrdf& measured : scene.measured) measured_.push_back(upload(measured));
+}
+
+void GpuScene::upload_objects(const scene::Scene& scene) {
+    std::vector<ObjectBlock> blocks;
+    std::size_t triangles = 0; // so far, as shadow::Casters counts them
+    for (const scene::Instance& instance : scene.instances) {
+        const scene::Mesh& mesh = scene.meshes[instance.mesh];
+        const bool is_body = scene::is_body_of_glass(mesh, scene.materials[mesh.material]);
+        blocks.push_back(packed_object(instance, triangles, blocks.size(), mesh.material, is_body));
+        triangles += mesh.indices.size() / 3;
+    }
+    object_stride_ = upload_blocks(objects_, blocks);
+}
+
+void GpuScene::upload_materials(const scene::Scene& scene) {
+    std::vector<MaterialBlock> blocks;
+    textures_of_material_.clear();
+    measured_of_material_.clear();
+    for (const scene::Material& material : scene.materials) {
+        blocks.push_back(packed_material(material, scene));
+        measured_of_material_.push_back(material.measured);
+        std::array<int, slot_count> textures{};
+        const auto slots = scene::texture_slots(material);
+        std::transform(slots.begin(), slots.end(), textures.begin(),
+                       [](const auto* slot) { return slot->texture; });
+        textures_of_material_.push_back(textures);
+    }
+    material_stride_ = upload_blocks(materials_, blocks);
+}
+
+void GpuScene::upload_lights(const scene::Scene& scene, std::span<const scene::Light> lights) {
+    const std::size_t before = emission_maps_.texels().size();
+    const std::size_t environments_before = environments_.texels().size();
+    light_table_.upload(pack_lights(scene, lights, emission_maps_, environments_),
+                        "use fewer emissive triangles");
+    if (environments_before == 0 || environments_.texels().size() != environments_before)
+        environment_texels_.upload(environments_.texels(), "use a smaller environment");
+    visible_environments_.clear();
+    for (std::size_t k = 0; k < lights.size(); ++k)
+        if (const auto* light = std::get_if<scene::EnvironmentLight>(&lights[k]); light && light->is_visible)
+            visible_environments_.push_back(static_cast<int>(k));
+    if (before == 0 || emission_maps_.texels().size() != before)
+        emission_texels_.upload(emission_maps_.texels(), "use smaller emissive textures");
+    light_count_ = static_cast<int>(lights.size());
+    rays_per_light_ = light_features(lights).rays_per_light;
+}
+
+void GpuScene::bind_lights() const {
+    light_table_.bind(light_table_unit);
+    emission_texels_.bind(emission_texels_unit);
+    environment_texels_.bind(environment_texels_unit);
+    ltc_texture_.bind(ltc_table_unit);
+    glBindSampler(ltc_table_unit, 0);
+    if (visibility_backend_) visibility_backend_->bind();
+}
+
+void GpuScene::list_draws(const scene::Scene& scene, std::span<const scene::Light> lights) {
+    Features lit = light_features(lights);
+    lit.has_energy_compensation = has_energy_compensation_;
+    lit.has_transparent_casters = has_transparent_casters(scene);
+    lit.has_tinted_casters = has_tinted_casters(scene);
+    GLint texture_units = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_IMAGE_UNITS, &texture_units);
+    opaque_.clear();
+    blended_.clear();
+    for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+        const scene::Instance& instance = scene.instances[i];
+        const scene::Mesh& mesh = scene.meshes[instance.mesh];
+        if (mesh.is_empty()) continue;
+        Draw draw;
+        draw.mesh = instance.mesh;
+        draw.instance = static_cast<int>(i);
+        draw.material = mesh.material;
+        draw.features = shading_features(scene, mesh, lit);
+        require_texture_units(draw.features, scene.materials[mesh.material].name, texture_units);
+        draw.mirrors = scene::mirrors(instance.world_from_object);
+        draw.is_surface = mesh.is_surface();
+        draw.is_double_sided = !draw.is_surface || scene.materials[mesh.material].is_double_sided;
+        if (draw.features.is_blended || draw.features.is_transmissive) {
+            draw.center = center_of(mesh, instance.world_from_object);
+            blended_.push_back(draw);
+            draw.features.is_opaque_part = true;
+            if (blended_.back().features.may_have_opaque_part()) opaque_.push_back(draw);
+        } else {
+            opaque_.push_back(draw);
+        }
+    }
+    std::stable_sort(opaque_.begin(), opaque_.end(), [](const Draw& a, const Draw& b) {
+        return std::tie(a.features, a.material) < std::tie(b.features, b.material);
+    });
+}
+
+void GpuScene::bind_material(int material) const {
+    glBindBufferRange(GL_UNIFORM_BUFFER, material_block, materials_.id(), material * material_stride_,
+                      sizeof(MaterialBlock));
+    if (measured_of_material_[material] >= 0) {
+        measured_[measured_of_material_[material]].bind(measured_unit);
+        glBindSampler(measured_unit, 0);
+    }
+    for (unsigned slot = 0; slot < slot_count; ++slot) {
+        const int texture = textures_of_material_[material][slot];
+        if (texture < 0) continue;
+        images_[image_of_texture_[texture]].bind(slot);
+        glBindSampler(slot, samplers_[sampler_of_texture_[texture]].id());
+    }
+}
+
+std::size_t GpuScene::feature_set_count() const {
+    std::set<Features> sets;
+    for (const auto* draws : {&opaque_, &blended_})
+        for (const Draw& draw : *draws) sets.insert(draw.features);
+    return sets.size();
+}
+
+void GpuScene::bind(const Draw& draw) const {
+    glBindBufferRange(GL_UNIFORM_BUFFER, object_block, objects_.id(), draw.instance * object_stride_,
+                      sizeof(ObjectBlock));
+    bind_material(draw.material);
+    glFrontFace(draw.mirrors ? GL_CW : GL_CCW);
+}
+
+void GpuScene::draw(const Draw& draw) const {
+    bind(draw);
+    meshes_[draw.mesh].draw();
+}
+
+void GpuScene::draw_triangle(const Draw& draw, int triangle) const {
+    meshes_[draw.mesh].draw_triangle(triangle);
+}
+
+} // namespace sr::render

@@ -1,0 +1,104 @@
+#pragma once
+// A Scene in the memory of the GPU.
+#include "render/gpu/blocks.hpp"
+#include "render/gpu/buffer_texture.hpp"
+#include "render/gpu/emission_maps.hpp"
+#include "render/gpu/environment_texels.hpp"
+#include "render/gpu/features.hpp"
+#include "render/gpu/gpu_mesh.hpp"
+#include "render/gpu/ltc_table.hpp"
+#include "render/visibility/visibility_backend.hpp"
+
+#include <vector>
+
+namespace sr::render {
+
+/// One instance, ready to be drawn.
+struct Draw {
+    int mesh = 0;
+    int instance = 0;
+    int material = 0;
+    Features features;
+    vec3 center{0.0f};    // mean of its corners, world space; what blended instances are sorted by
+    bool mirrors = false; // its front faces come out clockwise
+    bool is_double_sided = false;
+    bool is_surface = true; // false: lines or points, which have no back
+};
+
+class GpuScene {
+public:
+    /// Uploads `scene`, lit by `lights` (not by scene.lights). @throws Error for a texture beyond the
+    /// driver's limits.
+    /// `has_energy_compensation`: GGX gives back what its microfacets block
+    /// (shaders/brdf/energy_compensation.glsl).
+    GpuScene(const scene::Scene& scene, std::span<const scene::Light> lights,
+             Visibility visibility = Visibility::ray, bool has_energy_compensation = false);
+
+    /// Takes over other lights of the same scene, and what shows them: the meshes from `first_mesh` on, all
+    /// instances and all materials. Textures and the meshes before stay as they are. Shadows are made anew if
+    /// `casters_change`. @throws Error
+    void relight(const scene::Scene& scene, std::span<const scene::Light> lights, std::size_t first_mesh,
+                 bool casters_change);
+
+    int light_count() const { return light_count_; }
+    /// Which of the lights are seen behind everything.
+    const std::vector<int>& visible_environments() const { return visible_environments_; }
+    int rays_per_light() const { return rays_per_light_; } // that a point of a surface sends
+    /// What casts shadows; null if nothing does.
+    const VisibilityBackend* visibility_backend() const { return visibility_backend_.get(); }
+    const std::vector<Draw>& opaque_draws() const { return opaque_; } // opaque and masked, by program
+    /// What lets through a part of what is behind: blended, or of glass; in the scene's order.
+    const std::vector<Draw>& blended_draws() const { return blended_; }
+
+    /// How many distinct sets of features its draws have: each takes its own programs.
+    std::size_t feature_set_count() const;
+
+    /// Binds the light table, the emitters' textures, the fitted lobes and the shadow casters to their units.
+    void bind_lights() const;
+
+    /// Binds the instance's and the material's data and draws with whatever program is in use.
+    void draw(const Draw& draw) const;
+
+    /// The two by themselves; of the mesh one triangle.
+    void bind(const Draw& draw) const;
+    void draw_triangle(const Draw& draw, int triangle) const;
+
+private:
+    void update(const scene::Scene& scene, std::span<const scene::Light> lights); // all but the textures
+    void upload_textures(const scene::Scene& scene);
+    void upload_objects(const scene::Scene& scene);
+    void upload_materials(const scene::Scene& scene);
+    void upload_lights(const scene::Scene& scene, std::span<const scene::Light> lights);
+    void list_draws(const scene::Scene& scene, std::span<const scene::Light> lights);
+    void cast_shadows(const scene::Scene& scene, std::span<const scene::Light> lights);
+    void bind_material(int material) const;
+
+    Visibility visibility_;
+    bool has_energy_compensation_;
+    std::vector<GpuMesh> meshes_;
+    std::vector<gl::Texture> images_; // one per (image, colour space) in use
+    std::vector<gl::Sampler> samplers_;
+    std::vector<int> image_of_texture_;
+    std::vector<int> sampler_of_texture_;
+    std::vector<std::array<int, slot_count>> textures_of_material_; // -1: none
+    std::vector<int> measured_of_material_;                         // index into measured_; -1: none
+    std::vector<gl::Texture> measured_;
+    gl::Buffer objects_{"objects"};
+    gl::Buffer materials_{"materials"};
+    GLsizeiptr object_stride_ = 0;
+    GLsizeiptr material_stride_ = 0;
+    BufferTexture light_table_{"the emitters", GL_RGBA32F};
+    EmissionMaps emission_maps_;
+    BufferTexture emission_texels_{"the emitters' textures", GL_RGBA16F};
+    EnvironmentTexels environments_;
+    BufferTexture environment_texels_{"the environment", GL_RGBA32F};
+    std::vector<int> visible_environments_;
+    gl::Texture ltc_texture_ = upload_ltc_table();
+    int light_count_ = 0;
+    int rays_per_light_ = 1;
+    std::unique_ptr<VisibilityBackend> visibility_backend_;
+    std::vector<Draw> opaque_;
+    std::vector<Draw> blended_;
+};
+
+} // namespace sr::render

@@ -1,0 +1,52 @@
+#pragma once
+// The programs of a scene: compiled once for every set of features that it has.
+#include "gl/program.hpp"
+#include "gl/trial_compiler.hpp"
+#include "glsl/root.hpp"
+#include "render/gpu/features.hpp"
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <tuple>
+#include <vector>
+
+namespace sr::render {
+
+/// Which file stands for shaders/visibility/visibility.glsl.
+enum class VisibilityTerm { none, ray, record, answered, map };
+
+class ShaderLibrary {
+public:
+    /// `shader_path`: the roots that shaders come from; the first that has a file wins.
+    /// `estimator` stands behind the user's own roots, for materials that the analytic estimator can take.
+    /// `trial` tries what the user's roots bring; null: it is compiled at once.
+    explicit ShaderLibrary(std::vector<glsl::Root> shader_path, std::optional<glsl::Root> estimator = {},
+                           std::shared_ptr<gl::TrialCompiler> trial = nullptr)
+        : shader_path_(std::move(shader_path)), estimator_(std::move(estimator)), trial_(std::move(trial)) {}
+
+    /// mesh.vert with `fragment` ("depth.frag", "forward.frag") for these features. Compiles at the first
+    /// call.
+    /// @throws ShaderError, Error
+    const gl::Program& mesh_program(const std::string& fragment, const Features& features,
+                                    VisibilityTerm visibility = VisibilityTerm::none);
+
+    /// fullscreen.vert with `fragment`. Compiles at the first call. @throws ShaderError, Error
+    const gl::Program& fullscreen_program(const std::string& fragment);
+
+    std::size_t program_count() const { return mesh_programs_.size() + fullscreen_programs_.size(); }
+
+private:
+    gl::Program compiled(const std::string& vertex, const std::string& fragment,
+                         std::span<const glsl::Root> path) const;
+
+    std::vector<glsl::Root> shader_path_;
+    std::optional<glsl::Root> estimator_;
+    std::shared_ptr<gl::TrialCompiler> trial_;
+    std::map<std::tuple<std::string, Features, VisibilityTerm>, gl::Program> mesh_programs_;
+    std::map<std::string, gl::Program> fullscreen_programs_;
+};
+
+} // namespace sr::render

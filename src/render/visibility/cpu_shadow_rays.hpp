@@ -1,0 +1,70 @@
+#pragma once
+// Rays that the shading pass will ask about, noted down by it and answered by the CPU.
+#include "render/film.hpp"
+#include "render/gpu/blocks.hpp"
+#include "render/gpu/frame_data.hpp"
+#include "render/gpu/gpu_scene.hpp"
+#include "render/gpu/shader_library.hpp"
+
+namespace sr::render {
+
+/// Rows [first, first + count) of the picture, counted from its lower edge.
+struct RowRange {
+    int first = 0;
+    int count = 0;
+};
+
+class CpuShadowRays {
+public:
+    /// For the opaque surfaces whose depth lies in `frame`. @throws Error if the driver refuses the targets.
+    CpuShadowRays(const GpuScene& scene, const RenderTarget& frame, int width, int height,
+                  std::size_t max_rays);
+
+    /// These rows in bands for which the answers about this many lights fit into memory.
+    /// @throws Error if not even one row does.
+    std::vector<RowRange> bands(RowRange rows, int light_count) const;
+
+    /// Finds V for every ray of the band to the lights [first, end), and leaves it where
+    /// visibility/answered.glsl reads it. Leaves frame_data at these lights.
+    void find(RowRange band, int first_light, int end_light, FrameData& frame_data, ShaderLibrary& shaders);
+
+    std::size_t ray_count() const { return ray_count_; } // answered so far
+    double seconds() const { return seconds_; }          // that the CPU took for them
+
+private:
+    /// The answers' planes: which ray the first is of, and how many pixels each has.
+    struct Planes {
+        int first_ray = 0;
+        std::size_t size = 0;
+    };
+
+    /// Notes down and answers the rays that come after the first `taken` of each pixel.
+    /// @return whether there may be more
+    bool record_and_answer(RowRange band, int taken, ShaderLibrary& shaders);
+    void read(RowRange band, int attachment, std::vector<vec4>& texels);
+    std::size_t answer(RowRange band); // @return how many rays there were
+    std::size_t answer_row(std::size_t first, std::size_t end);
+    void upload_answers();
+    void upload_block(const RaysBlock& block);
+    std::size_t channels() const; // of V
+
+    const GpuScene& scene_;
+    int width_;
+    int height_;
+    int rays_per_light_;
+    std::size_t max_rays_;             // held at once
+    std::vector<gl::Texture> targets_; // the receivers, then a ray each
+    gl::Texture last_rays_;            // the last target as the pass before left it
+    gl::Framebuffer framebuffer_{"rays"};
+    gl::Buffer block_{"rays"};
+    BufferTexture answers_{"the answered rays", GL_R32F};
+    BufferTexture tinted_answers_{"the answered rays", GL_RGB32F}; // where V has a colour
+    std::vector<vec4> receivers_;                                  // of the band
+    std::vector<vec4> rays_;
+    std::vector<float> values_; // one an answer, three where V has a colour
+    Planes planes_;
+    std::size_t ray_count_ = 0;
+    double seconds_ = 0.0;
+};
+
+} // namespace sr::render

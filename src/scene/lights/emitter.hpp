@@ -1,0 +1,107 @@
+#pragma once
+// The vocabulary that all emitters share: their sizes, totals, points and surfaces.
+//
+// An emitter is a struct with plain members, in world space, each in its own unit. Colours are folded into
+// its quantity: I, E and L are RGB. A photometric scene (glTF) counts in cd, lx and cd/m²; a radiometric one
+// in W/sr, W/m² and W/(m² sr). The members of one name mean the same in all emitters:
+//   position, center     where it is [m]
+//   half_u, half_v       half edges or semi-axes [m], perpendicular
+//   half_axis            from the center to an end [m]
+//   radius               [m]
+//   is_two_sided         it emits on both sides
+//   is_visible           false: it lights the scene but cameras do not see it
+//   map                  the texture that multiplies L
+// A static member `kind` names the emitter in files, in messages and in GLSL (`kind`_light).
+#include "scene/mesh.hpp"
+#include "scene/profile.hpp"
+#include "scene/units.hpp"
+
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace sr::scene {
+
+/// A size of the emitter L, by its key in extras.steradian. The member is a number, or one or two axes that
+/// grow with the size.
+template<class L>
+struct Dimension {
+    std::string_view key;
+    std::string_view unit; // "m" or "rad"
+    float per_member;      // the size over the number, or over the axis' length
+    float L::*number;      // null: the size is that of `axis`
+    vec3 L::*axis = nullptr;
+    vec3 L::*other_axis = nullptr; // null: one axis is all
+
+    float of(const L& light) const {
+        return per_member * (number ? light.*number : glm::length(light.*axis));
+    }
+    void scale(L& light, float by) const {
+        if (number) light.*number *= by;
+        if (axis) light.*axis *= by;
+        if (other_axis) light.*other_axis *= by;
+    }
+};
+
+/// A shape that extras.steradian can name, with the sizes that it needs.
+template<class L>
+struct NamedShape {
+    std::string_view name;
+    std::span<const Dimension<L>> dimensions;
+};
+
+/// The part of a texture that an emitter's plane shows: at center + s*half_u + t*half_v it reads
+/// uv = origin + s*along_u + t*along_v. The texel multiplies L.
+struct EmissionMap {
+    int texture = -1; // index into Scene::textures; negative: none
+    vec2 origin{0.5f, 0.5f};
+    vec2 along_u{0.5f, 0.0f};
+    vec2 along_v{0.0f, -0.5f}; // a picture's first row is its top
+
+    bool is_present() const { return texture >= 0; }
+};
+
+/// The totals of a Lambertian emitter.
+struct Radiator {
+    double flux_area = 0.0; // Φ / (π L) [m²]: the area; twice it where both sides emit
+    /// I / L on the axis [m²]: the area as seen along the emitter's axis; absent where it has none (a mesh).
+    std::optional<double> axis_area;
+};
+
+/// Returns L of a radiator for a flux (Φ / (π flux_area)), an intensity on the axis (I / axis_area) or a
+/// radiance. Absent: this quantity does not determine it (irradiance does not, nor does an intensity without
+/// an axis).
+std::optional<double> radiance_from(Quantity quantity, double value, const Radiator& radiator);
+
+/// A point on an emitter, uniform over the area of a flat one. Of a sphere or tube it is a point within, as
+/// shaders/light/map_sample.glsl has it; of a light with a place and no extent it is the place.
+struct EmitterPoint {
+    vec3 place{0.0f};          // [m]; of parallel light: the unit direction towards it
+    vec3 normal{0.0f};         // unit, the side on which it shines; zero where it shines in all directions
+    float extent = 0.0f;       // of a flat emitter: one over the point's density [m²]
+    vec2 uv{0.0f};             // where the emitter's texture is read
+    bool is_two_sided = false; // it shines on the other side as well
+    bool is_far = false;       // parallel light: `place` is a direction
+};
+
+/// What cameras see of an emitter.
+struct LightSurface {
+    Mesh mesh;
+    vec3 L{0.0f}; // radiance [cd/m²]
+    bool is_two_sided = false;
+    int texture = -1; // index into Scene::textures; negative: none
+};
+
+/// A rotation, a translation and a scale, taken apart for what they move.
+struct Motion {
+    explicit Motion(const mat4& by);
+
+    vec3 place(vec3 p) const { return vec3(matrix * vec4(p, 1.0f)); }
+
+    mat4 matrix;
+    mat3 linear;
+    float scale;   // the cube root of the volume's
+    mat3 rotation; // exact for a uniform scale
+};
+
+} // namespace sr::scene
