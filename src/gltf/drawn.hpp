@@ -1,5 +1,5 @@
 #pragma once
-// What the nodes of a scene draw: which meshes, where, and in what shape at the moment.
+// Mesh instances of a scene's nodes: the meshes, their places, and their shape at a time.
 #include "gltf/deformation.hpp"
 #include "gltf/material.hpp"
 
