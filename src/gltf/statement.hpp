@@ -1,5 +1,5 @@
 #pragma once
-// What extras.steradian states of a light: how much, and of which colour.
+// The quantity and colour of a light in extras.steradian.
 #include "gltf/document.hpp"
 #include "scene/photometry.hpp"
 
@@ -12,7 +12,7 @@ namespace sr::gltf {
 /// The object `steradian` in a glTF object's extras; null where there is none.
 const tinygltf::Value* steradian_in(const tinygltf::Value& extras);
 
-/// What asset.extras.steradian.units says: photometric unless it is "radiometric".
+/// Reads asset.extras.steradian.units: photometric unless it is "radiometric".
 scene::UnitSystem unit_system_of(const Document& document);
 
 struct StatedQuantity {
@@ -24,7 +24,7 @@ struct Statement {
     std::optional<StatedQuantity> quantity;
     std::optional<scene::LightColor> color; // by colour, temperature or spectrum
 
-    /// What is stated here, and else what `other` states.
+    /// Returns this, with the values of `other` where this states none.
     Statement over(const Statement& other) const {
         return {quantity ? quantity : other.quantity, color ? color : other.color};
     }
