@@ -14,14 +14,14 @@ struct Size {
     int height = 0;
 };
 
-/// The size of a picture that was asked for no other: 720 rows in the camera's aspect ratio, 16:9 if it has
+/// Returns the default size of a picture: 720 rows in the camera's aspect ratio, 16:9 if it has
 /// none.
 Size picture_size(std::optional<float> aspect_ratio);
 
 /// "1280x720"; absent if it is not two whole numbers from 1 to 65536.
 std::optional<Size> parsed_size(const std::string& text);
 
-/// What is wrong with a number that is not finite, which range checks let through; empty for others.
+/// Returns the message for a number that is not finite, which range checks accept; empty for others.
 std::string refusal_of_number(const std::string& text);
 
 /// "0.1,0.2,0.3" or a single number for all three; absent if it is neither, or not finite.

@@ -90,7 +90,7 @@ ExitStatus check_once(const AssignmentArguments& arguments) {
     return show(*result, arguments) ? done : failed_check;
 }
 
-/// Checks again whenever the student saves, until Ctrl-C. A save while a check runs begins it anew.
+/// Checks again whenever the student saves, until Ctrl-C. A save during a check restarts it.
 ExitStatus check_and_watch(const AssignmentArguments& arguments) {
     const Interruption interruption;
     viewer::Watch saves;
@@ -125,7 +125,7 @@ std::string archive_name(const assignment::FolderLabel& label) {
     return name + ".zip";
 }
 
-/// What the student's own check finds; absent, with a remark, where it cannot run.
+/// Returns the result of the student's own check; absent, with a remark, where it cannot run.
 std::optional<ordered_json> own_result(const AssignmentArguments& arguments) {
     try {
         return assignment::check_submission(arguments.folder, options_of(arguments));

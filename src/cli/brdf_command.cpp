@@ -35,7 +35,7 @@ struct BrdfCommand {
     bool json = false;
 };
 
-/// Which BRDF the name stands for: one of ours, a GLSL file or a measured one.
+/// Chooses the BRDF by its name: a built-in one, a GLSL file or a measured one.
 void choose(BrdfCommand& command) {
     brdf::BrdfUnderTest& tested = command.tested;
     const auto ends_in = [&](std::string_view suffix) { return command.name.ends_with(suffix); };
@@ -88,7 +88,7 @@ void write_outputs(const BrdfCommand& command, brdf::BrdfEvaluator& evaluator) {
     files.put_in_place();
 }
 
-/// What cannot be written is said before anything is computed.
+/// Reports outputs that cannot be written before anything is computed.
 void check_outputs(const BrdfCommand& command) {
     for (const std::string& output : command.outputs) {
         if (!output.ends_with(".svg") && !output.ends_with(".binary")) image::is_scene_referred(output);

@@ -36,7 +36,7 @@ struct CompareCommand {
     bool json = false;
 };
 
-/// Whether the extension is that of a format that holds codes for a screen.
+/// Returns whether the extension is that of a format that holds codes for a screen.
 bool is_for_screens(const std::string& file) {
     std::string extension = std::filesystem::path(file).extension().string();
     std::ranges::transform(extension, extension.begin(),
@@ -131,7 +131,7 @@ void print_json(const compare::Comparison& comparison, const CompareCommand& com
     write_json(json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
 }
 
-/// What cannot be written is said before anything is compared.
+/// Reports outputs that cannot be written before anything is compared.
 void check_outputs_of(const CompareCommand& command) {
     for (const std::string& output : {command.heat_map, command.side_by_side})
         if (!output.empty()) {

@@ -1,5 +1,5 @@
 #pragma once
-// Which frames of a sequence are asked for, and what their files are called.
+// The frames of a sequence, and the names of their files.
 #include <optional>
 #include <string>
 

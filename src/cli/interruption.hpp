@@ -13,7 +13,8 @@ public:
 
     /// Any thread may ask.
     bool has_come() const;
-    /// Whether it was SIGTERM, which asks to leave, whereas Ctrl-C asks for what there is.
+    /// Returns whether it was SIGTERM, which ends the program without a file; after Ctrl-C the picture so far
+    /// is written.
     bool asks_to_leave() const;
 
 private:

@@ -1,5 +1,5 @@
 #pragma once
-// What a rendering took, for --json.
+// Times and counts of a rendering, for --json.
 #include <chrono>
 #include <string>
 #include <utility>

@@ -6,10 +6,10 @@
 
 namespace sr::gltf {
 
-/// How many elements it has.
+/// Returns the number of its elements.
 std::size_t count_of(const Document& document, int accessor);
 
-/// How many components an element has: 1 to 4, 16 for a MAT4.
+/// Returns the number of components of an element: 1 to 4, 16 for a MAT4.
 int components_of(const Document& document, int accessor);
 
 /// The components of all elements, one element after the other; those of a matrix column by column.

@@ -1,18 +1,18 @@
 #pragma once
-// Compressed meshes, unpacked as soon as a file is read, so that whoever reads it afterwards sees plain
+// Compressed meshes, unpacked as soon as a file is read, so that all later code sees plain
 // buffers. Each half is built where its library is; else a file that needs it is refused (README.md).
 #include "gltf/document.hpp"
 
 namespace sr::gltf {
 
-/// Whether this build reads EXT_meshopt_compression and KHR_meshopt_compression.
+/// Returns whether this build reads EXT_meshopt_compression and KHR_meshopt_compression.
 bool reads_meshopt();
 
 /// Unpacks the buffer views that these extensions pack: they come to lie in buffers of their own.
 /// @throws Error naming a view whose data is broken, cut short, or states a size that it cannot hold
 void unpack_meshopt(Document& document);
 
-/// Whether this build reads KHR_draco_mesh_compression.
+/// Returns whether this build reads KHR_draco_mesh_compression.
 bool reads_draco();
 
 /// Unpacks the primitives that KHR_draco_mesh_compression packs: they get accessors of their own.

@@ -10,7 +10,7 @@
 
 namespace sr::gltf {
 
-/// What a file holds, as views into its bytes.
+/// The parts of a file, as views into its bytes.
 struct Container {
     std::string_view json;
     std::optional<Bytes> bin;    // GLB's first buffer

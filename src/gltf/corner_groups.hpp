@@ -1,5 +1,5 @@
 #pragma once
-// Which triangle corners around a vertex share one tangent: the topological half of MikkTSpace
+// Groups of triangle corners around a vertex that share one tangent: the topological half of MikkTSpace
 // (mikktspace.cpp).
 #include "core/math.hpp"
 

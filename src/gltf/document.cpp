@@ -110,7 +110,7 @@ void list_skins(Document& document, json& skins) {
                                   static_cast<int>(skin.value("inverseBindMatrices", -1))});
 }
 
-/// What a channel moves, as a JSON pointer whether or not the file has it as one.
+/// Returns the target of a channel as a JSON pointer, whether or not the file states it as one.
 std::string pointer_of(const json& target) {
     const std::string path = target.at("path");
     if (path != "pointer")

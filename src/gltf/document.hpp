@@ -15,13 +15,13 @@
 
 namespace sr::gltf {
 
-/// What to do about most broken files.
+/// The remedy for most broken files.
 inline constexpr const char* export_again = "export the file again";
 
 /// The bytes of an entry of the JSON's `buffers`.
 struct BufferSource {
     std::optional<Bytes> bytes; // absent: the file says of what size, but not where
-    std::optional<Error> fault; // why they could not be read; whoever needs them throws it
+    std::optional<Error> fault; // why they could not be read; code that needs them throws it
 };
 
 /// An entry of the JSON's `images`: bytes in a buffer view or behind a URI.
@@ -75,7 +75,7 @@ struct Document {
     Bytes view(int buffer_view, std::string_view pointer) const;
 
     bool is_lost(const std::string& pointer) const { return lost.contains(pointer); }
-    /// Whether it or anything in it is lost.
+    /// Returns whether it or anything in it is lost.
     bool has_lost(const std::string& pointer) const {
         const auto first = lost.lower_bound(pointer + "/");
         return is_lost(pointer) || (first != lost.end() && first->starts_with(pointer + "/"));

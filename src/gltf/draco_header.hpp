@@ -6,7 +6,7 @@
 
 namespace sr::gltf {
 
-/// How many triangles a stream of the Draco bitstream 2.2 (specification, section 3) says that it has. Absent
+/// Reads the number of triangles from a stream of the Draco bitstream 2.2 (specification, section 3). Absent
 /// if it is none, is older, or ends too soon.
 std::optional<std::uint64_t> draco_face_count(Bytes stream);
 

@@ -27,7 +27,7 @@ const std::vector<double>& weights_of(const Document& document, const tinygltf::
                                 : node.weights;
 }
 
-/// How many vertices a primitive asks for, by what it says: primitives may share their accessors.
+/// Returns the number of vertices that a primitive states: primitives may share their accessors.
 std::uint64_t vertices_at_least(const Document& document, const tinygltf::Primitive& primitive) {
     const auto positions = primitive.attributes.find("POSITION");
     const std::uint64_t stated =

@@ -1,5 +1,5 @@
 #pragma once
-// What the nodes of a scene draw: which meshes, where, and in what shape at the moment.
+// Mesh instances of a scene's nodes: the meshes, their places, and their shape at a time.
 #include "gltf/deformation.hpp"
 #include "gltf/material.hpp"
 
@@ -19,7 +19,7 @@ public:
     void ask_for(MaterialTable& materials) const;
 
     /// Appends the meshes to a scene whose materials are there. A mesh that keeps its shape is there once for
-    /// all nodes, one that deforms once a node. @param materials has been asked
+    /// all nodes, one that deforms once a node. @param materials has been read
     /// @throws Error as mesh_of(), skin_of(), deformation_of() do
     void read(MaterialTable& materials, scene::Scene& scene, Warnings& warnings);
 
@@ -33,7 +33,7 @@ private:
     /// A primitive as a mesh at rest, and what moves it, if anything can.
     struct Part {
         int mesh = -1;          // in the scene, for nodes that do not deform it; negative: not there
-        glm::dvec3 middle{0.0}; // of a mesh whose vertices stand far out: what its positions are told from
+        glm::dvec3 middle{0.0}; // of a mesh whose vertices lie far out: the origin of its positions
         std::shared_ptr<const scene::Mesh> rest;
         std::shared_ptr<const Deformation> deformation;
     };

@@ -34,7 +34,7 @@ constexpr std::array<std::string_view, 21> supported{"EXT_lights_area",
                                                      "KHR_node_visibility",
                                                      "KHR_texture_transform"};
 
-// What they say has no part in a picture: metadata, sound, physics, interaction; how polygons were
+// Extensions that change no picture: metadata, sound, physics, interaction; how polygons were
 // triangulated; coarser meshes and other packings of what is there anyway.
 constexpr std::array<std::string_view, 28> without_effect{"AGI_articulations",
                                                           "AGI_stk_metadata",
@@ -69,7 +69,8 @@ constexpr std::array<std::string_view, 28> without_effect{"AGI_articulations",
 constexpr std::array<std::string_view, 5> texture_formats{
     "EXT_texture_avif", "EXT_texture_webp", "GOOGLE_texture_basis", "KHR_texture_basisu", "MSFT_texture_dds"};
 
-/// Whether a file that is shown without the extension is the same, but for textures that say so themselves.
+/// Returns whether a file looks the same without the extension, except for textures that report it
+/// themselves.
 bool is_dispensable(std::string_view extension) {
     return std::ranges::find(without_effect, extension) != without_effect.end()
            || std::ranges::find(texture_formats, extension) != texture_formats.end();

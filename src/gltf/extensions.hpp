@@ -1,5 +1,5 @@
 #pragma once
-// Which glTF extensions are read, and what happens to the others.
+// The glTF extensions that are read, and the treatment of the others.
 #include "gltf/warnings.hpp"
 
 #include <nlohmann/json.hpp>
@@ -9,10 +9,10 @@
 
 namespace sr::gltf {
 
-/// Whether pictures show what it says.
+/// Returns whether pictures show it.
 bool is_supported(std::string_view extension);
 
-/// What to do about a file whose textures are KTX2 alone: no transcoder is packaged for Debian 12.
+/// The remedy for a file whose textures are KTX2 alone: no transcoder is packaged for Debian 12.
 inline constexpr std::string_view convert_ktx =
     "convert its textures to PNG: gltf-transform ktxdecompress IN.glb OUT.glb (npm: @gltf-transform/cli)";
 

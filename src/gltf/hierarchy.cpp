@@ -60,7 +60,7 @@ glm::dmat4 parent_from_node(const Document& document, int index) {
     return matrix;
 }
 
-/// What the node says of itself and of those below it.
+/// Returns the visibility that the node states for itself and for those below it.
 bool says_visible(const tinygltf::Node& node) {
     const tinygltf::Value* visibility = extension(node.extensions, "KHR_node_visibility");
     if (!visibility || !visibility->Has("visible")) return true;

@@ -5,7 +5,7 @@
 namespace sr::gltf {
 
 struct LoadOptions {
-    /// Which of the file's scenes; absent: its default scene, or the first.
+    /// Index of a scene of the file; absent: its default scene, or the first.
     std::optional<int> scene{};
     /// When [s]; absent: the file's rest pose.
     std::optional<double> at{};

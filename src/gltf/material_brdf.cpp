@@ -13,7 +13,7 @@ namespace {
 using scene::Model;
 using tinygltf::Value;
 
-/// Which BRDFs a property belongs to.
+/// The BRDFs that a property belongs to.
 struct Owned {
     const char* property;
     std::vector<Model> owners;

@@ -11,7 +11,7 @@
 
 namespace sr::gltf {
 
-/// Where a primitive stands: /meshes/M/primitives/P.
+/// The place of a primitive in the file: /meshes/M/primitives/P.
 struct PrimitivePlace {
     int mesh = 0;
     int primitive = 0;

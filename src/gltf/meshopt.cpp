@@ -11,7 +11,7 @@ namespace {
 constexpr const char* export_meshopt_again = "export the file again, or without meshopt compression";
 constexpr const char* export_for_ext = "export it with EXT_meshopt_compression, or without compression";
 
-/// What the extension's object of a buffer view says.
+/// The extension's object of a buffer view.
 struct Packed {
     int buffer = 0;
     std::size_t offset = 0;
@@ -94,7 +94,7 @@ std::vector<std::uint8_t> unpacked(const Document& document, const Packed& p, co
     return bytes;
 }
 
-/// Whether the view's own buffer has its bytes uncompressed, for readers without the extension.
+/// Returns whether the view's own buffer has its bytes uncompressed, for readers without the extension.
 bool has_fallback(const Document& document, const tinygltf::BufferView& view) {
     const auto& bytes = document.buffers[static_cast<std::size_t>(view.buffer)].bytes;
     return bytes && view.byteOffset <= bytes->size() && view.byteLength <= bytes->size() - view.byteOffset;

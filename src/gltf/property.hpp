@@ -12,7 +12,7 @@
 
 namespace sr::gltf {
 
-/// How many numbers a property has, and what they mean.
+/// The number of a property's values, and their meaning.
 struct PropertyForm {
     enum class Kind { numbers, rotation, flag };
 
@@ -56,7 +56,7 @@ private:
 /// Weights of nodes and meshes that the file leaves out come to be, as zeros.
 std::optional<Property> property_at(Document& document, std::string_view pointer);
 
-/// How many morph targets the primitives of a mesh have at most.
+/// Returns the largest number of morph targets of a mesh's primitives.
 std::size_t target_count(const Document& document, int mesh);
 
 } // namespace sr::gltf

@@ -193,7 +193,7 @@ const Rule sampler = thing(record({{"magFilter", &magnification},
                                    {"wrapT", &wrap},
                                    {"name", &text}}),
                            "textures are read with the default sampler in its place", "{}");
-// Whether there is such an image, texture.cpp asks.
+// texture.cpp checks that there is such an image.
 const Rule webp = record({{"source", &whole_int, true}});
 const Rule texture_extensions = record({{"EXT_texture_webp", &webp}});
 const Rule texture = thing(record({{"source", &whole_int},

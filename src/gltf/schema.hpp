@@ -49,7 +49,7 @@ struct Rule {
     bool is_ours = false;
 };
 
-/// What the glTF 2.0 schema says about the parts that this program reads, and its extensions.
+/// Returns the glTF 2.0 schema of the parts that this program reads, and of its extensions.
 const Rule& gltf_rule();
 
 /// Checks `root`, rewrites whole numbers that are written with a fraction ("3.0") as integers, and takes out

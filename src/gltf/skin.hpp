@@ -20,8 +20,8 @@ struct Skin {
 /// @throws Error if it has fewer inverse bind matrices than joints, or what is none
 Skin skin_of(const Document& document, int skin);
 
-/// What moves a vertex from the mesh at rest into the world, for each joint. The node that carries the mesh
-/// takes no part.
+/// Returns the transform of a vertex from the mesh at rest into the world, for each joint. The node that
+/// carries the mesh takes no part.
 /// @param world_from_node of each joint
 std::vector<glm::dmat4> world_from_rest(const Skin& from, const std::map<int, glm::dmat4>& world_from_node);
 
@@ -36,7 +36,7 @@ struct Influences {
     std::uint32_t last_joint() const;
 };
 
-/// What JOINTS_n and WEIGHTS_n say, for the vertices of the primitive that `sources` names; without a vertex
+/// Reads JOINTS_n and WEIGHTS_n, for the vertices of the primitive that `sources` names; without a vertex
 /// if it has neither. @throws Error if there is one without the other, or a weight is negative or not finite
 Influences influences_of(const Document& document, const PrimitivePlace& place,
                          std::span<const std::uint32_t> sources, Warnings& warnings);

@@ -1,5 +1,5 @@
 #pragma once
-// Which images the materials read, and how.
+// The images that the materials read, and their samplers.
 #include "gltf/document.hpp"
 #include "gltf/warnings.hpp"
 #include "scene/material.hpp"
@@ -10,7 +10,7 @@
 namespace sr::gltf {
 
 /// Collects textures as materials ask for them. Equal (image, sampler, colour space) share an entry, and only
-/// images that are asked for are listed.
+/// images that a material reads are listed.
 class TextureTable {
 public:
     TextureTable(const Document& document, Warnings& warnings);

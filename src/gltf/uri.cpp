@@ -138,8 +138,8 @@ bool leaves_folder(const std::string& reading) {
     return normal.is_absolute() || normal.has_root_path() || normal.empty() || *normal.begin() == "..";
 }
 
-/// Whether a symbolic link on the way leads out of the folder. A link to another place in the folder does
-/// not.
+/// Returns whether a symbolic link on the way leads out of the folder. A link to another place in the folder
+/// does not.
 bool is_linked_away(const fs::path& file, const fs::path& folder) {
     std::error_code failure;
     const fs::path root = fs::canonical(folder.empty() ? fs::path(".") : folder, failure);

@@ -1,5 +1,5 @@
 #pragma once
-// What a glTF's `uri` stands for: bytes within the URI itself (RFC 2397), or a file beside the glTF.
+// The target of a glTF's `uri`: bytes within the URI itself (RFC 2397), or a file beside the glTF.
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -14,7 +14,7 @@ struct UriPlace {
     std::string pointer; // "/buffers/0/uri"
 };
 
-/// Whether the scheme is "data", in any case (RFC 3986, section 3.1).
+/// Returns whether the scheme is "data", in any case (RFC 3986, section 3.1).
 bool is_data_uri(std::string_view uri);
 
 /// The files in `folder` that a relative URI may name: as RFC 3986 reads it first (percent-encoding undone,

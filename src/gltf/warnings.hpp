@@ -1,5 +1,5 @@
 #pragma once
-// What a file asks for and does not get.
+// Warnings: features of a file that the picture lacks.
 //
 // One thing that is broken (a texture, an animation's channel, a lamp, a camera) costs that thing and one
 // warning. Under --strict every warning is an Error instead.

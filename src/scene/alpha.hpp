@@ -1,6 +1,6 @@
 #pragma once
-// Which alpha is opaque, and which texels a texture coordinate reads: for all who compare, so that they
-// agree.
+// The alpha that counts as opaque, and the texels that a texture coordinate reads: defined once, so that all
+// users agree.
 #include "scene/material.hpp"
 
 #include <cmath>
@@ -14,8 +14,8 @@ inline float least_opaque_alpha(const Material& material) {
     return material.alpha_cutoff * (1.0f - 1.0f / 2000.0f);
 }
 
-/// Where uv lies among the middles of width × height texels, told in texels. Coordinates that are no numbers,
-/// or so far out (2^24 texels) that the next float is a texel away, count as 0. Mirror:
+/// Returns the position of uv among the centres of width × height texels, in texels. Coordinates that are no
+/// numbers, or so far out (2^24 texels) that the next float is a texel away, count as 0. Keep in sync with
 /// shaders/base/texel_wrap.glsl.
 inline vec2 texel_place(vec2 uv, int width, int height) {
     constexpr float farthest = 1.6e7f;

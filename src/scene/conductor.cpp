@@ -73,7 +73,7 @@ IorPoint at(const IorSpectrum& spectrum, double wavelength) {
 constexpr int angles = 16; // of the fit
 double cosine(int i) { return (i + 0.5) / angles; }
 
-/// How far Fresnel's reflectance is from the wanted one, squared, over all angles.
+/// Returns the squared difference between Fresnel's reflectance and the wanted one, over all angles.
 double misfit(double n, double k, const std::array<double, angles>& wanted) {
     double sum = 0.0;
     for (int i = 0; i < angles; ++i)

@@ -28,8 +28,8 @@ std::vector<std::string_view> metal_names();
 /// The unpolarised reflectance of a smooth conductor at cosθ (Born & Wolf 1999, section 14.2).
 double fresnel_conductor(double cos_theta, double n, double k);
 
-/// What a smooth surface of it reflects at cosθ, as linear Rec. 709: RGB(S R) / RGB(S) through the 1931
-/// observer, S being a black body of 6504 K (white, D65's colour temperature), no more than 1.
+/// Returns the reflectance of a smooth surface at cosθ, as linear Rec. 709: RGB(S R) / RGB(S) through the
+/// 1931 observer, S being a black body of 6504 K (white, D65's colour temperature), no more than 1.
 glm::dvec3 reflectance_of(const IorSpectrum& spectrum, double cos_theta);
 
 /// The n + ik for each channel whose reflectance comes nearest to reflectance_of over all angles (least

@@ -15,7 +15,7 @@ namespace {
 constexpr int most_angles =
     100'000; // far more than a goniometer stops at; the values must be in the file anyway
 
-/// What stands before the numbers.
+/// The part of the file before the numbers.
 struct Head {
     bool has_lamp_factor = true; // the editions of 1986 and 1991 have a ballast-lamp photometric factor
     bool has_tilt = false;

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double degree = 3.14159265358979323846 / 180.0; // [rad]
 
-/// Which column stands at which horizontal angle of the whole turn, 0 and 360 included.
+/// Column by horizontal angle of the whole turn, 0 and 360 included.
 using Turn = std::map<double, std::size_t>;
 
 std::optional<Turn> whole_turn(const std::vector<double>& horizontal) {

@@ -12,7 +12,7 @@ public:
     bool is_at_end() const { return text_.empty(); }
     /// The rest of the current line, without its end.
     std::string_view line();
-    /// Whether another number (or anything else) follows.
+    /// Returns whether another number (or anything else) follows.
     bool has_more();
     /// The next number, between spaces, commas or line ends. @throws Error calling it `what`
     double number(std::string_view what);

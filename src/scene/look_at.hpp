@@ -14,26 +14,26 @@ struct LookAt {
     float yfov = 0.8f;                // full vertical angle [rad], glTF's yfov
     std::optional<float> ymag;        // half the height of an orthographic picture [m]; absent: perspective
     std::optional<float> znear, zfar; // [m]; absent: chosen by the scene's bounds
-    /// Scene::origin, which eye and target are told from. Texts are told in the file's world.
+    /// Scene::origin, which eye and target are relative to. Texts are in the file's world.
     glm::dvec3 origin{0.0};
 
     bool operator==(const LookAt&) const = default;
 };
 
-/// Where the depth of a picture begins and ends [m].
+/// The depth range of a picture [m].
 struct DepthRange {
     float near = 0.01f;
     float far = 100.0f;
 };
 
-/// A range that holds all of `bounds` that lies before the eye; a perspective one begins at a ten-thousandth
-/// of where it ends, at least.
+/// Returns a range that holds all of `bounds` that lies in front of the camera; a perspective one begins at a
+/// ten-thousandth of where it ends, at least.
 DepthRange depth_range(const LookAt& view, const Bounds& bounds);
 
 /// The camera of a picture of the given width / height; the same LookAt is the same camera, to the last bit.
 Camera camera_at(const LookAt& view, const Bounds& bounds, float aspect_ratio);
 
-/// Whether the text means to be a LookAt rather than a camera's name: it says "eye=" or "target=".
+/// Returns whether the text is a LookAt rather than a camera's name: it contains "eye=" or "target=".
 bool is_look_at(std::string_view text);
 
 /// Reads "eye=X,Y,Z;target=X,Y,Z" with, if wanted, up=X,Y,Z (0,1,0), fov=DEGREES or yfov=RADIANS, ymag=METRES
@@ -41,7 +41,7 @@ bool is_look_at(std::string_view text);
 /// @throws Error that says which part is wrong
 LookAt parsed_look_at(std::string_view text, glm::dvec3 origin = glm::dvec3(0.0));
 
-/// What parsed_look_at() reads back exactly.
+/// Returns a text that parsed_look_at() reads back exactly.
 std::string text_of(const LookAt& view);
 
 } // namespace sr::scene

@@ -6,7 +6,7 @@
 
 namespace sr::scene {
 
-/// What its BRDF is: "metallic_roughness, clearcoat, sheen".
+/// Describes the BRDF: "metallic_roughness, clearcoat, sheen".
 std::string described(const Material& material);
 
 } // namespace sr::scene

@@ -1,5 +1,5 @@
 #pragma once
-// Whether a scene's own light would leave it dark.
+// The share of a scene that its own light reaches.
 #include "scene/scene.hpp"
 
 #include <optional>
@@ -7,11 +7,12 @@
 
 namespace sr::scene {
 
-/// How much of what the camera sees the lights would show: the share of its points that get, as white would
-/// send it back, at least a 200th of what is bright in the picture. That is the 95th percentile of points and
-/// of what shines itself there: automatic exposure lets a tenth of the picture be brighter than white. What
-/// is unlit needs no light and is no such point. An estimate by a picture of 64×36 points: lights are seen
-/// without shadows and from their middles, and textured emission, which is mostly painted glow, is no light.
+/// Estimates the share of the visible points that the lights reach: those that receive, as a white surface
+/// would reflect it, at least a 200th of the bright parts of the picture. That is the 95th percentile of
+/// points and of what shines itself there: automatic exposure lets a tenth of the picture be brighter than
+/// white. What is unlit needs no light and is no such point. An estimate by a picture of 64×36 points: lights
+/// are seen without shadows and from their middles, and textured emission, which is mostly painted glow, is
+/// no light.
 /// @return absent if the camera sees nothing that needs light
 std::optional<float> lit_share(const Scene& scene, std::span<const Light> lights, const Camera& camera,
                                float aspect_ratio);

@@ -4,9 +4,9 @@
 
 namespace sr::scene {
 
-/// Whether the transform turns triangles inside out: its determinant is negative. A transform that flattens
-/// space, as far as floats can tell (its columns span less than a millionth of the box that their lengths
-/// make), does not.
+/// Returns whether the transform turns triangles inside out: its determinant is negative. A transform that
+/// flattens space, as far as floats can tell (its columns span less than a millionth of the box that their
+/// lengths make), does not.
 bool mirrors(const mat4& transform);
 
 /// Takes a normal to the direction of the transformed normal: the inverse transpose but for a positive
@@ -18,7 +18,7 @@ mat3 normal_transform(const mat4& transform);
 /// v at length 1, whatever its finite length is; `otherwise` where v is zero or not finite.
 vec3 unit_or(const glm::dvec3& v, vec3 otherwise);
 
-/// How much longer lengths become: the cube root of |det|, which a uniform scale is.
+/// Returns the factor of lengths: the cube root of |det|, which is the scale if it is uniform.
 float length_scale(const mat4& transform);
 
 } // namespace sr::scene

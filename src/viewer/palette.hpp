@@ -1,5 +1,5 @@
 #pragma once
-// Colours of overlays, which all kinds of colour vision tell apart (Okabe & Ito 2008).
+// Colours of overlays, which all kinds of colour vision can distinguish (Okabe & Ito 2008).
 #include <array>
 #include <imgui.h>
 

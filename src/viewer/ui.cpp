@@ -14,7 +14,8 @@
 namespace sr::viewer {
 namespace {
 
-/// Blue and orange on grey, which people with any kind of colour blindness tell apart (Okabe & Ito 2008).
+/// Sets blue and orange on grey, which people with any kind of colour blindness can distinguish (Okabe & Ito
+/// 2008).
 void set_style(float scale) {
     ImGui::GetStyle() = ImGuiStyle();
     ImGui::StyleColorsDark();

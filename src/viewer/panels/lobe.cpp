@@ -18,7 +18,8 @@ vec3 across_towards(vec3 w, vec3 v) {
     return glm::length(rest) > rounding ? glm::normalize(rest) : across(w);
 }
 
-/// How far along its meridian a point is: a thousandth of the way at first, geometrically farther then.
+/// Returns the place of a point on its meridian: a thousandth of the way at first, then geometrically
+/// farther.
 float share(std::size_t point) {
     constexpr float steepness = 5.0f;
     const float t = static_cast<float>(point) / LobeGrid::points;

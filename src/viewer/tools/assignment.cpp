@@ -273,7 +273,7 @@ Assignment::Assignment(Workspace& workspace)
     checker_.begin();
 }
 
-/// True if the reference's render is shown beside the student's. A kept or loaded reference takes its place.
+/// True if the reference's render is shown beside the student's. A kept or loaded reference replaces it.
 bool Assignment::needs_reference() const {
     const Comparison comparison = ws_.display.comparison;
     return !ws_.reference && (comparison == Comparison::wipe || comparison == Comparison::difference);

@@ -6,13 +6,13 @@
 
 namespace sr::viewer {
 
-/// What panels and overlays are drawn with.
+/// The context that panels and overlays are drawn with.
 struct Overlay {
     Projection projection;
     float scale = 1.0f; // of a HiDPI screen
 };
 
-/// How often a tool needs update() while there are no events.
+/// The rate at which a tool needs update() while there are no events.
 enum class Activity {
     idle,    // now and then
     waiting, // often: it waits for work on another thread

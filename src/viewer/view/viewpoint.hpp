@@ -60,7 +60,7 @@ void frame(Viewpoint& view, const scene::Bounds& bounds, float aspect_ratio);
 enum class Side { front, back, right, left, top, bottom };
 void face(Viewpoint& view, Side side);
 
-/// Place of a point in a picture: x, y from 0 at the upper left to 1; absent behind the eye.
+/// Returns the place of a point in a picture: x, y from 0 at the upper left to 1; absent behind the camera.
 std::optional<vec2> projected(const scene::Camera& camera, float aspect_ratio, vec3 point);
 
 struct Ray {
