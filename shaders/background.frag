@@ -1,5 +1,5 @@
 #version 410 core
-// What is behind everything: an environment, in the direction that a pixel looks in. It has no coverage, as nothing of the
+// The background of the scene: the environment's radiance in the direction of the pixel. It has no coverage, as nothing of the
 // scene is there.
 #include "interface/frame.glsl"
 #include "light/environment.glsl"

@@ -1,6 +1,6 @@
 #version 410 core
 // A depth map that keeps the triangle in the place of the depth: which shadow caster is the first that light meets.
-// Depths are those of the distance along the view, linear, so that far surfaces are told apart as well as near ones.
+// Depths are those of the distance along the view, linear, so that far surfaces are resolved as well as near ones.
 #include "interface/frame.glsl"
 #include "interface/object.glsl"
 #include "surface/textures.glsl"

@@ -10,7 +10,7 @@
 
 out vec4 film; // L_o [cd/m²] times coverage, and coverage
 
-// What no light touches: the base colour (KHR_materials_unlit); of lines and points without normals also L_e (glTF 2.0,
+// Radiance of unlit surfaces: the base colour (KHR_materials_unlit); of lines and points without normals also L_e (glTF 2.0,
 // section 3.9.7).
 vec3 unlit(Surface x) { return is_line || is_point ? x.base_color + emitted(x) : x.base_color; }
 

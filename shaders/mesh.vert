@@ -33,8 +33,8 @@ vec4 beside_line(vec4 end, vec4 other_end, float side) {
     return end + vec4(side * line_width / frame_size * end.w * across, 0.0, 0.0);
 }
 
-// How much of the way from `end` to the other end is cut off by the near plane: ends behind the eye have no place on the
-// screen. What is left has the colours of the whole.
+// Share of the line from `end` to the other end that the near plane cuts off: ends behind the camera have no place on the
+// screen. The remaining part has the colours of the whole.
 float hidden_share(vec4 end, vec4 other_end) {
     vec2 beyond = vec2(end.z + end.w, other_end.z + other_end.w);
     return beyond.x < 0.0 && beyond.y > 0.0 ? beyond.x / (beyond.x - beyond.y) : 0.0;

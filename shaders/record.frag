@@ -1,5 +1,5 @@
 #version 410 core
-// What the shading pass will ask visibility(), written out for the CPU. It is the shading pass itself with
+// Writes the shadow rays of the shading pass to targets, for the CPU to trace. It is the shading pass itself with
 // visibility/record.glsl in place of an answer, so samples are defined once; the compiler drops what no ray needs.
 #include "integrator/reflected.glsl"
 #include "surface/at_fragment.glsl"
@@ -10,7 +10,7 @@ layout(location = 1) out vec4 rays[rays_a_pass]; // see visibility/recorded.glsl
 
 uniform sampler2D last_rays; // what the pass before left in its last place
 
-// Who left that place empty has no ray to add.
+// A pixel that left its last place empty has no further ray.
 bool is_complete() { return first_ray > 0 && texelFetch(last_rays, ivec2(gl_FragCoord.xy), 0).w == 0.0; }
 
 void main() {

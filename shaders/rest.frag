@@ -1,5 +1,5 @@
 #version 410 core
-// Where a pixel has its samples: black, and in front of everything, so that nothing is drawn there and nothing added.
+// Masks converged pixels: writes black in front of everything, so that nothing is drawn or added there.
 uniform sampler2D resting; // 1 where a pixel rests
 
 out vec4 frame;

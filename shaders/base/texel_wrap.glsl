@@ -1,5 +1,5 @@
-// Where a texture whose texels lie in a buffer is read: index i beyond its size comes back in by the wrap mode,
-// 0 repeat, 1 mirrored repeat, 2 clamp to edge (scene::Wrap). Mirror: scene::wrapped in src/scene/material.hpp.
+// Wrap modes for textures whose texels lie in a buffer: maps an index i beyond the size back into it,
+// 0 repeat, 1 mirrored repeat, 2 clamp to edge (scene::Wrap). Keep in sync with scene::wrapped in src/scene/material.hpp.
 int wrapped(int i, int size, int wrap) {
     if (wrap == 2) return clamp(i, 0, size - 1);
     int period = wrap == 0 ? size : 2 * size;
@@ -7,7 +7,7 @@ int wrapped(int i, int size, int wrap) {
     return m < size ? m : 2 * size - 1 - m;
 }
 
-// Where uv lies among the texels' middles, told in texels. Coordinates that are no numbers, or so far out that the next float is
+// Position of uv among the texels' centres, in texels. Coordinates that are no numbers, or so far out that the next float is
 // more than a texel away, count as 0.
 vec2 texel_place(vec2 uv, ivec2 size) {
     vec2 at = uv * vec2(size);

@@ -1,4 +1,4 @@
-// What lobes reflect of white light from all sides, tabulated over √cosθ_o and roughness (tools/ltc/): as sampling them
+// Albedos of the lobes (the share of uniform white light that they reflect), tabulated over √cosθ_o and roughness (tools/ltc/): as sampling them
 // each time would be dear. Sheen over ∛cosθ_o and roughness^⅔: it shines at grazing, the more so the smoother it is.
 //
 // 64 columns. 2 × 32 rows, which fill half of them: a, b, c, ∫ D V cosθ; Schlick's part of that, nothing, the mean over

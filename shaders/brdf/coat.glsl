@@ -1,4 +1,4 @@
-// How much of what leaves towards wo the clear coat keeps for itself: KHR_materials_clearcoat, "Layering".
+// Share of the light towards wo that the clear coat reflects rather than transmits: KHR_materials_clearcoat, "Layering".
 //
 //   c (F0 + (1 - F0) (1 - n_c·wo)⁵)
 #include "brdf/fresnel.glsl"

@@ -9,7 +9,7 @@
 #include "interface/features.glsl"
 #include "surface/surface.glsl"
 
-// How much of the diffuse base's light stays on the side that it came from.
+// Share of the diffuse base's light that is reflected, not transmitted.
 float reflected_share(Surface x) {
     float share = 1.0;
     if (has_diffuse_transmission) share *= 1.0 - x.diffuse_transmission;

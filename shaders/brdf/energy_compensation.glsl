@@ -1,5 +1,5 @@
-// What a GGX surface loses because its microfacets block one another, given back as if it had bounced on
-// (--energy-compensation; without it rough metals are too dark).
+// Compensation for the energy that single-scattering GGX loses between its microfacets (--energy-compensation;
+// without it rough metals are too dark).
 //
 //   f = F_ms (1 - E(cos_i)) (1 - E(cos_o)) / (π (1 - E_avg)),     F_ms = F_avg² E_avg / (1 - F_avg (1 - E_avg))
 //

@@ -1,4 +1,4 @@
-// What glTF puts over a material: sheen, and over that a coat.
+// The layers that glTF puts over a material: sheen, and over that a coat.
 //
 //   coated = mix(below, D V n_c·wi / n·wi, c (0.04 + 0.96 (1 - n_c·wo)⁵))
 //   below  = sheen colour f_charlie / max(E, 1) + base (1 - s min(E, 1)),    E = max(E(wi), E(wo)), s = max(sheen colour)

@@ -8,7 +8,7 @@
 // KHR_materials_anisotropy, F: KHR_materials_iridescence, where a material has them. t: what KHR_materials_transmission lets
 // straight through (surface/glass.glsl); δ: what goes to the other side (diffuse_transmission.glsl). For materials that are half metal the
 // appendix's closing simplification (B.3.5) weighs the diffuse part with the blended F instead; the definition above is
-// used. Unless it is asked for, no energy is compensated: rough metals lose what bounces twice.
+// used. Without --energy-compensation, rough metals lose the light that scatters more than once.
 #include "base/unit.glsl"
 #include "brdf/diffuse_transmission.glsl"
 #include "brdf/energy_compensation.glsl"

@@ -1,4 +1,4 @@
-// What the screen shows, as constants that the viewer overlays: software GL walks both sides of every branch, and a window
+// The display settings, as constants that the viewer overlays: software GL executes both sides of every branch, and a window
 // is drawn at every frame.
 const int shown_curve = 2;             // as in tone_curve.glsl
 const bool is_false_color = false;

@@ -54,7 +54,7 @@ vec3 mean_ratio(vec3 center, WarpedLobe lobe, Light light, int part, Surface x, 
 
 float brightness(vec3 color) { return color.r + color.g + color.b; }
 
-// What the points of one outline make of one lobe.
+// Sums over the points of one outline for one lobe.
 struct Sum {
     vec3 ratio;    // Σ w r / Σ w
     float E;       // of the outline [sr]

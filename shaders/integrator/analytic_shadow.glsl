@@ -1,5 +1,5 @@
-// Where to look for shadows of an emitter that analytic_lobe.glsl integrates: in the place of one of its points, chosen
-// in proportion to what it adds, and moved within the part of the emitter that it stands for. Two random numbers, one
+// Shadow samples of an emitter that analytic_lobe.glsl integrates: one of its points, chosen
+// in proportion to its contribution, and moved within the part of the emitter that it represents. Two random numbers, one
 // along the outline and one across, name the point and its place, so that evenly spread numbers look evenly over what
 // is lit.
 #include "integrator/analytic_lobe.glsl"

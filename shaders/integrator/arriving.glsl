@@ -1,4 +1,4 @@
-// What one point on a light sends to x, whatever x makes of it: the light's own sample of reflected.glsl.
+// Irradiance at x from one point on a light, independent of the BRDF: the light sample of reflected.glsl.
 //
 //   E = L_i/p · V · cosθ_i          [lx]
 #include "integrator/cosine.glsl"

@@ -1,4 +1,4 @@
-// What stands in the light's way, in buffer textures. Mirror: src/render/gpu_casters.cpp.
+// The shadow casters, in buffer textures. Keep in sync with src/render/gpu_casters.cpp.
 uniform isamplerBuffer bvh_nodes;       // two texels a box, see visibility/bvh.glsl
 uniform samplerBuffer caster_triangles; // three texels a triangle, in the order of the leaves: its corners [m];
                                         // w: texel of its caster, texel of its corners, texel of its glass or 0;
@@ -12,7 +12,7 @@ const int opaque_mode = 0; // scene::AlphaMode
 const int mask_mode = 1;
 const int blend_mode = 2;
 
-// What the triangles of one instance have in common; plain ones, which block everything, have none.
+// Data shared by the triangles of one instance. Plain ones, which block everything, have none.
 struct Caster {
     int first_light;  // the lights that this surface is
     int end_light;

@@ -1,6 +1,6 @@
-// What the program at hand has to deal with. The renderer overlays this file with the values of the scene and
-// the material (src/render/features.cpp), and the compiler drops the rest; as it stands it asks for what a plain
-// material can have, and for every texture.
+// Features of the scene and the material. The renderer overlays this file with their values
+// (src/render/features.cpp), and the compiler drops the rest. The defaults here cover a plain
+// material with every texture.
 const bool has_point_lights = true;
 const bool has_spot_lights = true;
 const bool has_directional_lights = true;

@@ -1,4 +1,4 @@
-// What mesh.vert hands to the fragment shaders.
+// Outputs of mesh.vert, inputs of the fragment shaders.
 in vec3 vertex_position; // world space [m]
 in vec3 vertex_normal;   // world space, unit at the vertices and interpolated; 0 at a vertex whose normal is flattened away
 in vec4 vertex_tangent;  // the same of the tangent; w: handedness of the bitangent

@@ -1,4 +1,4 @@
-// What holds for one frame, that is, for one sample of every pixel. Mirror: FrameBlock in src/render/blocks.hpp.
+// Data of one frame, that is, of one sample of every pixel. Keep in sync with FrameBlock in src/render/blocks.hpp.
 layout(std140) uniform Frame {
     mat4 clip_from_world; // with this frame's sub-pixel offset
     vec4 eye;             // w = 1: the position of the camera [m]; w = 0: the direction to it (orthographic)

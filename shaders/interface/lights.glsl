@@ -1,5 +1,5 @@
 // The emitters, eight texels each in a buffer texture, and behind them what some of them point to.
-// Mirror: pack_lights() in src/render/light_table.cpp.
+// Keep in sync with pack_lights() in src/render/light_table.cpp.
 const int point_light = 0;
 const int spot_light = 1;
 const int directional_light = 2;
@@ -49,5 +49,5 @@ Light light_at(int index) {
                  int(t5.z), int(t5.w), int(t6.x), t6.yz, t7.xy, t7.zw);
 }
 
-// Whether single-sided faces that the light meets from behind cast no shadow of it (scene::passes_back_faces).
+// Returns whether single-sided faces that the light meets from behind cast no shadow of it (scene::passes_back_faces).
 bool passes_back_faces(int index) { return texelFetch(light_table, 8 * index + 4).w >= 2.0; }

@@ -1,4 +1,4 @@
-// The frame's points on the emitters and the depth maps that were made from each. Mirror: src/render/map_points.cpp.
+// The frame's points on the emitters and the depth maps that were made from each. Keep in sync with src/render/map_points.cpp.
 uniform isampler2DArray map_triangles; // the first shadow caster that light meets, by its index; -1: none
 uniform samplerBuffer map_points;      // a texel a light: its first point's first texel, how many points, and whether
                                        // it has an extent, so that another point is its middle; behind them the

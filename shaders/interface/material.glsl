@@ -1,4 +1,4 @@
-// The material at hand. Mirror: MaterialBlock in src/render/blocks.hpp.
+// The current material. Keep in sync with MaterialBlock in src/render/blocks.hpp.
 const int base_color_slot = 0;
 const int metallic_roughness_slot = 1;
 const int normal_slot = 2;

@@ -1,4 +1,4 @@
-// What holds for one instance. Mirror: ObjectBlock in src/render/blocks.hpp.
+// Data of one instance. Keep in sync with ObjectBlock in src/render/blocks.hpp.
 layout(std140) uniform Object {
     mat4 world_from_object;
     mat4 world_from_normal; // inverse transpose of the upper 3×3, but for a positive factor

@@ -1,5 +1,5 @@
-// The rays that are noted down for the CPU. Ray r of light k has number k * rays_per_light + r.
-// Mirror: RaysBlock in src/render/blocks.hpp.
+// The shadow rays that are recorded for the CPU. Ray r of light k has number k * rays_per_light + r.
+// Keep in sync with RaysBlock in src/render/blocks.hpp.
 const int rays_a_pass = 7; // OpenGL 4.1 has eight colour attachments; the first is the receiver
 
 layout(std140) uniform Rays {

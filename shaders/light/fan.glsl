@@ -6,7 +6,7 @@
 // leaves the outline, and visibility can use them.
 #include "light/visible_outline.glsl"
 
-// How many of `wanted` steps along the outline fall to an arc; one at least.
+// Number of the `wanted` steps along the outline that belong to an arc; at least one.
 int steps_of(Arc arc, VisibleOutline v, int wanted) {
     if (!(arc.to > arc.from)) return 0;
     float arc_length = has_cones ? middle_and_length(arc).w : arc.to - arc.from;

@@ -1,7 +1,7 @@
-// What flat emitters share: a plane with a front, met by a ray.
+// The plane of a flat emitter: its front, and its intersection with a ray.
 #include "interface/lights.glsl"
 
-// Whether a flat emitter shines on x. `front` is the normal of its front, of any length; `to_plane` leads from x to a point of
+// Returns whether a flat emitter shines on x. `front` is the normal of its front, of any length; `to_plane` leads from x to a point of
 // its plane. An emitter sends nothing to points of its own plane. Rounding leaves these off the plane by some units in the last
 // place of their coordinates, so points nearer than 2^-18 (32 units) of those count as on it.
 bool shines_on(vec3 front, vec3 x, vec3 to_plane, bool is_two_sided) {
@@ -19,7 +19,7 @@ vec2 plane_coordinates(Light light, vec3 q) {
                 dot(q, light.half_v) / dot(light.half_v, light.half_v));
 }
 
-// How far the emitter's plane is in direction wi; not positive where it is behind or alongside.
+// Distance to the emitter's plane along wi; not positive if it is behind x or parallel to wi.
 float distance_to_plane(Light light, vec3 to_plane, vec3 wi) {
     float towards = dot(light.direction, wi);
     return towards == 0.0 ? -1.0 : dot(light.direction, to_plane) / towards;

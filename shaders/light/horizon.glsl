@@ -1,4 +1,4 @@
-// What of an outline's piece is above the horizon z = 0.
+// Clipping of an outline's piece at the horizon z = 0.
 #include "light/cone_outline.glsl"
 
 struct Piece {
@@ -44,7 +44,7 @@ vec2 horizon_of(Arc arc) {
     return vec2(rise, set > rise ? set : set + 2.0 * pi);
 }
 
-// Where the cone is lowest.
+// Angle at which the cone is lowest.
 float lowest_of(Arc arc) {
     return angle_of(-arc_radii(arc) * vec2(arc.axes[0].z * arc.size.x, arc.axes[1].z * arc.size.y));
 }

@@ -14,7 +14,7 @@
 const int texels_per_triangle = 5;
 const float large_solid_angle = 0.01; // [sr]; below, the density over the area varies by a few percent only
 
-// Which triangle, and what is left of u to choose a point with.
+// Chooses a triangle and rescales u, so that it can choose a point.
 int choose_triangle(Light light, inout vec2 u) {
     float slot = u.x * float(light.count);
     int i = min(int(slot), light.count - 1);

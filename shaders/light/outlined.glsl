@@ -7,7 +7,7 @@
 #include "light/sample_light.glsl"
 #include "light/visible_outline.glsl"
 
-// How many outlines a light has; 0 if it is to be sampled.
+// Number of outlines of a light; 0 if it is sampled.
 int outlines_of(Light light) {
     if (!has_cones && !has_rectangle_lights && !has_polygon_lights && !has_mesh_lights) return 0;
     if (has_mesh_lights && light.kind == mesh_light)
@@ -39,7 +39,7 @@ vec3 radiance_towards(Light light, int part, vec3 x, vec3 wi) {
 
 const float far_away = 1e15; // where nothing is [m]
 
-// How far that part is in the direction wi [m].
+// Distance to that part in the direction wi [m].
 float distance_along(int k, Light light, int part, vec3 x, vec3 wi) {
     if (!has_mesh_lights || light.kind != mesh_light) return light_along(k, x, wi).distance;
     int texel = light.data + texels_per_triangle * part;

@@ -62,7 +62,7 @@ RimSample sample_rim(Tube tube, Pieces pieces, float t) {
     return arc_at(tube, pieces.last, share.z, sample_arc(pieces.last, clamp((t - share.y) / share.z, 0.0, 1.0)));
 }
 
-// How far the tube is in direction wi, which meets it but for rounding.
+// Distance to the tube in direction wi, which hits it up to rounding.
 float distance_to_tube(Tube tube, vec3 wi) {
     vec3 across = wi - dot(wi, tube.axis) * tube.axis;
     float a = dot(across, across);

@@ -1,7 +1,7 @@
 // The density with which sample_tube finds a direction: its steps backwards.
 #include "light/tube.glsl"
 
-// Whether wi meets the tube, which is not seen end on.
+// Returns whether wi meets the tube, which is not seen end on.
 bool meets_tube(Tube tube, vec3 wi) {
     vec3 across = wi - dot(wi, tube.axis) * tube.axis;
     float a = dot(across, across);

@@ -10,7 +10,7 @@ struct VisibleOutline {
     Arc closing;    // the piece along the horizon; empty if the outline stays above
 };
 
-// How far the horizon leads counter-clockwise from one point of it to another [rad]: half round at most, which rounding may exceed;
+// Angle along the horizon, counter-clockwise, from one point of it to another [rad]: at most π, which rounding may exceed;
 // negative where it leads back.
 float horizon_angle(vec3 from, vec3 to) {
     float angle = angle_of(vec2(dot(from.xy, to.xy), from.x * to.y - from.y * to.x));

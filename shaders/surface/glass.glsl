@@ -1,4 +1,4 @@
-// What goes straight through a surface of glass, seen or met under the angle θ.
+// Straight-through transmittance of a glass surface under the angle θ.
 //
 //   T = (1 - metallic) t ρ (1 - s max F(cosθ)) (1 - c F_coat(cosθ)) exp(-σ d)
 //

@@ -107,7 +107,7 @@ vec4 diffuse_transmission() {
     return factors;
 }
 
-// Whether the texel is not to be drawn: a material that is glass in part is drawn twice, opaque and blended.
+// Returns whether the texel is not to be drawn: a material that is glass in part is drawn twice, opaque and blended.
 bool is_other_part() {
     if (!is_transmissive || is_blended || !(has_transmission_texture || has_metallic_roughness_texture)) return false;
     bool lets_through = transmission() > 0.0 && roughness_metallic().y < 1.0;

@@ -1,4 +1,4 @@
-// The surface whose BRDF is looked at. Its normal is tilted, so that frames matter. Mirror: parameters_of() in
+// The surface whose BRDF is evaluated. Its normal is tilted, so that frames matter. Keep in sync with parameters_of() in
 // src/brdf/evaluator.cpp.
 #include "surface/surface.glsl"
 

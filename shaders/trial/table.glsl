@@ -1,4 +1,4 @@
-// One row of a table: three texels. Mirror: src/render/glsl_table.hpp.
+// One row of a table: three texels. Keep in sync with src/render/glsl_table.hpp.
 uniform samplerBuffer rows;
 uniform int row_count;
 

@@ -1,5 +1,5 @@
 #version 410 core
-// What the surface itself sends out: L_e [cd/m²].
+// Emitted radiance of the surface: L_e [cd/m²].
 #include "surface/surface.glsl"
 #include "integrator/emitted.glsl"
 #include "surface/at_fragment.glsl"

@@ -1,5 +1,5 @@
 #version 410 core
-// What arrives from the lights at work, by the points on them alone:
+// Irradiance from the enabled lights, by light samples alone:
 //
 //   E(x) = Σ_k ∫ L_i V cosθ_i dω_i          [lx]
 #include "integrator/arriving.glsl"

@@ -1,5 +1,5 @@
 #version 410 core
-// f_r(x, wi, wo) [1/sr] for one wi that is asked for; of a mirror, whose f_r is a delta, the reflectance ρ. Unlit surfaces reflect nothing.
+// f_r(x, wi, wo) [1/sr] for one given wi; of a mirror, whose f_r is a delta, the reflectance ρ. Unlit surfaces reflect nothing.
 #include "surface/surface.glsl"
 #include "brdf/f_r.glsl"
 #include "surface/at_fragment.glsl"

@@ -1,7 +1,7 @@
 #version 410 core
-// Which surface it is and how far: the object's and the material's index, and the distance from the camera's plane along its
-// axis [m]; of an orthographic camera the depth, 0 at its near plane and 1 at its far plane. For one sample a pixel, since
-// the mean of two indices is a third. Of surfaces that let light through the nearest.
+// Index of the object, index of the material, and depth: the distance from the camera's plane along its
+// axis [m]; for an orthographic camera 0 at its near plane and 1 at its far plane. Takes one sample a pixel, since
+// the mean of two indices is a third. Of transparent surfaces it is the nearest.
 #include "interface/frame.glsl"
 #include "interface/object.glsl"
 #include "surface/textures.glsl"

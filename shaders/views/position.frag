@@ -1,5 +1,5 @@
 #version 410 core
-// Where the surface is: x [m].
+// Position of the surface: x [m].
 #include "surface/at_fragment.glsl"
 
 out vec4 film;

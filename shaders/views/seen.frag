@@ -1,6 +1,6 @@
 #version 410 core
-// Which triangle the pixel sees: the object's index, and the triangle's among the object's. For one sample a pixel and written over what is
-// behind, so that of surfaces that let light through it is the nearest.
+// The triangle that the pixel sees: the object's index, and the triangle's index in the object. Takes one sample a pixel and overwrites
+// what is behind, so that of transparent surfaces it is the nearest.
 #include "interface/object.glsl"
 #include "surface/textures.glsl"
 

@@ -1,5 +1,5 @@
 #version 410 core
-// What would arrive from the lights at work if nothing stood in the way [lx]: irradiance.frag without its V.
+// Unshadowed irradiance from the enabled lights [lx]: irradiance.frag without its V.
 #include "integrator/arriving.glsl"
 #include "surface/at_fragment.glsl"
 

@@ -1,5 +1,5 @@
 #version 410 core
-// How much of the lights' light gets through: E in r and E without shadows in g, as luminance [lx]; V = r / g.
+// Irradiance in r and unshadowed irradiance in g, as luminance [lx]; V = r / g.
 #include "integrator/arriving.glsl"
 #include "surface/at_fragment.glsl"
 

@@ -1,4 +1,4 @@
-// What a triangle that is not plain lets through. Mirror: src/shadow/alpha.cpp and casters.cpp.
+// Transmittance of a triangle that is masked, blended or glass. Keep in sync with src/shadow/alpha.cpp and casters.cpp.
 #include "base/texel_wrap.glsl"
 #include "interface/casters.glsl"
 
@@ -19,7 +19,7 @@ float map_alpha(Caster caster, vec2 uv) {
     return map_value(caster.map, caster.map_size, caster.wrap_u, caster.wrap_v, uv);
 }
 
-// Where a ray meets the triangle: weights of its corners. `corners`: texel of its alpha corners.
+// Transmittance at a point of the triangle, given by the barycentric weights of its corners. `corners`: texel of its alpha corners.
 float transmittance_at(Caster caster, int corners, vec3 weights) {
     if (caster.alpha_mode == opaque_mode) return 0.0;
     vec3 mean = weights.x * texelFetch(caster_data, corners).xyz + weights.y * texelFetch(caster_data, corners + 1).xyz

@@ -1,9 +1,9 @@
-// The product of what all surfaces along a ray let through.
+// Transmittance of a ray: the product over all surfaces along it.
 //
-// Boxes lie in depth-first order: who meets a box goes on with the next one, who misses it skips its whole subtree
+// Boxes lie in depth-first order: a ray that hits a box continues with the next one, a ray that misses it skips its subtree
 // (Smits 1998, "Efficiency issues for ray tracing", section 3.1), so no stack is needed. Boxes: slabs, the far side
 // widened by what rounding may take (Ize 2013, "Robust BVH Ray Traversal", section 3).
-// Limit: llvmpipe ends all loops of a pixel after 65,535 turns in total. Mirror: BvhNode in src/shadow/bvh.hpp.
+// Limit: llvmpipe ends all loops of a pixel after 65,535 turns in total. Keep in sync with BvhNode in src/shadow/bvh.hpp.
 #include "interface/casters.glsl"
 #include "visibility/caster_triangle.glsl"
 

@@ -1,4 +1,4 @@
-// What a triangle of glass lets through: its material and its textures, as shadows see them. Keep in sync with
+// Transmittance of a glass triangle for shadows: its material and its textures. Keep in sync with
 // src/shadow/glass.cpp and src/render/gpu_casters.cpp. Limit: specular textures and clear-coat textures are left out.
 #include "surface/glass.glsl"
 #include "visibility/alpha.glsl"

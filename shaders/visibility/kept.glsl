@@ -3,7 +3,7 @@
 #include "base/sampling.glsl"
 #include "interface/frame.glsl"
 
-// Whether the depth map that `map_seed` names has this triangle, where its alpha is `alpha`.
+// Returns whether the depth map that `map_seed` names has this triangle, where its alpha is `alpha`.
 bool is_kept(int triangle, uint map_seed, float alpha) {
     return sobol_2d(sample_index, hash(uint(triangle), map_seed)).x < alpha;
 }

@@ -1,16 +1,16 @@
 // V(x, y) by depth maps from the frame's points on the emitters (--visibility map).
 //
-// A map names the triangle that light meets first in each texel. Of the sixteen texels around x the triangles are asked
-// whether they really are between x and the point y, so that the edges of shadows are as sharp as with rays (Lecocq et
+// A map names the triangle that light meets first in each texel. The triangles of the sixteen texels around x are tested:
+// those that really are between x and the point y count, so that the edges of shadows are as sharp as with rays (Lecocq et
 // al. 2014, "Sub-pixel shadow mapping") and no surface shadows itself. That misses what is smaller than a texel, so
-// depths have a say, too (map_depths.glsl).
+// depths are compared, too (map_depths.glsl).
 #include "surface/surface.glsl"
 #include "visibility/bvh.glsl"
 #include "visibility/caster_triangle.glsl"
 #include "visibility/kept.glsl"
 #include "visibility/map_depths.glsl"
 
-// What the triangle lets through in this frame: nothing or all.
+// Transmittance of the triangle in this frame: 0 or 1.
 float through_kept(Ray ray, int light, int triangle, uint map_seed) {
     float T = through_triangle(ray, light, triangle).x;
     if (T == 0.0 || T == 1.0) return T;

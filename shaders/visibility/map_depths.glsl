@@ -1,4 +1,4 @@
-// What depths say where a depth map's triangles are smaller than its texels (visibility/map.glsl): x is in the shadow where
+// Shadow test by depths, for triangles smaller than a depth map's texels (visibility/map.glsl): x is in shadow where
 // all that the four texels around it show is in front of the plane of its triangle, or more than half of it, weighed
 // bilinearly, is so and made of small triangles.
 #include "interface/casters.glsl"
@@ -32,7 +32,7 @@ const int behind = 0;
 const int before = 1;
 const int small_before = 2;
 
-// Where that surface is, as seen from x. `emitter`: s up to which the emitter's own body reaches.
+// Position of that surface, as seen from x. `emitter`: s up to which the emitter's own body reaches.
 int standing(int triangle, TexelRay ray, Plane receiver, float emitter, bool is_parallel, int light) {
     vec4 p0 = texelFetch(caster_triangles, 3 * triangle);
     vec3 p1 = texelFetch(caster_triangles, 3 * triangle + 1).xyz;
@@ -56,7 +56,7 @@ ivec4 triangles_around(vec2 at, int layer) {
     return textureGather(map_triangles, vec3(at / float(textureSize(map_triangles, 0).x), float(layer)));
 }
 
-// What the depths of the four texels around the corner of texels at `corner` say of x: 0 where it is in the shadow.
+// V of x by the depths of the four texels around the corner of texels at `corner`: 0 in shadow.
 float V_by_depths(Surface x, MapPoint y, MapPlace place, vec2 corner, float distance, int light) {
     ivec4 triangles = triangles_around(corner, place.layer);
     Plane receiver = plane_of(x);

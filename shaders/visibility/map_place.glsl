@@ -1,4 +1,4 @@
-// Where a point lies in the depth maps of a point on an emitter, and what a texel looks along.
+// Coordinates of a point in the depth maps of a point on an emitter, and the ray of a texel.
 //
 // A face looks along one of the axes, in the sense of its sign; its (u, v) are the next two axes, each times scale.
 #include "interface/maps.glsl"

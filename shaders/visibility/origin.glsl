@@ -1,11 +1,11 @@
-// Where a shadow ray begins and ends: the points origin + t direction for 0 <= t <= end.
+// Origin and end of a shadow ray: the points origin + t direction for 0 <= t <= end.
 //
 // x is put into its triangle's plane, where interpolation left it off by rounding, and moved along the geometric
 // normal to the side of wi by 2^-17 (64 units in the last place) of the triangle's largest coordinate, to which all
 // rounding is proportional. The idea of an offset in such units is Wächter & Binder's (2019, "A Fast and Robust
 // Method for Avoiding Self-Intersection"), who take those of the point itself. A finite ray ends 2^-15 of its length
 // before the emitter's point, so that an emitter in the plane of another surface is not shadowed by it.
-// Mirror: src/shadow/origin.cpp.
+// Keep in sync with src/shadow/origin.cpp.
 #include "interface/casters.glsl"
 #include "surface/surface.glsl"
 

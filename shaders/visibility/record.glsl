@@ -1,5 +1,5 @@
-// Does not answer but notes the rays down, in the order in which they are asked, for record.frag to write out. Many
-// lights are behind a surface and few lie along its BRDF's peak: only rays that are asked take a place.
+// Records the rays instead of tracing them, in the order of the calls, for record.frag to write out. Many
+// lights are behind a surface and few lie along its BRDF's peak: only rays that are needed take a place.
 #include "interface/features.glsl"
 #include "surface/surface.glsl"
 #include "visibility/recorded.glsl"

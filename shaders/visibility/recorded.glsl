@@ -1,4 +1,4 @@
-// Where visibility/record.glsl leaves the rays.
+// The rays that visibility/record.glsl has recorded.
 #include "interface/rays.glsl"
 
 // xyz: from x to the emitter's point [m]; w: the ray's number + 1. Lights without a place: wi, and w negated.

@@ -1,5 +1,5 @@
 #pragma once
-// Whether samples fall where their density says.
+// True if samples fall where their density says.
 #include <optional>
 #include <vector>
 

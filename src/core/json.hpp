@@ -14,7 +14,7 @@
 
 namespace sr {
 
-/// What a JSON text asks for, counted before a parser allocates memory for it.
+/// The extent of a JSON text, counted before a parser allocates memory for it.
 struct JsonExtent {
     std::uint64_t values = 0; // an upper bound
     int depth = 0;            // of objects and arrays
@@ -25,7 +25,7 @@ struct JsonExtent {
 /// element.)
 JsonExtent json_extent(std::string_view text);
 
-/// Where the first number begins that no double can hold; nlohmann does not tell.
+/// Finds the first number that no double can hold, which nlohmann does not report; returns its offset.
 std::optional<std::size_t> overflowing_number(std::string_view text);
 
 /// A JSON text that cannot be parsed. what() is nlohmann's message.
@@ -61,7 +61,7 @@ public:
 
     const nlohmann::json& root() const { return root_; }
 
-    /// Where the value at a JSON pointer begins ("/tests/3/name").
+    /// Finds where the value at a JSON pointer begins ("/tests/3/name").
     Location place_of(const Pointer& pointer) const;
 
 private:

@@ -1,5 +1,5 @@
 #pragma once
-// What libraries print by themselves, such as libpng's own line before the error that it returns.
+// Redirection of what libraries print themselves, such as libpng's own line before the error that it returns.
 
 namespace sr {
 

@@ -1,5 +1,5 @@
 #pragma once
-// How much a file may ask for, whatever it says: bounds on memory that a person can raise.
+// Limits on the memory that a file may take; users can raise them.
 #include <array>
 #include <cstdint>
 #include <string>

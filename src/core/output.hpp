@@ -1,5 +1,5 @@
 #pragma once
-// What the program prints: data on stdout, which must arrive, and remarks on stderr, which may be lost.
+// Output of the program: data on stdout, which must arrive, and remarks on stderr, which may be lost.
 #include <fmt/format.h>
 #include <string_view>
 #include <utility>

@@ -32,7 +32,7 @@ void for_each_row(int rows, const Work& work, int max_threads = 256) {
     });
 }
 
-/// The result of `work`, which runs on a thread of its own, or where it is asked for if no thread starts.
+/// Runs `work` on its own thread, or in the caller of get() if no thread can be started.
 template<typename Work>
 auto started(Work work) -> std::future<decltype(work())> {
     try {

@@ -9,9 +9,9 @@ namespace sr {
 /// The length of the UTF-8 sequence at the front of a text that is not empty, 0 if it is invalid (RFC 3629).
 std::size_t utf8_length(std::string_view text);
 
-/// Whether a terminal or a text layout acts on the code point at the front of `text` (of `length` bytes)
-/// instead of showing it: C0 and C1 controls, DEL, line and paragraph separators, and the marks that change
-/// the direction of text (Unicode Standard Annex 9).
+/// Returns whether a terminal or a text layout acts on the code point at the front of `text` (of `length`
+/// bytes) instead of showing it: C0 and C1 controls, DEL, line and paragraph separators, and the marks that
+/// change the direction of text (Unicode Standard Annex 9).
 bool is_control(std::string_view text, std::size_t length);
 
 /// The text on one line that a terminal only shows. Control characters and bytes that are not UTF-8 become

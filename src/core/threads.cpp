@@ -10,7 +10,7 @@ namespace sr {
 
 void require_threads() {
     constexpr unsigned others = 4, most = 36;
-    std::vector<std::jthread> threads; // each waits until it is asked to end, at the latest here
+    std::vector<std::jthread> threads; // each waits for its stop request, at the latest here
     for (unsigned i = 0; i < std::min(std::thread::hardware_concurrency() + others, most); ++i)
         threads.emplace_back([](const std::stop_token& stop) {
             std::mutex mutex;

@@ -1,5 +1,5 @@
 #pragma once
-// Whether the system still gives threads.
+// True if the system still gives threads.
 
 namespace sr {
 

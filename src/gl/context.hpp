@@ -20,20 +20,20 @@ enum class Backend {
 /// "auto", "egl", "osmesa", "window"; absent for any other name.
 std::optional<Backend> backend_named(std::string_view name);
 
-/// What backend_named() understands.
+/// Returns the name that backend_named() accepts.
 const char* name_of(Backend backend);
 
-/// Whether a GL_RENDERER of this name runs on the CPU.
+/// Returns whether a GL_RENDERER of this name runs on the CPU.
 bool is_software_renderer(std::string_view renderer);
 
-/// What a context turned out to be.
+/// Properties of an open context.
 struct ContextInfo {
     std::string backend; // "EGL surfaceless", "EGL device", "OSMesa", "window"
     std::string renderer;
     std::string version;
     std::string shading_language;
 
-    /// Whether GL itself runs on the CPU.
+    /// Returns whether GL itself runs on the CPU.
     bool is_software() const;
 };
 

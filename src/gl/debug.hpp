@@ -1,5 +1,5 @@
 #pragma once
-// What the driver has to say (KHR_debug).
+// Messages of the driver (KHR_debug).
 #include <string>
 #include <vector>
 

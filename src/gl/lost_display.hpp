@@ -1,5 +1,5 @@
 #pragma once
-// What happens when the X server that shows the window goes away.
+// Handling of a lost connection to the X server.
 
 namespace sr::gl {
 

@@ -7,7 +7,7 @@
 namespace sr::gl {
 namespace {
 
-/// What the driver says of a shader or a program, by that kind's pair of functions.
+/// Returns the info log of a shader or a program, read by that kind's pair of functions.
 std::string info_log(GLuint id, PFNGLGETSHADERIVPROC value_of, PFNGLGETSHADERINFOLOGPROC log_of) {
     GLint length = 0;
     value_of(id, GL_INFO_LOG_LENGTH, &length);

@@ -95,7 +95,7 @@ void TrialCompiler::Process::start(Backend backend) {
     posix_spawn_file_actions_init(&files);
     posix_spawn_file_actions_adddup2(&files, to_.ends[0], STDIN_FILENO);
     posix_spawn_file_actions_adddup2(&files, from_.ends[1], STDOUT_FILENO);
-    // What a driver says while it crashes would come before our line.
+    // A crashing driver's own output would come before our line.
     posix_spawn_file_actions_addopen(&files, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
     posix_spawnattr_t attributes;
     posix_spawnattr_init(&attributes);

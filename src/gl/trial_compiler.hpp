@@ -10,7 +10,7 @@ namespace sr::gl {
 
 class TrialCompiler {
 public:
-    /// What the driver may take for one program.
+    /// Limits of the driver for one program.
     static constexpr int most_seconds = 30; // of CPU time
     static constexpr int most_wall_seconds = 120;
     static constexpr int most_gigabytes = 2;
@@ -34,8 +34,8 @@ private:
     std::unique_ptr<Process> process_;
 };
 
-/// What the other process runs, as the command `compile-trial`: answers on stdout what comes on stdin, until
-/// that ends. @throws Error if no context opens
+/// Runs in the other process, as the command `compile-trial`: answers requests from stdin on stdout, until
+/// stdin ends. @throws Error if no context opens
 void answer_trials(Backend backend);
 
 } // namespace sr::gl

@@ -1,5 +1,5 @@
 #pragma once
-// What a TrialCompiler and its process say to each other: texts, and one byte for each pair of them.
+// The protocol between a TrialCompiler and its process: texts, and one byte for each pair of them.
 #include <string>
 
 namespace sr::gl {

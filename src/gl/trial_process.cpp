@@ -28,7 +28,7 @@ void limit(decltype(RLIMIT_CPU) what, rlim_t most) {
     setrlimit(what, &bounds);
 }
 
-/// What holds for the whole life of the process.
+/// Sets the limits that hold for the whole life of the process.
 void limit_process() {
 #ifdef __linux__
     prctl(PR_SET_PDEATHSIG, SIGKILL);

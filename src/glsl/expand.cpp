@@ -63,7 +63,7 @@ std::string code_of(std::string_view line, bool& is_comment) {
     return code;
 }
 
-/// What a line's `#` is followed by; absent if the line is no directive.
+/// Returns the text after a line's `#`; absent if the line is no directive.
 std::optional<std::string_view> directive_text(std::string_view code) {
     code = without_blanks_before(code);
     if (!code.starts_with('#')) return std::nullopt;
@@ -79,7 +79,7 @@ std::string_view directive_name(std::string_view code) {
     return text.substr(0, static_cast<std::size_t>(std::ranges::find_if_not(text, is_letter) - text.begin()));
 }
 
-/// What follows `#name` on a line; absent if the line is no such directive.
+/// Returns the text after `#name` on a line; absent if the line is no such directive.
 std::optional<std::string_view> directive(std::string_view code, std::string_view name) {
     const auto text = directive_text(code);
     if (!text || !text->starts_with(name)) return std::nullopt;

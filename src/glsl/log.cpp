@@ -42,7 +42,7 @@ public:
         return std::nullopt;
     }
 
-    /// What is left, without the blanks before it.
+    /// Returns the remaining text without leading blanks.
     std::string_view rest() const {
         return rest_.substr(std::min(rest_.find_first_not_of(' '), rest_.size()));
     }

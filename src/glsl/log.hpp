@@ -1,7 +1,7 @@
 #pragma once
-// What drivers say about a shader, told in the files that people edit. Each vendor writes places in its own
-// way: Mesa `0:LINE(COL): error: …`, NVIDIA `0(LINE) : error C1234: …`, AMD, Apple and Intel `ERROR: 0:LINE:
-// …`.
+// Driver messages about a shader, mapped to the files that people edit. Each vendor has its own format
+// of positions: Mesa `0:LINE(COL): error: …`, NVIDIA `0(LINE) : error C1234: …`, AMD, Apple and Intel `ERROR:
+// 0:LINE: …`.
 #include "glsl/source.hpp"
 
 #include <optional>

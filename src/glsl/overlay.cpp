@@ -52,7 +52,7 @@ std::vector<std::string> names_in(const fs::path& folder) {
     return names;
 }
 
-/// Whether a file in another of the folders includes one of these files of `folder`.
+/// Returns whether a file in another of the folders includes one of these files of `folder`.
 bool is_included(const fs::path& folder, const std::vector<std::string>& names,
                  const std::vector<std::string>& all) {
     constexpr std::uintmax_t longest = 1 << 20;

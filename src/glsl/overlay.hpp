@@ -8,8 +8,8 @@
 
 namespace sr::glsl {
 
-/// What to say of a folder none of whose files has the name of one in `ours`: one line with the name that is
-/// nearest. Absent if one has, or if a file in one of the folders `all` includes one of its files: it then
+/// Describes a folder none of whose files has the name of one in `ours`: one line with the nearest
+/// name. Absent if one has, or if a file in one of the folders `all` includes one of its files: it then
 /// serves a replacement there.
 std::optional<std::string> remark_on_overlay(const std::filesystem::path& folder, const Root& ours,
                                              const std::vector<std::string>& all);

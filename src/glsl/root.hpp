@@ -1,5 +1,5 @@
 #pragma once
-// Where GLSL sources come from. A shader path is a list of roots; the first that has a file wins, so a root
+// Sources of GLSL files. A shader path is a list of roots; the first that has a file wins, so a root
 // put in front of the others is an overlay.
 #include <filesystem>
 #include <functional>
@@ -15,7 +15,7 @@ namespace sr::glsl {
 /// File names relative to a root ("brdf/ggx.glsl", always with '/') and their texts.
 using Files = std::map<std::string, std::string, std::less<>>;
 
-/// A folder on disk, read anew at each call, or files in memory.
+/// A folder on disk, read again at each call, or files in memory.
 class Root {
 public:
     /// @throws Error if there is no such folder.
@@ -33,11 +33,11 @@ public:
     /// The names of files in memory, in order; none of a folder.
     std::vector<std::string> names() const;
 
-    /// What errors call the file: on disk a path that a person can open.
+    /// Returns the name that errors give the file: on disk a path that a person can open.
     std::string place_of(std::string_view name) const;
 
     const std::string& label() const { return label_; }
-    /// Whether somebody else wrote it: a folder or a file of the user's.
+    /// Returns whether somebody else wrote it: a folder or a file of the user's.
     bool is_foreign() const { return is_single_ || std::holds_alternative<std::filesystem::path>(place_); }
 
 private:

@@ -14,7 +14,7 @@ namespace sr::glsl {
 
 /// A shader with its includes expanded, ready for glShaderSource.
 struct Source {
-    /// Where a flat line comes from.
+    /// The origin of an expanded line.
     struct Line {
         int file = 0; // index into `files`
         int line = 0; // from 1
@@ -29,8 +29,8 @@ struct Source {
     Location location(int flat_line) const;
 };
 
-/// Expands `#include "brdf/ggx.glsl"` lines, recursively; a file is included once however often it is asked
-/// for. Names are relative to the roots, whoever includes; the first root in `path` that has the file wins.
+/// Expands `#include "brdf/ggx.glsl"` lines, recursively; a file is included at most once.
+/// Names are relative to the roots, in every file; the first root in `path` that has the file wins.
 /// A directive inside a comment does not count, one inside `#if` does: the preprocessor runs later, in the
 /// driver.
 /// `#version` may stand on the entry file's first line and nowhere else.

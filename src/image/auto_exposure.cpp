@@ -8,7 +8,7 @@
 namespace sr::image {
 namespace {
 
-/// How many pixels have which luminance, in steps of an eighth of a stop from 2^-40 to 2^40 cd/m².
+/// A histogram of luminance, in steps of an eighth of a stop from 2^-40 to 2^40 cd/m².
 class Histogram {
 public:
     void count(float log2_luminance) {

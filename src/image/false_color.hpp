@@ -4,8 +4,9 @@
 
 namespace sr::image {
 
-/// What stands for a luminance [cd/m²]: a colour a decade, always the same, so that pictures can be compared.
-/// Between decades it is mixed by the logarithm. As stored in 8-bit files, 0 to 1. README.md has the legend.
+/// The colour of a decade of luminance [cd/m²]: always the same, so that pictures can be compared.
+/// Between decades colours are interpolated by the logarithm. As stored in 8-bit files, 0 to 1. README.md has
+/// the legend.
 struct DecadeColor {
     float luminance; // [cd/m²]
     float r, g, b;

@@ -29,7 +29,7 @@ enum class SampleType { half, floating, integer8 };
 /// …).
 void write(const Image& image, const std::filesystem::path& file, SampleType type);
 
-/// Whether the format that the extension names holds scene-referred floats (.exr, .hdr).
+/// Returns whether the format that the extension names holds scene-referred floats (.exr, .hdr).
 /// @throws Error for an extension that is not one of .exr .hdr .png .jpg .jpeg.
 bool is_scene_referred(const std::filesystem::path& file);
 
@@ -45,10 +45,11 @@ struct DecodedTexture {
     std::variant<std::vector<std::uint8_t>, std::vector<std::uint16_t>> texels; // 4 * width * height
 };
 
-/// How many texels the head of a texture claims, 0 if the head is broken or of an unknown format.
+/// Counts the texels that the header of a texture claims; 0 if the head is broken or of an unknown format.
 std::uint64_t claimed_texels(std::span<const std::uint8_t> bytes);
 
-/// Whether it is KTX2 (its identifier: KTX 2.0 specification, section 3.1), which nothing here decodes.
+/// Returns whether it is KTX2 (its identifier: KTX 2.0 specification, section 3.1), which nothing here
+/// decodes.
 bool is_ktx2(std::span<const std::uint8_t> bytes);
 
 /// Decodes a PNG or JPEG, the two formats of glTF. Grey becomes RGB, missing alpha is opaque. `name` is what

@@ -9,7 +9,7 @@ namespace sr::image {
 
 inline constexpr float largest_half = 65504.0f; // IEEE 754 binary16
 
-/// How many values of the image are beyond ±65504.
+/// Counts the values of the image beyond ±65504.
 inline std::size_t half_overflow_count(const Image& image) {
     return static_cast<std::size_t>(
         std::ranges::count_if(image.pixels, [](float value) { return std::abs(value) > largest_half; }));

@@ -26,8 +26,8 @@ bool starts_with(Bytes bytes, const std::array<std::uint8_t, n>& magic) {
 constexpr std::array<std::uint8_t, 8> png_magic{0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
 constexpr std::array<std::uint8_t, 3> jpeg_magic{0xFF, 0xD8, 0xFF};
 
-/// Whether the chunks fill the file up to an IEND (PNG specification, section 5.3). OpenImageIO reads a
-/// truncated file past its end, and leaks memory when it finds out.
+/// Returns whether the chunks fill the file up to an IEND (PNG specification, section 5.3). OpenImageIO reads
+/// a truncated file past its end, and leaks memory when it finds out.
 bool is_whole_png(Bytes bytes) {
     constexpr std::size_t frame = 12; // length, type and checksum
     constexpr std::array<std::uint8_t, 4> iend{'I', 'E', 'N', 'D'};

@@ -1,5 +1,5 @@
 #pragma once
-// What the first bytes of a texture say, read before any decoder allocates memory for what they claim.
+// Headers of textures, read before any decoder allocates memory for what they claim.
 #include <cstdint>
 #include <span>
 #include <string>

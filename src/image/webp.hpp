@@ -4,13 +4,13 @@
 
 namespace sr::image {
 
-/// Whether this build decodes WebP: whether libwebp was there when it was built.
+/// Returns whether this build decodes WebP: whether libwebp was there when it was built.
 bool decodes_webp();
 
-/// Whether the file begins as a WebP does (RIFF).
+/// Returns whether the file begins as a WebP does (RIFF).
 bool is_webp(std::span<const std::uint8_t> bytes);
 
-/// How many texels its head claims; 0 if it is broken.
+/// Counts the texels that its header claims; 0 if it is broken.
 std::uint64_t webp_texels(std::span<const std::uint8_t> bytes);
 
 /// The first (or only) picture as RGBA, as stored. @throws Error in the file `name`: too large, or broken

@@ -213,7 +213,7 @@ private:
     Xml& xml_;
 };
 
-/// Whether cameras see the light; absent for those that nothing could see.
+/// Returns whether cameras see the light; absent for those that nothing could see.
 struct IsVisible {
     std::optional<bool> operator()(const scene::DirectionalLight&) const { return std::nullopt; }
     std::optional<bool> operator()(const scene::MeshLight&) const { return true; }

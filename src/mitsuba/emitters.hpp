@@ -8,7 +8,7 @@ namespace sr::mitsuba {
 /// output.warnings, one line each. @throws Error
 void write_emitters(Output& output);
 
-/// Whether cameras are not to see emitters. Mitsuba hides all or none.
+/// Returns whether cameras are not to see emitters. Mitsuba hides all or none.
 bool hides_emitters(const scene::Scene& scene);
 
 } // namespace sr::mitsuba

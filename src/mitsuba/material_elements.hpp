@@ -1,5 +1,5 @@
 #pragma once
-// What stands in a <bsdf>: the plugin that evaluates a material, and its parameters.
+// The content of a <bsdf> element: the plugin that evaluates a material, and its parameters.
 #include "mitsuba/textures.hpp"
 
 #include <string_view>

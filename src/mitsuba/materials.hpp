@@ -11,8 +11,8 @@ namespace sr::mitsuba {
 /// The texture coordinate set that a material's textures read; where they differ, that of the first.
 int texcoord_of(const scene::Material& material);
 
-/// Whether shading reads the tangents of the mesh: for a normal map or a lobe with a direction, if there are
-/// any.
+/// Returns whether shading reads the tangents of the mesh: for a normal map or a lobe with a direction, if
+/// there are any.
 bool reads_tangents(const scene::Material& material, const scene::Mesh& mesh);
 
 class Materials {

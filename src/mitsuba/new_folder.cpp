@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What an export leaves in a folder, and Python's cache of it.
+/// Files of an export in its folder, and Python's cache.
 constexpr std::array<std::string_view, 9> own_names{
     "scene.xml", "README.md", "render.py", "steradian_mitsuba", "steradian_mitsuba.py",
     "meshes",    "textures",  "measured",  "__pycache__"};

@@ -21,7 +21,7 @@ public:
     NewFolder& operator=(const NewFolder&) = delete;
     ~NewFolder();
 
-    /// Where to write until put_in_place.
+    /// The folder to write to until put_in_place().
     const std::filesystem::path& path() const { return temporary_; }
 
     /// Replaces what was at the place. @throws Error

@@ -27,7 +27,7 @@ float size_of(const Triangles& triangles) {
     return bounds.radius();
 }
 
-/// What normal maps and lobes with a direction are relative to: vectors that are unit at the vertices and
+/// Adds the tangent space of normal maps and anisotropic lobes: vectors that are unit at the vertices and
 /// interpolated from there (MikkTSpace).
 void add_tangent_space(Triangles& triangles, const scene::Mesh& mesh, const mat4& world_from_object) {
     const float sign = scene::mirrors(world_from_object) ? -1.0f : 1.0f;

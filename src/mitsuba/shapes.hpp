@@ -18,7 +18,7 @@ struct Output {
     std::vector<std::string> warnings{};
 };
 
-/// What a surface emits: a radiance L, times a texture.
+/// Emission of a surface: a radiance L, times a texture.
 struct Emission {
     vec3 L{0.0f};
     int texture = -1; // index into Scene::textures; negative: none

@@ -9,7 +9,7 @@
 
 namespace sr::mitsuba {
 
-/// What of a texel is wanted.
+/// The part of a texel that is exported.
 enum class Part { color, alpha };
 
 class Textures {
@@ -29,7 +29,7 @@ public:
     /// @throws Error if the file cannot be written.
     std::string file_of(const scene::EnvironmentMap& map, vec3 factor);
 
-    /// What could not be said, one line each.
+    /// Features that could not be exported, one line each.
     const std::vector<std::string>& warnings() const { return warnings_; }
 
 private:

@@ -8,8 +8,8 @@
 
 namespace sr::mitsuba {
 
-/// What is exported. The scene has no surfaces of its lights yet (scene::add_light_surfaces): they become
-/// emitters.
+/// The scene and camera to export. The scene has no surfaces of its lights yet (scene::add_light_surfaces):
+/// they become emitters.
 struct Subject {
     const scene::Scene& scene;
     const scene::Camera& camera;

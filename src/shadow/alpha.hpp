@@ -1,6 +1,6 @@
 #pragma once
 // Alpha of surfaces that are not opaque: base colour factor × texture × vertex colour, as shadows see it,
-// that is, bilinear in the full-size texture. Mirror: shaders/visibility/alpha.glsl.
+// that is, bilinear in the full-size texture. Keep in sync with shaders/visibility/alpha.glsl.
 #include "scene/scene.hpp"
 
 namespace sr::shadow {

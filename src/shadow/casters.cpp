@@ -66,7 +66,8 @@ private:
         return is_alone ? whole_ray : last_thousandth;
     }
 
-    /// What is read of a texture: a channel, or the colours and alpha of one that is sRGB-encoded.
+    /// The planes that are read from a texture: a channel, or the colours and alpha of one that is
+    /// sRGB-encoded.
     enum class Planes { red, green, blue, alpha, colors };
 
     int map_of(int texture, Planes planes) {
@@ -153,7 +154,7 @@ Casters casters_of(const scene::Scene& scene, std::span<const scene::Light> ligh
 
 namespace {
 
-/// What a surface of this alpha lets through, which by itself lets through T.
+/// Returns the transmittance of a surface of this alpha whose material transmits T.
 vec3 with_alpha(const Caster& caster, float alpha, vec3 T) {
     if (caster.alpha_mode == AlphaMode::opaque) return T;
     if (caster.alpha_mode == AlphaMode::mask) return alpha < caster.alpha_cutoff ? vec3(1.0f) : T;

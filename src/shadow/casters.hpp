@@ -1,5 +1,5 @@
 #pragma once
-// What stands in the light's way: every triangle of a scene, in world space.
+// Shadow casters: every triangle of a scene, in world space.
 #include "shadow/glass.hpp"
 
 #include <array>
@@ -7,7 +7,7 @@
 
 namespace sr::shadow {
 
-/// What the triangles of one instance have in common.
+/// Data shared by the triangles of one instance.
 struct Caster {
     /// The lights that this surface is. A ray that was sent to one of them does not end at its own emitter:
     /// it ignores hits within the last `own_share` of its length.
@@ -53,15 +53,15 @@ struct Casters {
     std::span<const vec3, 3> triangle(std::size_t index) const {
         return std::span<const vec3, 3>(&corners[3 * index], 3);
     }
-    /// Whether V has a colour.
+    /// Returns whether V has a colour.
     bool is_tinted() const { return !glass.empty(); }
 };
 
 /// @throws Error if there are more triangles than a float can count (2^24).
 Casters casters_of(const scene::Scene& scene, std::span<const scene::Light> lights);
 
-/// Whether the light does not see the triangle that a ray towards it meets: it passes back faces, and the ray
-/// arrives at the front of a single-sided triangle, which is where the light would come out.
+/// Returns whether the light does not see the triangle that a ray towards it meets: it passes back faces, and
+/// the ray arrives at the front of a single-sided triangle, which is where the light would come out.
 bool is_passed_from_behind(const Casters& casters, std::uint32_t triangle, int light, vec3 ray_direction);
 
 /// The share of the light that the triangle lets through where a ray of that direction meets it, at corner 0

@@ -42,7 +42,7 @@ EmitterPoint on_plane(const Flat& light, vec2 st) {
             light.map.origin + st.x * light.map.along_u + st.y * light.map.along_v, light.is_two_sided};
 }
 
-/// Which of several parts `u` falls on, by size; u becomes its place within that part.
+/// Chooses one of several parts by size; u becomes its place within that part.
 template<class SizeOf>
 std::size_t part_at(float& u, std::size_t count, float total, const SizeOf& size_of) {
     float rest = u * total;

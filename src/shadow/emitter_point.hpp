@@ -15,7 +15,7 @@ struct EmitterPoint {
     bool is_far = false;       // parallel light: `place` is a direction
 };
 
-/// Whether the light is more than one point or direction, so that its shadows have penumbrae.
+/// Returns whether the light is more than one point or direction, so that its shadows have penumbrae.
 bool has_extent(const scene::Light& light);
 
 /// The point that the random numbers u in [0, 1)³ choose. The texture coordinates are those that its map has.

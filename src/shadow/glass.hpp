@@ -8,7 +8,7 @@
 
 namespace sr::shadow {
 
-/// What the triangles of one instance of glass have in common. Maps: indices into Casters::alpha_maps;
+/// Data shared by the triangles of one glass instance. Maps: indices into Casters::alpha_maps;
 /// negative: none.
 struct Glass {
     float transmission = 1.0f;
@@ -31,7 +31,7 @@ struct GlassCorner {
     vec4 color{1.0f};         // base colour factor × vertex colour
 };
 
-/// What a triangle of glass has where a ray meets it.
+/// Properties of a glass triangle at the point where a ray hits it.
 struct GlassPoint {
     vec3 color{1.0f}; // (1 - metallic) t ρ
     float alpha = 1.0f;

@@ -1,5 +1,5 @@
 #pragma once
-// What depth maps are drawn of: the lights, and for each what it shines on.
+// Contents of the depth maps: the lights, and for each light the surfaces that it reaches.
 #include "shadow/casters.hpp"
 #include "shadow/map_view.hpp"
 
@@ -16,11 +16,11 @@ struct MapStage {
 MapStage map_stage_of(const scene::Scene& scene, std::span<const scene::Light> lights,
                       const Casters& casters);
 
-/// Whether the caster can stand in the way of that light; the only surface of a flat or convex emitter cannot
-/// stand in its own.
+/// Returns whether the caster can stand in the way of that light; the only surface of a flat or convex
+/// emitter cannot stand in its own.
 bool stands_in_light(const Caster& caster, int light);
 
-/// Whether it is drawn into the maps of that light. Glass is not: it has a colour, which rays tell.
+/// Returns whether it is drawn into the maps of that light. Glass is not: it has a colour, which rays tell.
 bool is_in_maps(const Caster& caster, int light);
 
 } // namespace sr::shadow

@@ -44,7 +44,7 @@ MapView view_from(const EmitterPoint& point, const scene::Light& light, const Ba
 /// To clip coordinates of that face; w of a perspective one is the distance along it over `far`.
 mat4 clip_from_world(const MapView& view, int face);
 
-/// Whether any of the ball may be in the face's picture.
+/// Returns whether any of the ball may be in the face's picture.
 bool may_see(const MapView& view, int face, const Ball& ball);
 
 } // namespace sr::shadow

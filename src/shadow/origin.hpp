@@ -1,5 +1,5 @@
 #pragma once
-// Where a shadow ray begins and ends. Mirror: shaders/visibility/origin.glsl.
+// Origin and end of a shadow ray. Keep in sync with shaders/visibility/origin.glsl.
 #include "core/math.hpp"
 
 #include <span>

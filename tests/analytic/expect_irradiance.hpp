@@ -1,6 +1,6 @@
 #pragma once
-// What `--estimator analytic` makes of a white Lambert plane under one light, against a number in doubles a
-// pixel.
+// Comparison of a white Lambert plane under one light, by `--estimator analytic`, with a number in doubles
+// for each pixel.
 #include "scene/light.hpp"
 
 #include <functional>

@@ -14,7 +14,7 @@ namespace {
 void expect_polygon_formula(const scene::RectangleLight& light) {
     constexpr int size = 129, samples = 64;
     constexpr float extent = 1.5f;
-    // A pixel is a mean over its area as well, whose own error is not what is asked for here: pixels are kept
+    // A pixel is a mean over its area as well, whose own error is not tested here: pixels are kept
     // small against the distance to the light.
     const std::vector<scene::Light> lights{light};
     const auto image = picture(lambert_plane(4.0f), lights, camera_from_above(extent), size, samples);

@@ -11,7 +11,7 @@ namespace sr::testing {
 
 inline const glm::dvec3 up(0.0, 1.0, 0.0);
 
-/// Whether a ray from x in direction w meets the emitter.
+/// Returns whether a ray from x in direction w meets the emitter.
 using Meets = std::function<bool(glm::dvec3 w)>;
 
 /// ∫ max(n·w, 0) dω over the directions that meet a convex emitter [sr], for one direction `inside` of them.

@@ -17,7 +17,7 @@ struct Mutant {
     compare::CompareOptions options;
 };
 
-/// What is no mistake: rounding, another driver, noise at its floor, a few stray pixels.
+/// Differences that are no mistake: rounding, another driver, noise at its floor, a few stray pixels.
 std::vector<Mutant> harmless();
 /// Values that are wrong in a way that has a name: factors, curves, channels.
 std::vector<Mutant> wrong_values();

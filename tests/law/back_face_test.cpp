@@ -18,7 +18,7 @@ scene::RectangleLight panel(bool passes) {
     return light;
 }
 
-/// How much of the panel's light arrives below a sheet in the middle of the plane.
+/// Measures the share of the panel's light that arrives below a sheet in the middle of the plane.
 struct Sheet {
     bool faces_up = false;
     bool is_double_sided = false;

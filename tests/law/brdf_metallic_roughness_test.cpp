@@ -162,8 +162,8 @@ const Test lambert("law.brdf.metallic_roughness.no_layer_is_lambert", [] {
     for (const vec4 value : values) EXPECT_NEAR(value.x * pi, 1.0f, 1e-6f);
 });
 
-// Where the normal is bent back until wo grazes the surface (surface/shading_normal.glsl), cos_o comes out a
-// rounding above or below zero: f_r is the same on both sides, and not zero.
+// A normal that is bent back until wo grazes the surface (surface/shading_normal.glsl) has a cos_o a rounding
+// above or below zero: f_r is the same on both sides, and not zero.
 const Test grazing("law.brdf.metallic_roughness.continuous_where_wo_grazes", [] {
     std::mt19937 random(3);
     std::vector<Row> rows;

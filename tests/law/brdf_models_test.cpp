@@ -116,7 +116,7 @@ std::vector<glm::dvec3> albedos(brdf::BrdfEvaluator& evaluator) {
     return evaluator.albedos(brdf::viewing_directions(), 8192);
 }
 
-// What EON is for: white clay loses nothing at any roughness; and Lambert of albedo ρ returns ρ.
+// The purpose of EON: white clay loses nothing at any roughness; and Lambert of albedo ρ returns ρ.
 const Test preserves("law.brdf.oren_nayar.white_loses_nothing", [] {
     context();
     brdf::BrdfEvaluator evaluator({material_of(Model::oren_nayar, 0.0f), {}, false, {}});

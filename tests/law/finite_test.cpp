@@ -64,7 +64,7 @@ public:
         shaders_ = render::Renderer::programs(options_);
     }
 
-    /// How many values are not finite.
+    /// Counts the values that are not finite.
     int broken(const scene::Stage& stage, std::uint32_t seed) {
         const render::GpuScene gpu_scene(stage.scene, stage.lights, way_.visibility);
         options_.seed = seed;

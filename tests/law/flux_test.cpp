@@ -206,7 +206,7 @@ const Test round_trip("law.light.flux.units_convert_both_ways", [] {
     }
 });
 
-// What is stated in cd is the intensity on the axis: of a flat light its normal, of a tube any direction
+// A quantity in cd is the intensity on the axis: of a flat light its normal, of a tube any direction
 // across it.
 const Test on_axis("law.light.flux.stated_candelas_are_those_on_the_axis", [] {
     const auto seen = [](const Patches& patches, dvec3 w) {

@@ -132,7 +132,7 @@ const Test body("law.glass.a_closed_body_attenuates_once", [] {
     }
 });
 
-/// What the camera above sees through the pane of a plane that shines with L = 2 on all sides.
+/// Renders the view of the camera above through the pane of a plane that shines with L = 2 on all sides.
 vec4 seen_through(const scene::Material& material, float tilt = 0.0f, bool has_plane = true) {
     scene::Scene scene;
     scene::Material glow = lambert(vec3(1.0f));
@@ -236,7 +236,7 @@ const Test textures("law.glass.textures_are_read_by_v_and_by_the_eye", [] {
     }
 });
 
-// What a texture keeps opaque hides what is behind, in whatever order the triangles come.
+// Opaque parts of a texture hide what is behind, in any order of the triangles.
 const Test part("law.glass.opaque_parts_hide_each_other", [] {
     auto scene = lambert_plane(4.0f);
     auto material = glass(vec3(1.0f));

@@ -81,7 +81,7 @@ const Test dot("law.line.a_point_covers_three_by_three_pixels", [] {
         }
 });
 
-// Below the eye, from behind it to far away: a column from the lower edge of the picture to its vanishing
+// Below the camera, from behind it to far away: a column from the lower edge of the picture to its vanishing
 // point.
 const Test perspective("law.line.is_as_wide_near_as_far_and_passes_the_eye", [] {
     scene::Camera camera;

@@ -1,4 +1,4 @@
-// alphaMode MASK shows alpha >= cutoff (glTF 2.0, section 3.9.4), whoever asks: the picture and every kind of
+// alphaMode MASK shows alpha >= cutoff (glTF 2.0, section 3.9.4), in the picture and in every kind of
 // shadow. And flat emitters send nothing to their own plane.
 #include "support/address.hpp"
 #include "support/gl.hpp"
@@ -14,7 +14,7 @@ using namespace sr::testing;
 using render::Visibility;
 using sr::testing::Test;
 
-/// What an alpha is the product of.
+/// The factors of an alpha.
 struct Masked {
     float factor = 1.0f;
     float vertex = 1.0f;

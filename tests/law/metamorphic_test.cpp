@@ -1,4 +1,4 @@
-// What must not change a picture, on generated scenes: tests that know no reference find mistakes that a
+// Changes that must not change a picture, on generated scenes: tests without a reference find mistakes that a
 // reference shares.
 #include "file_changes.hpp"
 #include "image/file.hpp"
@@ -117,8 +117,8 @@ const std::array laws{Law{"in vertices", in_vertices, true},
                       Law{"under a root", under_a_placing_root},
                       Law{"under a root that mirrors", under_a_mirroring_root, false, true}};
 
-/// Whether a picture by the analytic estimator has no noise: all emitters have closed forms but meshes of
-/// many triangles.
+/// Returns whether a picture by the analytic estimator has no noise: all emitters have closed forms but
+/// meshes of many triangles.
 bool is_noiseless(const scene::Stage& stage) {
     return std::ranges::all_of(stage.lights, [](const scene::Light& light) {
         const auto* mesh = std::get_if<scene::MeshLight>(&light);

@@ -29,7 +29,7 @@ bool is_within(float value, const Range& range, float floor) {
     return value >= range.low - slack && value <= range.high + slack;
 }
 
-/// What is as good as black: a thousandth of the mean.
+/// Returns the radiance that counts as black: a thousandth of the mean.
 float floor_of(const image::Image& picture) {
     double sum = 0.0;
     for (std::size_t i = 0; i < picture.pixels.size(); ++i)

@@ -12,7 +12,7 @@ struct Difference {
     int strange = 0;   // others
     std::string first; // of the others: its place and values
 
-    /// Whether no more differ than rounding moves edges across pixels' centres.
+    /// Returns whether no more differ than rounding moves edges across pixels' centres.
     bool is_small() const { return strange <= 3 && moved <= 40; }
 };
 

@@ -34,7 +34,7 @@ render::RenderOptions options() {
     return o;
 }
 
-// What probe prints is what render writes: the pixel to the bit, its terms to the rounding of a sum of 32
+// probe prints the pixel that render writes: the pixel to the bit, its terms to the rounding of a sum of 32
 // samples.
 const Test sum("law.probe.terms_add_up_to_the_pixel", [] {
     context();

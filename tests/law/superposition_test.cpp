@@ -39,7 +39,7 @@ const Test linear("law.integrator.linear_in_the_light", [] {
         ASSERT_EQ(i % 4 == 3 ? a.pixels[i] : 2.0f * a.pixels[i], b.pixels[i]);
 });
 
-// What no emitter reaches is black: there is no ambient term.
+// A surface that no emitter reaches is black: there is no ambient term.
 const Test darkness("law.integrator.no_light_is_black", [] {
     const auto image = picture(lambert_plane(4.0f), {}, camera_from_above(2.0f), 16);
     for (std::size_t i = 0; i < image.pixels.size(); ++i)

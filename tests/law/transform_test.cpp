@@ -1,4 +1,4 @@
-// What a node's transform makes of normals and normal maps.
+// Normals and normal maps under a node's transform.
 #include "scene/transform.hpp"
 #include "support/address.hpp"
 #include "support/gl.hpp"

@@ -62,8 +62,9 @@ std::optional<image::Image> first_look(const fs::path& file) {
     }
 }
 
-/// What of a file is black by its own materials, most of the covered pixels that may be below code 8: rows of
-/// balls of black base colour and a specular factor of 0, and panels of nothing but a coat.
+/// Returns the largest share of the covered pixels that may be below code 8, because the file's own materials
+/// are black: rows of balls of black base colour and a specular factor of 0, and panels of nothing but a
+/// coat.
 double most_black(const fs::path& file) {
     if (file.stem() == "ClearCoatTest") return 0.22;
     if (file.stem() == "SpecularTest") return 0.35;

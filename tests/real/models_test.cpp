@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What a file is expected to warn of, in part; the others load without a word.
+// Parts of the warnings that a file is expected to cause; the others load without warnings.
 const std::map<std::string, std::vector<std::string>> expected_warnings{
     {"BoxBadNormals.glb", {"a normal is zero or not finite"}},
     {"BoxWithInfinites.glb",
@@ -68,7 +68,7 @@ const Test every_file("real.models.each_loads_with_the_warnings_it_deserves", []
     EXPECT_GT(count, 0);
 });
 
-/// Whether a file of the package is broken or too new or too old by its folder's name or its own.
+/// Returns whether a file of the package is broken or too new or too old by its folder's name or its own.
 bool is_made_to_be_refused(const fs::path& file) {
     static const std::vector<std::string> parts{"/glTF/",         "IndexOutOfRange", "MissingBin",
                                                 "NoScene",        "RecursiveNodes",  "SchemaFailures",
@@ -78,8 +78,8 @@ bool is_made_to_be_refused(const fs::path& file) {
                                [&](const std::string& part) { return name.find(part) != std::string::npos; });
 }
 
-// What a package brings differs from release to release: what is not made to be broken loads, and the rest
-// may be refused, in one line that says what to do.
+// The content of a package differs from release to release: files that are not made to be broken load, and
+// the rest may be refused, in one line that says what to do.
 const Test packaged("real.models.each_packaged_one_loads_or_is_refused_in_one_line", [] {
     const auto folder = sr::testing::packaged_models_folder();
     if (!folder) GTEST_SKIP() << "no packaged models: install assimp-testmodels";

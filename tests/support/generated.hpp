@@ -40,10 +40,10 @@ scene::Scene loaded(const MadeGltf& made, bool is_strict = true);
 /// Its stage, by its own camera, without a rig. @throws Error
 scene::Stage staged(scene::Scene scene);
 
-/// How many scenes of each recipe to try: $STERADIAN_SCENES, or `usual`.
+/// Returns the number of scenes of each recipe: $STERADIAN_SCENES, or `usual`.
 int scenes_of_a_recipe(int usual);
 
-/// What the seeds of scenes start from: $STERADIAN_SEED or 0.
+/// Returns the first seed of the scenes: $STERADIAN_SEED or 0.
 std::uint64_t first_seed();
 
 } // namespace sr::testing

@@ -17,7 +17,7 @@ using render::Row;
 
 /// Runs `body`, the body of `vec4 f(vec4 a, vec4 b, vec4 c)`, for each row, after `preamble` (includes,
 /// functions). Draws into an RGBA32F target; nothing is clamped. With a `scene`, its lights are in the light
-/// table. Files of `overlay` stand in for the shaders' own.
+/// table. Files of `overlay` replace the shaders' own.
 std::vector<vec4> evaluate(const std::string& preamble, const std::string& body, std::span<const Row> rows,
                            const render::GpuScene* scene = nullptr, const glsl::Files& overlay = {});
 

@@ -26,8 +26,8 @@ void append_picture(MadeGltf& made, int edge, Random& random, const Texel& texel
     made.root["images"].push_back({{"uri", "data:image/png;base64," + base64(png.bytes())}});
 }
 
-/// One texture an image, with mipmaps or all without. Software GL compiles every shader anew for other
-/// samplers, so the scenes of a recipe have few of them, and the recipes together all.
+/// Appends one texture for each image, all with mipmaps or all without. Software GL compiles every shader
+/// again for other samplers, so the scenes of a recipe have few of them, and the recipes together all.
 void append_textures(MadeGltf& made, int first_wrap, bool has_mipmaps) {
     constexpr std::array wraps{10497, 33071, 33648};
     constexpr std::array minifications{9987, 9986, 9985, 9984, 9987};

@@ -101,7 +101,7 @@ void degenerate(Shape& shape, Random& random) {
     }
 }
 
-/// Whether the surface reads tangents, which the file may then state.
+/// Returns whether the surface reads tangents, which the file may then state.
 bool has_tangents(Surface surface) {
     return surface == Surface::textured || surface == Surface::mapped || surface == Surface::anisotropic
            || surface == Surface::coated || surface == Surface::two_widths;

@@ -62,7 +62,7 @@ struct Recipe {
 /// Recipes that have each emitter and each surface at least once.
 std::span<const Recipe> recipes();
 
-/// What a scene may have besides what is reasonable.
+/// Extreme features that a scene may have.
 struct Extremes {
     bool has_degenerate_meshes = false; // triangles without area, normals and tangents that are zero
     bool has_flattened_nodes = false;   // axes scaled to 0

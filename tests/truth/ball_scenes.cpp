@@ -52,7 +52,7 @@ scene::EnvironmentLight sky() {
     return light;
 }
 
-/// What models and layers have in common: copper of roughness 0.45.
+/// Returns the base material of models and layers: copper of roughness 0.45.
 scene::Material metal() {
     scene::Material m;
     m.base_color = vec4(0.95f, 0.64f, 0.54f, 1.0f);

@@ -24,7 +24,7 @@ image::Image reduced(const image::Image& film, int enlargement);
 /// that chance left dark has its neighbours' noise.
 Measured with_shared_noise(Measured picture);
 
-/// How far `ours` is from `reference`.
+/// Difference between `ours` and `reference`.
 struct Distance {
     double energy = 0.0;       // |Σ ours / Σ reference - 1|, the worst channel
     double energy_noise = 0.0; // what noise alone is expected to make of it, one standard deviation

@@ -85,7 +85,7 @@ Measured rendered_ball(std::string_view brdf, std::string_view light) {
     const scene::Scene scene = ball_scene(brdf, light);
     const render::GpuScene gpu_scene(scene, scene.lights, render::Visibility::ray);
     // All pixels of a frame share the place within the pixel, which is most of the noise under a point: few
-    // large pixels are as good there, and sets have to be told apart by whole pixels.
+    // large pixels are as good there, and sets have to differ by whole pixels.
     const Samples samples{2, 8,
                           light == "environment" ? 16 : 8}; // half of an environment is below the horizon
     std::vector<image::Image> sets = sets_of(gpu_scene, ball_camera(), ball_size, samples);

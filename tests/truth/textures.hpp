@@ -1,5 +1,5 @@
 #pragma once
-// What the truth scenes read from textures.
+// Textures of the truth scenes.
 #include "scene/scene.hpp"
 
 namespace sr::truth {

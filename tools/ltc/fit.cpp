@@ -59,9 +59,9 @@ Fit fitted(double cos_o, double alpha, const Lobe& start) {
     return fit;
 }
 
-/// What an entry of the table means at its place in the grid (shaders/brdf/ltc.glsl undoes it). For α → 0 the
-/// lobe is a = 2α / cos²θ_o, b = tanθ_o, c = 2α: divided by that, or by what it would be at grazing, the
-/// numbers are smooth.
+/// Prints an entry of the table, normalised by its place in the grid (shaders/brdf/warp.glsl undoes it). For
+/// α → 0 the lobe is a = 2α / cos²θ_o, b = tanθ_o, c = 2α: divided by that, or by what it would be at
+/// grazing, the numbers are smooth.
 void print_entry(const Fit& fit, double cos_o, double scaled_b, double alpha) {
     const double softened = cos_o * cos_o + alpha * alpha;
     std::printf("%.5ff, %.5ff, %.5ff, %.5ff, %.5ff,\n", fit.lobe.a * softened / (2.0 * alpha), scaled_b,

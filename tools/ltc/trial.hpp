@@ -36,7 +36,7 @@ struct Cell {
 std::vector<Trial> trials(Shape shape, Material material, const Cell& cell, int count, std::uint64_t seed,
                           int points);
 
-/// What the shaders make of the trials with that many points a lobe. Needs a current context.
+/// Evaluates the trials by the shaders, with that many points a lobe. Needs a current context.
 std::vector<double> evaluated(std::span<const Trial> trials, Material material, int analytic_points);
 
 /// |got / expected - 1|, ascending.

@@ -4,7 +4,7 @@
     tools/truth/.venv/bin/python tools/truth/extensions.py
 
 KHR_materials_pbrSpecularGlossiness, KHR_materials_transmission (with _volume and _ior) and KHR_materials_diffuse_transmission,
-as the texts of the extensions and glTF 2.0, Appendix B, define them. Nothing of ours is asked: geometry, textures and the
+as the texts of the extensions and glTF 2.0, Appendix B, define them. No code of Steradian is used: geometry, textures and the
 material are made here; D and the masking G1 are Mitsuba's own, and its integrator `volpath` looks through what is `Null`.
 tests/truth/extension_test.cpp has the same cells as glTF files.
 """

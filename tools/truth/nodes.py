@@ -3,9 +3,9 @@
 
     tools/truth/.venv/bin/python tools/truth/nodes.py
 
-Nothing of ours is asked: vertices, normals and maps are made here, in world space, and Mitsuba's own `diffuse` and `normalmap`
+No code of Steradian is used: vertices, normals and maps are made here, in world space, and Mitsuba's own `diffuse` and `normalmap`
 evaluate them. tests/truth/node_test.cpp has the same surfaces with node transforms. A square with a normal map and a smooth
-ball stand for each transform, side by side.
+ball show each transform, side by side.
 """
 from pathlib import Path
 

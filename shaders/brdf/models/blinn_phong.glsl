@@ -1,4 +1,4 @@
-// Lambert of the base colour and a lobe of the specular colour. Whoever states colours whose sum exceeds 1 makes light.
+// Lambert of the base colour and a lobe of the specular colour. Colours whose sum exceeds 1 create energy.
 #include "brdf/blinn_phong.glsl"
 #include "brdf/lambert.glsl"
 #include "brdf/models/no_lobes.glsl"

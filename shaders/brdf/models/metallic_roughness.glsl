@@ -8,7 +8,7 @@ vec3 f_model(Surface x, vec3 wi, vec3 wo) { return layered(x, f_metallic_roughne
 bool base_has_peak(Surface x) { return x.metallic > 0.0 || x.specular > 0.0; }
 bool model_has_peak(Surface x) { return base_has_peak(x) || has_clearcoat; }
 
-// How often the coat is sampled rather than the base. A tenth is left to either, since these are guesses.
+// Probability of sampling the coat rather than the base. Each gets at least a tenth, since the weights are estimates.
 float coat_share(Surface x, vec3 wo) {
     if (!has_clearcoat || x.clearcoat <= 0.0) return 0.0;
     if (!base_has_peak(x)) return 1.0;

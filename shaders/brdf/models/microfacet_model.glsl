@@ -1,4 +1,4 @@
-// What metals have in common, whatever their Fresnel term F_metal_of(x, cos_h) and its mean F_mean_of(x).
+// The common part of all metals, whatever their Fresnel term F_metal_of(x, cos_h) and its mean F_mean_of(x).
 #include "brdf/energy_compensation.glsl"
 #include "brdf/lobe_sum.glsl"
 #include "brdf/microfacets.glsl"

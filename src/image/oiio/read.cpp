@@ -8,7 +8,7 @@
 namespace sr::image::oiio {
 namespace {
 
-/// The part of an image that files tell apart: where its pixels lie, and where they are shown.
+/// Returns whether the pixels of the file (its data window) fill its display window.
 bool fills_display_window(const OIIO::ImageSpec& spec) {
     return spec.x == spec.full_x && spec.y == spec.full_y && spec.width == spec.full_width
            && spec.height == spec.full_height;
@@ -30,7 +30,8 @@ Image in_display_window(const Image& data, const OIIO::ImageSpec& spec) {
     return image;
 }
 
-/// Whether both windows are small enough to be held, and near enough to the origin to be counted with.
+/// Returns whether both windows are small enough to be held, and near enough to the origin to be counted
+/// with.
 bool is_of_sane_size(const OIIO::ImageSpec& spec, std::uint64_t max_values) {
     constexpr int farthest = 1 << 28;
     const auto is_near = [](int value) { return value > -farthest && value < farthest; };

@@ -1,4 +1,4 @@
-// Which pixels and channels are compared, and what is said of images that cannot be.
+// The pixels and channels that are compared, and the messages for images that cannot be.
 #include "compare/align.hpp"
 #include "compare/compare.hpp"
 #include "compare/metrics.hpp"

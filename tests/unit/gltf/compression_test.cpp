@@ -65,7 +65,7 @@ const Test lying_draco("unit.gltf.draco.what_a_stream_claims_is_checked", [] {
     EXPECT_NE(error_of(other).find("has no POSITION in its Draco data"), std::string::npos);
 });
 
-/// Where packed bytes stand in the file's first buffer, as the extension tells it.
+/// Returns the extension's object for packed bytes in the file's first buffer.
 json packed(MadeGltf& made, const Stream& bytes, std::size_t stride, std::size_t count,
             const std::string& mode) {
     const int accessor = made.accessor(bytes, "SCALAR", 5121);

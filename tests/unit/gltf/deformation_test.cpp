@@ -53,7 +53,7 @@ const Test bent("unit.gltf.skin.a_bar_bends_at_its_joint", [] {
     made.root["nodes"][1]["translation"] = {10, 0, 0}; // and the whole skeleton moves
     const scene::Scene scene = load(made).scene;
     const scene::Mesh& mesh = scene.meshes.at(0);
-    const vec3 origin(scene.origin); // the file's world is told from the scene's origin
+    const vec3 origin(scene.origin); // the file's world is relative to the scene's origin
     expect_near(origin + mesh.positions.at(0), vec3(10, 0, 0));
     expect_near(origin + mesh.positions.at(2), vec3(10, 1, 0)); // on the axis: both joints leave it there
     expect_near(origin + mesh.positions.at(4), vec3(10, 1, 1));

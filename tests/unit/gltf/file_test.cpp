@@ -291,7 +291,7 @@ const Test whole_reals("unit.gltf.file.whole_numbers_may_have_a_fraction_of_zero
     EXPECT_EQ(load(made).scene.instances.size(), 1u);
 });
 
-// What public bug reports of other readers are about.
+// Cases from public bug reports of other readers.
 const Test oddities("unit.gltf.file.what_is_odd_and_valid_loads_without_a_word", [] {
     const auto expect_triangle = [](const gltf::Loaded& loaded) {
         EXPECT_TRUE(loaded.warnings.empty()) << ::testing::PrintToString(loaded.warnings);

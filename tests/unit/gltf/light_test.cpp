@@ -103,7 +103,7 @@ const Test cones("unit.gltf.light.angles_out_of_order_make_a_hard_edge", [] {
     }
 });
 
-// What is inside the outer angle is full: the ramp of the falloff is a millionth of a cosine wide.
+// Inside the outer angle the intensity is full: the ramp of the falloff is a millionth of a cosine wide.
 const Test hard_edge("unit.gltf.light.a_hard_edge_is_full_inside", [] {
     for (const float angle : {0.01f, 0.6f, pi / 2}) {
         scene::SpotLight light;

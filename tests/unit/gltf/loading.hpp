@@ -77,7 +77,7 @@ inline std::string loss_of(const MadeGltf& made, gltf::LoadOptions options = {})
     return error;
 }
 
-/// Whether exactly one warning contains the text.
+/// Returns whether exactly one warning contains the text.
 inline bool warns_once(const gltf::Loaded& loaded, std::string_view text) {
     int count = 0;
     for (const std::string& line : loaded.warnings) count += line.find(text) != std::string::npos;

@@ -1,5 +1,5 @@
 #pragma once
-// What the MikkTSpace reference implementation gives for the torus of mikktspace_test.cpp, corner by corner,
+// Values of the MikkTSpace reference implementation for the torus of mikktspace_test.cpp, corner by corner,
 // with w negated as glTF needs it. Computed once with the npm package "mikktspace" 1.1.1 (a port of
 // Mikkelsen's code).
 #include "core/math.hpp"

@@ -79,7 +79,7 @@ const Test polygon("unit.gltf.shape.polygon_keeps_its_front", [] {
     EXPECT_LT(glm::length(light_of<scene::PolygonLight>(made).normal() - vec3(0, 1, 0)), 1e-6f);
 });
 
-/// Where in the world an emitter shows the point `uv` of its texture.
+/// Returns the world position of the point `uv` of an emitter's texture.
 vec3 place_of(const scene::RectangleLight& light, vec2 uv) {
     const glm::mat2 along(light.map.along_u, light.map.along_v);
     const vec2 st = glm::inverse(along) * (uv - light.map.origin);

@@ -12,7 +12,7 @@ using sr::testing::Test;
 
 namespace {
 
-/// What load_suite says about a text, without the folder.
+/// Returns the error of load_suite for a text, without the folder.
 std::string complaint(const std::string& text) {
     const auto folder = scratch_folder("suite_complaint");
     const auto file = written(folder / "s.json", text);

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """The house's own rules, checked by reading the sources. Each rule also shows that it fails on a tree that breaks it.
 
-usage: house.py RULE SOURCE_FOLDER      (RULE: floors, terms, includes, sizes, readmes, paths)
+usage: house.py RULE SOURCE_FOLDER      (RULE: floors, terms, includes, sizes, readmes, paths, prose)
 """
 import re
 import sys
@@ -40,6 +40,34 @@ STANDARD_HEADERS = {
     "unordered_map": "unordered_map", "unordered_set": "unordered_set", "utility": "exchange",
     "variant": "get_if holds_alternative monostate variant visit", "vector": "vector",
 }
+
+# Phrases that we do not use, each with what we write instead. Prose is read without regard to line ends.
+PHRASES = {
+    r"anew": "again",
+    r"(?:is|are|be|been|was|were) told from": "is distinguished from",
+    r"(?:tell|told|tells) apart": "distinguish",
+    r"(?:is|are|be|been|was|were) asked(?: for)?": "is queried, is requested, or the name of the function that is called",
+    r"stands? in (?:for|the place of)": "replaces",
+    r"has it not|have it not|knows? it not": "does not have it",
+    r"wherefrom|wherein|whereof|whither|whence": "from where, in which",
+    r"farness": "depth, distance",
+    r"[Mm]irrors? of (?:the|[a-z]+::|`)|Mirror:": "keep in sync with",
+    r"by and by|ere|lest|thereof|therein|oft": "plain English",
+    r"with no word|without a word": "silently",
+    r"keeps? (?:its|their|the) (?:word|promise)": "stays below the bound",
+    r"as ever": "unchanged",
+    r"[Ww]hoever|[Ww]homever": "the code that, callers that",
+    r"goes? by (?:the|its|their)": "depends on, uses",
+    r"takes? (?:its|their) place": "replaces",
+    r"(?:behind|before|passes|for) the eye": "the camera",
+}
+
+# A comment does not open with a free relative clause ("What a pixel needs."): a type is named by a noun, a function by its verb.
+FREE_RELATIVE = re.compile(r"(?:What|Which|Where(?![^.]*,)|Who|Whom|Whose|Whether|How (?:many|much|far|long|often|wide|near))\b(?![^.]*\?)")
+
+# Folders and files whose prose the rule does not check yet. The list only gets shorter.
+NOT_YET_PLAIN = ("CHANGELOG.md", "shaders/README.md", "src/assignment", "src/brdf", "src/cli", "src/compare", "src/gltf", "src/golden",
+                 "src/output", "src/render", "src/scene", "src/settings", "src/viewer")
 
 
 def sources(folder: Path, *suffixes: str):
@@ -161,6 +189,61 @@ def paths(root: Path) -> list[str]:
     return broken
 
 
+def comment_blocks(text: str, marks: str):
+    """(line, text) of each block of whole-line comments, and of comments that end a line of code."""
+    block, start = [], 0
+    for number, line in enumerate(text.splitlines() + [""], 1):
+        whole = re.match(rf"\s*(?:{marks})\s?(.*)", line)
+        if whole:
+            start = start if block else number
+            block.append(whole.group(1))
+            continue
+        if block:
+            yield start, " ".join(block)
+            block = []
+        trailing = re.search(rf"\S.*?\s(?:{marks})\s(.*)", line)
+        if trailing:
+            yield number, trailing.group(1)
+
+
+def prose_of(root: Path):
+    """(file, line, text, is a comment of our code) of everything that is written for people."""
+    for file in sorted(root.rglob("*.md")):
+        if file.relative_to(root).parts[0] not in ("build", ".venv", "out", "shared") and file.name in ("README.md", "CONTRIBUTING.md", "CHANGELOG.md"):
+            text = re.sub(r"```.*?```|^ {4,}[^\n]*", lambda m: "\n" * m.group().count("\n"), file.read_text(), flags=re.DOTALL | re.MULTILINE)
+            line = 1
+            for paragraph in re.split(r"(\n\s*\n)", text):
+                if paragraph.strip():
+                    yield file, line, re.sub(r"`[^`]*`", "``", paragraph), False
+                line += paragraph.count("\n")
+    for folder in ("src", "shaders", "tests", "tools"):
+        for file in sources(root / folder, ".cpp", ".hpp", ".glsl", ".frag", ".vert"):
+            yield from ((file, line, text, True) for line, text in comment_blocks(file.read_text(), "///?"))
+    for file in sorted((root / "tools").rglob("*")):
+        if file.is_file() and not {".venv", "__pycache__"} & set(file.parts) and file.suffix in ("", ".py"):
+            text = file.read_text(errors="replace")
+            for help_text in re.finditer(r'^"""(.*?)"""', text, re.DOTALL | re.MULTILINE):
+                yield file, text[: help_text.start()].count("\n") + 1, help_text.group(1), False
+
+
+def prose(root: Path) -> list[str]:
+    """Comments, READMEs and help use the field's words and plain sentences."""
+    phrases = [(re.compile(rf"(?<![\w`])(?:{was})(?!\w)"), instead) for was, instead in PHRASES.items()]
+    broken = []
+    for file, line, text, is_comment in prose_of(root):
+        path = file.relative_to(root)
+        if any(path.is_relative_to(folder) for folder in NOT_YET_PLAIN):
+            continue
+        flat = re.sub(r"\s+", " ", text)
+        for phrase, instead in phrases:
+            found = phrase.search(flat)
+            if found:
+                broken.append(f"{path}:{line}: \"{found.group()}\": write \"{instead}\"")
+        if is_comment and FREE_RELATIVE.match(flat):
+            broken.append(f"{path}:{line}: \"{flat[:60]}\": name the thing, or start with a verb")
+    return broken
+
+
 # For each rule, files of a tree that breaks it in as many places as the number says.
 BAD_TREES = {
     floors: (3, {"src/core/CMakeLists.txt": "sr_library(core SOURCES a.cpp)",
@@ -179,6 +262,9 @@ BAD_TREES = {
                    "tools/a.cpp": "std::chrono::seconds a;\n"}),
     readmes: (1, {"src/core/a.cpp": "", "src/gl/a.cpp": "", "src/README.md": "gl/ is named"}),
     paths: (2, {"CONTRIBUTING.md": "`src/core/a.cpp` `src/core/b.cpp` `src/NAME.cpp`", "src/README.md": "`src/` `tests/law/`", "src/core/a.cpp": ""}),
+    prose: (5, {"README.md": "It is made\nanew.\n\n    told from\n`anew`", "src/core/a.hpp": "// What a pixel needs.\nint a; // Whose is it?\n",
+                "src/core/b.cpp": "int a; // farness\n// Which one?\n", "shaders/brdf/a.glsl": "// A term\n// which is asked.\n",
+                "tools/a": '#!/usr/bin/env python3\n"""Makes it\nanew."""\n'}),
 }
 
 

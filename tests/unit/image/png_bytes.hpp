@@ -1,5 +1,5 @@
 #pragma once
-// PNG files made by hand, so that every kind of PNG can be asked for.
+// PNG files made by hand, of every kind.
 #include <cstdint>
 #include <string>
 #include <string_view>

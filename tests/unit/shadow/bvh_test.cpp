@@ -41,7 +41,7 @@ bool contains(const BvhNode& node, vec3 p) {
     return glm::all(glm::lessThanEqual(node.low, p)) && glm::all(glm::greaterThanEqual(node.high, p));
 }
 
-// Whoever goes from node to node passes every triangle once, in a box that holds it; skipping leads forward.
+// A walk from node to node passes every triangle once, in a box that holds it; skipping leads forward.
 const Test complete("unit.shadow.bvh.holds_every_triangle_once", [] {
     const Casters casters = casters_from(soup(1000));
     const Bvh bvh = bvh_of(casters);

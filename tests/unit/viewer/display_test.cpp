@@ -1,4 +1,4 @@
-// What the window shows is what files get.
+// The window shows the picture that files get.
 #include "image/display.hpp"
 #include "support/address.hpp"
 #include "support/gl.hpp"

@@ -1,4 +1,4 @@
-// What moves by itself in the viewer, and what a person edited meanwhile.
+// Animations in the viewer, and edits that a person made meanwhile.
 #include "core/error.hpp"
 #include "support/address.hpp"
 #include "viewer/document/light_edits.hpp"
@@ -75,7 +75,7 @@ void show(LoadedScene& loaded, LightEditor& lighting, double seconds) {
     lighting.apply(loaded);
 }
 
-/// What the file's first light is at a moment, by a reading of its own.
+/// Evaluates the file's first light at a moment, by loading it separately.
 scene::PointLight lamp_at(double seconds) {
     Options options;
     options.at = seconds;
