@@ -35,7 +35,7 @@ float median(std::vector<float> values) {
     return *middle;
 }
 
-/// Whether two values tell a factor: above the floor, and not clipped by a screen.
+/// True if two values tell a factor: above the floor, and not clipped by a screen.
 bool tells(const DiagnosisInput& in, float t, float r) {
     return r > in.floor && t > 0.0f && r < 0.98f * in.max_value && t < 0.98f * in.max_value;
 }
