@@ -36,7 +36,7 @@ std::string words_of(int code) {
     return words;
 }
 
-/// Where assignment.json stands: "", or "my-a3/" if the folder itself was packed. @throws Error
+/// The folder of assignment.json: "", or "my-a3/" if the folder itself was packed. @throws Error
 std::string prefix_in(zip* archive, const fs::path& file) {
     const std::string_view label = "assignment.json";
     const zip_int64_t count = zip_get_num_entries(archive, 0);

@@ -9,14 +9,14 @@ struct zip;
 
 namespace sr::assignment {
 
-/// Nothing of an archive reaches the disk, and only the names that are asked for are read.
+/// The files of a submission. Nothing of an archive reaches the disk; only requested names are read.
 class SubmittedFiles {
 public:
     /// `submission`: a folder, or a zip file with assignment.json at its root or in its one folder.
     /// @throws Error if it is neither
     explicit SubmittedFiles(std::filesystem::path submission);
 
-    /// What messages name the file by: SUBMISSION/NAME.
+    /// The name of a file in messages: SUBMISSION/NAME.
     std::filesystem::path place(const std::string& name) const { return submission_ / name; }
 
     /// @throws Error if there is no such file, or if it is larger than 1 MiB or cannot be read

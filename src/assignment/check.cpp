@@ -148,7 +148,7 @@ namespace {
 
 constexpr int min_mistakes = 6, min_solutions = 2; // of a task
 
-/// What a task's result comes to in one line.
+/// Summarises a task's result in one line.
 std::string summary(const ordered_json& task) {
     std::string names;
     for (const ordered_json& check : task["checks"])

@@ -21,7 +21,7 @@ struct Problem {
 /// region, one problem that blames the task's region.
 std::vector<Problem> problems_of(const gl::ShaderError& error, const std::string& task, const Codes& codes);
 
-/// What a beginner may have done wrong, given the driver's words and the line; empty if nothing is known.
+/// A likely mistake of a beginner, given the driver's words and the line; empty if nothing is known.
 std::string hint_for_complaint(const std::string& complaint, const std::string& source);
 
 } // namespace sr::assignment

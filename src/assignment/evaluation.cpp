@@ -14,7 +14,7 @@ namespace {
 
 using Kind = Input::Kind;
 
-/// Where each column begins in a row of twelve floats.
+/// The offset of each column in a row of twelve floats.
 std::vector<int> offsets_of(std::span<const Input> columns) {
     std::vector<int> offsets;
     int next = 0;

@@ -68,7 +68,7 @@ Values evaluate(const std::vector<glsl::Root>& path, const Assignment& assignmen
 std::vector<vec4> evaluate_rows(const std::vector<glsl::Root>& path, const Assignment& assignment,
                                 const Expression& expression, const Inputs& inputs);
 
-/// Whether a row's value says that not_implemented() was called.
+/// True if a row's value says that not_implemented() was called.
 bool is_not_implemented(vec4 value);
 
 } // namespace sr::assignment

@@ -33,13 +33,13 @@ struct Input {
     std::vector<double> values;
     std::string around;
 
-    /// How many floats of a row it takes, and its GLSL type.
+    /// The number of floats that it takes in a row, and its GLSL type.
     int size() const;
     const char* type() const;
 };
 
-/// How near a value has to be: |got - expected| ≤ relative |expected| + absolute · (the largest |expected|) +
-/// what the expected value itself changes by when the inputs change in their last bits.
+/// Tolerance of a value: |got - expected| ≤ relative |expected| + absolute · (the largest |expected|) +
+/// the change of the expected value when the inputs change in their last bits.
 struct Nearness {
     double relative = 1e-4;
     double absolute = 1e-6;

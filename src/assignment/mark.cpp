@@ -218,7 +218,7 @@ std::string cells(std::initializer_list<std::string> texts) {
     return row + "\n";
 }
 
-/// What is seen where the script may not run.
+/// The table that shows where the script may not run.
 std::string plain_table(const ordered_json& result) {
     std::string rows;
     for (const ordered_json& task : result["tasks"]) {

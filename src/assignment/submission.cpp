@@ -50,7 +50,7 @@ void add_regions(Submission& submission, const Assignment& assignment, const std
     }
 }
 
-/// Whether students write in this file; the others are given.
+/// True for a file that students write in; the others are given.
 bool is_written(const Assignment& assignment, const std::string& file) {
     return !regions_of(assignment.files.at(file), assignment.place_of(file)).empty();
 }

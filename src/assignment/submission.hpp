@@ -9,7 +9,7 @@
 
 namespace sr::assignment {
 
-/// What a folder says of itself in assignment.json.
+/// The identity of a folder, from its assignment.json.
 struct FolderLabel {
     std::string assignment; // "a3-brdf"
     std::string student;

@@ -52,7 +52,7 @@ std::vector<glm::dvec4> tolerances_around(const std::vector<glm::dvec4>& expecte
     return tolerances;
 }
 
-/// How far a value is beyond what is allowed: 1 is just allowed.
+/// The error of a value over its tolerance: 1 just passes.
 double excess(Relation relation, double got, double expected, double tolerance) {
     if (got == expected) return 0.0;
     if (!std::isfinite(got)) return infinity;
@@ -63,7 +63,7 @@ double excess(Relation relation, double got, double expected, double tolerance) 
     return counted > 0.0 ? counted / tolerance : 0.0;
 }
 
-/// How far off a row is: its worst component, and the same for what the row's values have in common.
+/// The error of a row over its tolerance: that of its worst component, and of what its values have in common.
 double excess(Relation relation, const Compared& c, std::size_t row, int count) {
     double worst = 0.0;
     for (int i = 0; i < count; ++i)
@@ -72,8 +72,8 @@ double excess(Relation relation, const Compared& c, std::size_t row, int count) 
     return worst;
 }
 
-/// How far values are from those of a mistake, in units of the check's nearness. Infinite where they are not
-/// the mistake's.
+/// The distance of values to those of a mistake, in units of the tolerance. Infinite if they are not the
+/// mistake's.
 double distance(const std::vector<glm::dvec4>& got, const std::vector<glm::dvec4>& mistaken,
                 const Compared& compared, const Nearness& nearness, int count) {
     const double floor = nearness.absolute * largest(mistaken, count) + std::numeric_limits<double>::min();
@@ -84,7 +84,7 @@ double distance(const std::vector<glm::dvec4>& got, const std::vector<glm::dvec4
             if (x == y || (std::isnan(x) && std::isnan(y))) continue;
             if (!std::isfinite(x) || !std::isfinite(y)) return infinity;
             const double near = nearness.relative * std::abs(y) + floor;
-            // What rounding does to the reference it may do to a mistake as well.
+            // Rounding may change a mistake as much as the reference.
             if (!(std::abs(x - y) <= std::max(near, compared.tolerance[r][i]))) return infinity;
             furthest = std::max(furthest, std::abs(x - y) / near);
         }
@@ -220,9 +220,8 @@ std::optional<Named> diagnose(const Assignment& assignment, const Parameters& pa
 namespace {
 
 constexpr int rings = 16, sectors = 12; // cells of the sphere, of equal solid angle
-constexpr int asked_side =
-    384; // squared: where the density is asked for; whole numbers of points fall into cells
-constexpr int drawn_side = 128;        // squared: how many directions are drawn
+constexpr int asked_side = 384; // squared: points of the density; each cell gets a whole number of them
+constexpr int drawn_side = 128; // squared: how many directions are drawn
 constexpr double max_deviations = 5.0; // of the statistic above its mean
 constexpr int slope_seeds = 256;
 
@@ -240,7 +239,7 @@ std::size_t cell_of(glm::dvec3 w) {
                                     + std::clamp(static_cast<int>(turn * sectors), 0, sectors - 1));
 }
 
-/// How many directions of a row fall into each cell.
+/// The number of directions of a row in each cell.
 struct Drawn {
     std::vector<double> counts = std::vector<double>(rings * sectors, 0.0);
     bool is_implemented = true, is_unit = true;

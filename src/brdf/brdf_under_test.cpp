@@ -13,7 +13,7 @@ namespace {
 
 bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
-/// Whether the text has `function(…) {`: not a call and no prototype, which a ';' follows.
+/// True if the text has `function(…) {`: not a call and no prototype, which a ';' follows.
 bool declares(std::string_view text, std::string_view function) {
     constexpr std::string_view blank = " \t\r\n\v\f";
     for (auto at = text.find(function); at != text.npos; at = text.find(function, at + 1)) {

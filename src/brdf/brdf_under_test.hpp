@@ -30,11 +30,11 @@ struct BrdfUnderTest {
     std::optional<UserShader> user;
     std::shared_ptr<gl::TrialCompiler> trial = nullptr; // of the user's shader; null: compiles directly
 
-    /// Whether f_r is a delta, which has no values.
+    /// True if f_r is a delta, which has no values.
     bool is_delta() const { return !user && material.model == scene::Model::mirror; }
-    /// Whether the model is reciprocal by its definition.
+    /// True if the model is reciprocal by its definition.
     bool is_reciprocal() const { return user || !(material.clearcoat > 0.0f); }
-    /// Whether the model conserves energy by its definition: glTF's coated dielectric does not
+    /// True if the model conserves energy by its definition: glTF's coated dielectric does not
     /// (shaders/README.md).
     bool keeps_energy() const {
         return user || material.model != scene::Model::metallic_roughness || material.metallic == 1.0f

@@ -99,7 +99,7 @@ std::vector<vec2> random_points(bool is_stratified) {
     return points;
 }
 
-/// How many of the directions that the BRDF draws fall into each cell.
+/// The number of sampled directions in each cell.
 std::vector<double> drawn(BrdfEvaluator& evaluator, vec3 wo, bool is_stratified) {
     std::vector<double> counts(below + 1, 0.0);
     for (const WeightedDirection& w : evaluator.samples(wo, random_points(is_stratified)))

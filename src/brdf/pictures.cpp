@@ -16,7 +16,7 @@ constexpr int steps = 1440;                                          // of θ_i,
 
 struct View {
     float degrees;
-    const char* color; // Okabe & Ito 2008: told apart by everybody
+    const char* color; // Okabe & Ito 2008: distinct for the colour-blind, too
 };
 constexpr std::array<View, 4> views{
     {{0.0f, "#0072b2"}, {30.0f, "#009e73"}, {60.0f, "#d55e00"}, {80.0f, "#cc79a7"}}};

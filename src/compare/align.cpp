@@ -145,9 +145,8 @@ void set_aside_nonfinite(AlignedImages& images) {
     }
 }
 
-/// Makes both images equal and finite where they are not compared, so that no filter's neighbourhood carries
-/// a difference from there.
-void level_the_rest(AlignedImages& images) {
+/// Makes both images equal and finite where they are not compared, so that no filter sees a difference there.
+void equalize_the_rest(AlignedImages& images) {
     const auto channels = static_cast<std::size_t>(images.reference.channels);
     for (std::size_t i = 0; i < images.pixels.size(); ++i) {
         if (images.pixels[i] == PixelState::compared) {
@@ -200,7 +199,7 @@ AlignedImages align(const Image& test, const Image& reference, const CompareOpti
         throw Error("the region and the mask leave no pixel to compare",
                     "choose a larger region or another mask");
     set_aside_nonfinite(images);
-    level_the_rest(images);
+    equalize_the_rest(images);
     return images;
 }
 

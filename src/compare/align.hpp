@@ -34,7 +34,7 @@ std::array<std::size_t, 3> color_channels(const image::Image& image);
 /// Copies the given channels into an image of their own.
 image::Image extract(const image::Image& image, const std::vector<int>& channels);
 
-/// Whether a pixel is compared: excluded by the region or the mask, or not finite.
+/// The state of a pixel: compared, excluded by the region or the mask, or not finite.
 enum class PixelState : std::uint8_t { compared, excluded, nonfinite };
 
 /// Two images with the same channels. Where a pixel is not compared, `test` equals `reference`.

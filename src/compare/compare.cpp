@@ -16,7 +16,7 @@ using image::Image;
 
 constexpr const char* default_density = "density=0.25";
 
-/// The given tolerances, or the default ones; wherever a share of the pixels may fail, they may not cluster.
+/// The given tolerances, or the default ones; with a limit on density if a share of the pixels may fail.
 std::vector<Tolerance> tolerances_in_use(const CompareOptions& options) {
     std::vector<Tolerance> tolerances = options.tolerances;
     if (tolerances.empty()) tolerances = default_tolerances(options.encoding, !options.noise.empty());
@@ -28,7 +28,7 @@ std::vector<Tolerance> tolerances_in_use(const CompareOptions& options) {
     return tolerances;
 }
 
-/// Those that hold pixel by pixel, or the default ones, so that there is an error map in any case.
+/// The tolerances on pixels, or the default ones: there is always an error map.
 std::vector<Tolerance> pixel_tolerances(const std::vector<Tolerance>& tolerances,
                                         const CompareOptions& options) {
     if (std::ranges::any_of(tolerances, &Tolerance::by_pixel)) return tolerances;
@@ -41,7 +41,7 @@ double mean_over(const Plane& plane, const AlignedImages& images) {
     return sum / static_cast<double>(images.compared.size());
 }
 
-/// What people see: FLIP and SSIM.
+/// FLIP and SSIM: the visible difference.
 void measure_appearance(const AlignedImages& images, const CompareOptions& options,
                         Measurements& measurements) {
     const bool is_light = options.encoding == Encoding::scene_referred;

@@ -35,7 +35,7 @@ std::vector<float> as_light(const image::Image& image, std::size_t colors, Encod
     return light;
 }
 
-/// Whether the reference varies by half over these pixels: otherwise any factor fits any change.
+/// True if the reference varies by half over these pixels: otherwise any factor fits any change.
 bool varies(const DiagnosisInput& in, const std::vector<std::size_t>& pixels) {
     std::vector<float> values;
     for (const std::size_t i : pixels)

@@ -24,7 +24,7 @@ struct Exposures {
     int count = 2;
 };
 
-/// What the numbers of both images are: light (.exr, .hdr), or sRGB code values in 0..1 (.png, .jpg).
+/// The meaning of the numbers of both images: light (.exr, .hdr), or sRGB code values in 0..1 (.png, .jpg).
 enum class Encoding { scene_referred, display_referred };
 
 struct CompareOptions {

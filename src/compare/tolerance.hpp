@@ -7,7 +7,8 @@
 
 namespace sr::compare {
 
-/// What a tolerance limits. The first five are measured at each pixel; @QUANTILE applies to these only.
+/// The quantity that a tolerance limits. The first five are measured at each pixel; @QUANTILE applies to
+/// these only.
 enum class Measure { rel, abs, z, flip, hdr_flip, mean_rel, mean_abs, rmse, rel_mse, energy, ssim, density };
 
 /// One limit. `rel=0.02@99.5%`: 99.5 % of the pixels are within 0.02; `rel=0.02`: all pixels are. Without a

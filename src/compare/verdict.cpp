@@ -20,7 +20,7 @@ PixelValues at_compared(const Plane& plane, const AlignedImages& images) {
     return values;
 }
 
-/// What the tolerance limits, at each compared pixel.
+/// The limited quantity at each compared pixel.
 PixelValues pixel_values(Measure measure, const AlignedImages& images, const Measurements& measurements) {
     switch (measure) {
     case Measure::rel: return measurements.rel;

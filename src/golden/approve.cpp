@@ -133,7 +133,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Whether a golden holds the picture with this fingerprint; a broken one holds none.
+/// True if a golden holds the picture with this fingerprint; a broken one holds none.
 bool holds(const fs::path& golden, const std::string& picture) {
     try {
         return fingerprint(image::read(golden)) == picture;
@@ -161,7 +161,7 @@ std::size_t nonfinite_count(const image::Image& image) {
         std::ranges::count_if(image.pixels, [](float v) { return !std::isfinite(v); }));
 }
 
-/// Whether the candidate's renderer may make goldens here.
+/// Refuses a renderer that may not make goldens here.
 std::optional<Refusal> renderer_refusal(const Suite& suite, const TestResult& test, bool is_scene) {
     const std::string& found = test.candidate_renderer;
     if (!is_scene && found.empty())
@@ -182,7 +182,7 @@ std::optional<Refusal> renderer_refusal(const Suite& suite, const TestResult& te
                    true};
 }
 
-/// Whether the candidate may stand beside the golden.
+/// Refuses a candidate that may not be an alternate.
 std::optional<Refusal> alternate_refusal(const Suite& suite, const TestResult& result,
                                          const GoldenTest& test) {
     std::error_code ignored;
@@ -195,7 +195,7 @@ std::optional<Refusal> alternate_refusal(const Suite& suite, const TestResult& r
     return std::nullopt;
 }
 
-/// What is wrong with the candidate itself.
+/// Inspects the candidate itself.
 void inspect(Approval& approval, const TestResult& result, const GoldenTest& test) {
     std::error_code ignored;
     if (result.candidate.empty() || !fs::exists(approval.candidate, ignored)) {

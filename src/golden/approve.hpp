@@ -22,7 +22,7 @@ struct Refusal {
     bool yields_to_force = false;
 };
 
-/// What approving a test would do.
+/// The effect of approving a test.
 struct Approval {
     std::string name;
     std::filesystem::path candidate;
@@ -36,7 +36,7 @@ struct ApprovalPlan {
     std::vector<Approval> approvals;
     std::vector<std::string> remarks;
 
-    /// Whether nothing is refused, but for what force overcomes.
+    /// True if nothing is refused, or only what `force` overcomes.
     bool is_allowed(bool force) const;
 };
 

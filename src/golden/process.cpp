@@ -51,7 +51,7 @@ void reset_signals() {
     end_as(status);
 }
 
-/// What a child needs, in plain data: nothing is allocated after the fork.
+/// The data of a child: nothing is allocated after the fork.
 struct ChildPlan {
     std::vector<char*> words;
     const char* folder;
@@ -114,7 +114,7 @@ int start(pid_t& child, const ProcessOptions& options) {
     return failure;
 }
 
-/// Whether the child has ended. It stays a zombie, so that its group's number is not given to others.
+/// True if the child has ended. It stays a zombie, so that its group's number is not given to others.
 bool has_ended(pid_t child) {
     siginfo_t info{};
     return waitid(P_PID, static_cast<id_t>(child), &info, WEXITED | WNOHANG | WNOWAIT) == 0

@@ -25,7 +25,7 @@ std::vector<const TestResult*> failures_first(const RunResult& result) {
     return tests;
 }
 
-/// What people type to do something about a test, in the folder that the run was started in.
+/// The commands that reproduce, rerun and approve a test, in the folder that the run was started in.
 ordered_json commands_of(const TestResult& test, const RunResult& result, const Suite& suite,
                          const fs::path& output) {
     const std::string file = result.suite_file;
@@ -87,7 +87,7 @@ ordered_json page_data(const RunResult& result, const Suite& suite, const fs::pa
             {"tests", std::move(tests)}};
 }
 
-/// What is seen where the script may not run.
+/// The table that shows where the script may not run.
 std::string plain_table(const RunResult& result) {
     std::string rows;
     for (const TestResult* test : failures_first(result))

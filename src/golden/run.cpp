@@ -122,7 +122,7 @@ compare::CompareOptions compare_options(const GoldenTest& test) {
     return options;
 }
 
-/// What failed first, and the diagnosis if there is one.
+/// The first failure, and the diagnosis if there is one.
 std::string summary(const compare::Comparison& comparison) {
     const auto failed = std::ranges::find(comparison.verdicts, false, &compare::Verdict::passed);
     std::string text = failed == comparison.verdicts.end() ? "differs from its golden" : failed->line;

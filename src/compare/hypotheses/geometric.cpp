@@ -82,7 +82,7 @@ void hypotheses_geometric(const DiagnosisInput& in, Hypotheses& out) {
 }
 
 void hypotheses_turned(const image::Image& test, const image::Image& reference, Hypotheses& out) {
-    // The reference's mean stands in for the reference, which has no pixel at most of the test's places.
+    // The mean replaces the reference, which has no pixel at most of the test's places.
     DiagnosisInput in;
     in.width = test.width;
     in.height = test.height;

@@ -100,7 +100,7 @@ Dark darkness(const DiagnosisInput& in, const Light& light) {
             rise += static_cast<double>(in.t(i, c) - in.r(i, c));
         }
         all += difference;
-        if (in.t(i, 0) + in.t(i, 1) + in.t(i, 2) <= in.floor) continue; // nothing to see here
+        if (in.t(i, 0) + in.t(i, 1) + in.t(i, 2) <= in.floor) continue; // black
         const bool is_lit = light.sum_at(i) > 1e-3f * brightest;
         lit += is_lit;
         dark += !is_lit;
@@ -112,10 +112,10 @@ Dark darkness(const DiagnosisInput& in, const Light& light) {
             lit / (lit + dark)};
 }
 
-/// The light whose darkness was lit up: of those that explain it, the one whose darkness was lit up most.
+/// The missing shadow of the light that explains the difference and whose dark pixels brightened most.
 void add_shadows(const DiagnosisInput& in, const std::vector<Light>& lights, Hypotheses& out) {
     constexpr double min_brightened = 0.25; // the left of the darkness is on surfaces that face away
-    constexpr double min_lit = 0.25;        // of a light that reaches little, the darkness says little
+    constexpr double min_lit = 0.25;        // of the pixels; else the dark pixels say little
     constexpr double max_residual = 0.1;
     const Light* best = nullptr;
     Dark best_dark;

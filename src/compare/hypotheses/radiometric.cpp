@@ -14,18 +14,18 @@ struct NamedFactor {
     const char* meaning;
 };
 
-constexpr double pi = std::numbers::pi;
-constexpr std::array named_factors{NamedFactor{pi, "pi_missing", "a division by π is missing"},
-                                   NamedFactor{1.0 / pi, "pi_twice", "a division by π too many"},
-                                   NamedFactor{2.0, "factor_two", "a factor of two too much"},
-                                   NamedFactor{0.5, "factor_half", "a factor of two is missing"},
-                                   NamedFactor{2.0 * pi, "two_pi_missing", "a division by 2π is missing"},
-                                   NamedFactor{0.5 / pi, "two_pi_twice", "a division by 2π too many"},
-                                   NamedFactor{4.0 * pi, "four_pi_missing", "a division by 4π is missing"},
-                                   NamedFactor{0.25 / pi, "four_pi_twice", "a division by 4π too many"},
-                                   NamedFactor{683.0, "lumens_for_watts", "683 lm/W applied once too often"},
-                                   NamedFactor{1.0 / 683.0, "watts_for_lumens", "683 lm/W is missing"}};
-constexpr double same_factor = 0.01; // relative: what a median still misses in a noisy image
+constexpr std::array named_factors{
+    NamedFactor{std::numbers::pi, "pi_missing", "a division by π is missing"},
+    NamedFactor{1.0 / std::numbers::pi, "pi_twice", "a division by π too many"},
+    NamedFactor{2.0, "factor_two", "a factor of two too much"},
+    NamedFactor{0.5, "factor_half", "a factor of two is missing"},
+    NamedFactor{2.0 * std::numbers::pi, "two_pi_missing", "a division by 2π is missing"},
+    NamedFactor{0.5 / std::numbers::pi, "two_pi_twice", "a division by 2π too many"},
+    NamedFactor{4.0 * std::numbers::pi, "four_pi_missing", "a division by 4π is missing"},
+    NamedFactor{0.25 / std::numbers::pi, "four_pi_twice", "a division by 4π too many"},
+    NamedFactor{683.0, "lumens_for_watts", "683 lm/W applied once too often"},
+    NamedFactor{1.0 / 683.0, "watts_for_lumens", "683 lm/W is missing"}};
+constexpr double same_factor = 0.01; // relative error of a median in a noisy image
 
 /// The median; 0 of no values.
 float median(std::vector<float> values) {
@@ -35,12 +35,12 @@ float median(std::vector<float> values) {
     return *middle;
 }
 
-/// Whether a value tells a factor: above the floor, and not where a screen clips.
+/// True if two values tell a factor: above the floor, and not clipped by a screen.
 bool tells(const DiagnosisInput& in, float t, float r) {
     return r > in.floor && t > 0.0f && r < 0.98f * in.max_value && t < 0.98f * in.max_value;
 }
 
-/// The median of t / r over the channels from `first` up to `last`; 1 where nothing tells.
+/// The median of t / r over the channels from `first` up to `last`; 1 if no pixel tells.
 float fitted_factor(const DiagnosisInput& in, std::size_t first, std::size_t last) {
     std::vector<float> ratios;
     for (const std::size_t i : in.fitted)
@@ -130,7 +130,7 @@ void hypotheses_blank(const DiagnosisInput& in, Hypotheses& out) {
 
 void hypotheses_factors(const DiagnosisInput& in, Hypotheses& out) {
     add_factor(in, out);
-    if (!in.is_whole) return; // a few pixels fit too many tints
+    if (!in.is_whole) return; // too many tints fit a few pixels
     if (in.colors == 3) add_gains(in, out);
     add_offset(in, out);
 }
