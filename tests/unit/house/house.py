@@ -66,7 +66,7 @@ PHRASES = {
 FREE_RELATIVE = re.compile(r"(?:What|Which|Where(?![^.]*,)|Who|Whom|Whose|Whether|How (?:many|much|far|long|often|wide|near))\b(?![^.]*\?)")
 
 # Folders and files whose prose the rule does not check yet. The list only gets shorter.
-NOT_YET_PLAIN = ("CHANGELOG.md", "src/assignment", "src/brdf", "src/cli", "src/compare", "src/gltf", "src/golden",
+NOT_YET_PLAIN = ("src/assignment", "src/brdf", "src/cli", "src/compare", "src/gltf", "src/golden",
                  "src/output", "src/render", "src/scene", "src/settings", "src/viewer")
 
 
