@@ -61,7 +61,7 @@ const Test false_colors("unit.viewer.display.false_colours_equal_the_files", [] 
         const auto shown =
             sr::testing::evaluate("#include \"display/colormap.glsl\"\n",
                                   "return vec4(luminance_color(luminance(vec3(a.x)), a.yz), 1.0);", rows,
-            nullptr, {{"display/choice.glsl", image::colormap_glsl()}});
+                                  nullptr, {{"display/choice.glsl", image::colormap_glsl()}});
         for (std::size_t i = 0; i < rows.size(); ++i)
             for (int c = 0; c < 3; ++c) // a hundredth of an 8-bit step
                 EXPECT_NEAR(shown[i][c], expected[i][c], 4e-5f) << rows[i][0].x << " cd/m²";
@@ -83,9 +83,8 @@ const Test views("unit.viewer.display.views_equal_the_files", [] {
         using output::Display;
         if (variable.display != Display::share && variable.display != Display::leaks) continue;
         const auto shown =
-            sr::testing::evaluate("#include \"display/view.glsl\"\n",
-                                  "return vec4(view_color(a), 1.0);", rows,
-                                  nullptr, {{"display/choice.glsl", viewer::view_glsl(&variable)}});
+            sr::testing::evaluate("#include \"display/view.glsl\"\n", "return vec4(view_color(a), 1.0);",
+                                  rows, nullptr, {{"display/choice.glsl", viewer::view_glsl(&variable)}});
         const image::Image expected = output::colors_of(variable, output::numbers_of(variable, film));
         for (int i = 0; i < film.width; ++i)
             for (int c = 0; c < 3; ++c)
