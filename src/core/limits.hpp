@@ -7,7 +7,7 @@
 
 namespace sr {
 
-/// The numbers stand in README.md, "Limits".
+/// README.md, "Limits", has the numbers.
 enum class Limit {
     file_bytes,
     json_values,

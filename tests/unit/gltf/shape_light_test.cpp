@@ -211,7 +211,7 @@ const Test schema("unit.gltf.shape.schema_and_rules_agree", [] {
 
 // The example of the README is a scene.
 const Test readme("unit.gltf.shape.the_example_of_the_readme", [] {
-    std::ifstream stream(source_folder() / "README.md");
+    std::ifstream stream(source_folder() / "src/gltf/README.md");
     const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
     const auto begin = text.find("    \"nodes\": [\n");
     const auto end = text.find("\n    ]\n", begin);
