@@ -101,8 +101,7 @@ std::string row_of(int k, const scene::Light& light, const render::LightTerms& t
     const std::string extent = t.solid_angle > 0.0f ? fmt::format("{:.4g}", t.solid_angle) : "-";
     return fmt::format("{:>3} {:<18}{:<12}{:>9} {:>7.3f}{:>7.3f}{:>7.3f}{:>8.4f}{:>8.4f}{:>11.4g}{:>10.4g}{}",
                        k, fitted(scene::name_of(light)), scene::variety_of(light), extent, t.wi.x, t.wi.y,
-                       t.wi.z, t.cos_i, t.V, luminance(t.f_r), luminance(t.E),
-                       cells(t.L_r, 11));
+                       t.wi.z, t.cos_i, t.V, luminance(t.f_r), luminance(t.E), cells(t.L_r, 11));
 }
 
 void print(const ProbeCommand& command, const OpenScene& open, const render::PixelTerms& terms) {

@@ -78,8 +78,8 @@ void remark_on(const image::Image& film, const RenderCommand& command, const sce
                      stage.camera.name);
 }
 
-ordered_json summary(const RenderCommand& command, const scene::RenderScene& stage, const gl::Context& context,
-                     Size size) {
+ordered_json summary(const RenderCommand& command, const scene::RenderScene& stage,
+                     const gl::Context& context, Size size) {
     return {{"scene", command.scene},
             {"outputs", command.outputs},
             {"width", size.width},

@@ -8,7 +8,6 @@
 #include "image/file.hpp"
 #include "output/render_settings.hpp"
 #include "output/variables.hpp"
-#include "render/visibility/visibility_backend.hpp"
 #include "render/renderer.hpp"
 #include "render/visibility/visibility_backend.hpp"
 #include "scene/prepare.hpp"

@@ -1,9 +1,9 @@
 #pragma once
 // Settings that `steradian render` and the viewer share.
 #include "image/display.hpp"
-#include "render/visibility/visibility_backend.hpp"
-#include "render/renderer.hpp"
 #include "render/adaptive/stop_rule.hpp"
+#include "render/renderer.hpp"
+#include "render/visibility/visibility_backend.hpp"
 #include "scene/prepare.hpp"
 
 #include <optional>

@@ -3,7 +3,6 @@
 #include "gl/context.hpp"
 #include "image/image.hpp"
 #include "render/adaptive/convergence.hpp"
-#include "render/visibility/visibility_backend.hpp"
 #include "render/renderer.hpp"
 #include "render/visibility/visibility_backend.hpp"
 

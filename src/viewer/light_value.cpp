@@ -13,7 +13,6 @@ namespace {
 using scene::Light;
 using scene::Quantity;
 
-
 /// The own quantity from a stated one; absent where that does not determine it.
 std::optional<double> native(Quantity quantity, double value, const LightGroup& group) {
     const Light& light = group.lights.front();

@@ -133,7 +133,8 @@ bool StopMonitor::took_sample(Renderer& renderer, double seconds) {
     seconds_ += seconds;
     stopped_by_ = condition_met(renderer, seconds);
     if (stopped_by_) update_error(renderer);
-    return estimated_at_ == renderer.sample_count() && renderer.resting().any(renderer.sample_count());
+    return estimated_at_ == renderer.sample_count()
+           && renderer.converged_pixels().any(renderer.sample_count());
 }
 
 void StopMonitor::update_error(Renderer& renderer) {

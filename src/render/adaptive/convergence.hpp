@@ -1,7 +1,7 @@
 #pragma once
 // Samples where they are needed: looks at the error of a growing picture now and then, and lets pixels rest.
-#include "render/renderer.hpp"
 #include "render/adaptive/stop_rule.hpp"
+#include "render/renderer.hpp"
 
 #include <limits>
 

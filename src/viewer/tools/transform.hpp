@@ -16,12 +16,12 @@ struct TransformDrag {
     /// Axis of the world; of scaling, the index of the extent. Absent: across the view, around the view, all
     /// extents.
     std::optional<int> axis{};
-    bool is_free = false;          // begun by a key: a click or Enter ends it, not the release of a button
-    vec3 center{0.0f};             // fixed point of turning and scaling [m]
+    bool is_free = false; // begun by a key: a click or Enter ends it, not the release of a button
+    vec3 center{0.0f};    // fixed point of turning and scaling [m]
     std::vector<scene::LightSize> extents{}; // at the beginning
-    vec2 from{0.0f};               // the pointer at the beginning, in the window
-    std::string typed{};           // a number: metres, degrees; of an extent metres, of all extents a factor
-    std::string description{};     // of the change so far; empty if there is none
+    vec2 from{0.0f};                         // the pointer at the beginning, in the window
+    std::string typed{};       // a number: metres, degrees; of an extent metres, of all extents a factor
+    std::string description{}; // of the change so far; empty if there is none
 
     /// Constrains the drag to an axis, or releases it if it is constrained to that axis already.
     void constrain_to(int other);
