@@ -1,23 +1,5 @@
 // The current material. Keep in sync with MaterialBlock in src/render/gpu/blocks.hpp.
-const int base_color_slot = 0;
-const int metallic_roughness_slot = 1;
-const int normal_slot = 2;
-const int emission_slot = 3;
-const int specular_slot = 4;
-const int specular_color_slot = 5;
-const int anisotropy_slot = 6;
-const int clearcoat_slot = 7;
-const int clearcoat_roughness_slot = 8;
-const int clearcoat_normal_slot = 9;
-const int sheen_color_slot = 10;
-const int sheen_roughness_slot = 11;
-const int iridescence_slot = 12;
-const int film_thickness_slot = 13;
-const int transmission_slot = 14;
-const int thickness_slot = 15;
-const int diffuse_transmission_slot = 16;
-const int diffuse_transmission_color_slot = 17;
-const int slot_count = 18;
+#include "interface/texture_inputs.glsl"
 
 layout(std140) uniform Material {
     vec4 base_color_factor;
@@ -40,22 +22,3 @@ layout(std140) uniform Material {
     vec4 uv_row_u[slot_count];  // KHR_texture_transform: u' = dot(row.xyz, (u, v, 1)); w: texture coordinate set
     vec4 uv_row_v[slot_count];
 };
-
-uniform sampler2D base_color_texture;
-uniform sampler2D metallic_roughness_texture;
-uniform sampler2D normal_texture;
-uniform sampler2D emission_texture;
-uniform sampler2D specular_texture;
-uniform sampler2D specular_color_texture;
-uniform sampler2D anisotropy_texture;
-uniform sampler2D clearcoat_texture;
-uniform sampler2D clearcoat_roughness_texture;
-uniform sampler2D clearcoat_normal_texture;
-uniform sampler2D sheen_color_texture;
-uniform sampler2D sheen_roughness_texture;
-uniform sampler2D iridescence_texture;
-uniform sampler2D film_thickness_texture;
-uniform sampler2D transmission_texture;
-uniform sampler2D thickness_texture;
-uniform sampler2D diffuse_transmission_texture;
-uniform sampler2D diffuse_transmission_color_texture;

@@ -117,8 +117,8 @@ private:
         if (lost_images_.empty()) return;
         for (scene::Material& material : scene.materials) {
             if (is_lost(material.emission_texture.texture)) material.emission = vec3(0.0f);
-            for (scene::TextureSlot* slot : scene::texture_slots(material))
-                if (is_lost(slot->texture)) *slot = {};
+            for (const scene::TextureInput& input : scene::texture_inputs)
+                if (is_lost((material.*input.member).texture)) material.*input.member = {};
         }
     }
 

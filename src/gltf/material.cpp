@@ -11,7 +11,6 @@
 namespace sr::gltf {
 namespace {
 
-using scene::ColorSpace;
 using tinygltf::Value;
 
 vec2 two_in(const Value& object, const std::string& key, vec2 fallback) {
@@ -98,10 +97,10 @@ float MaterialTable::fraction(double value, const char* factor, const std::strin
     return clamped(value, 0.0, 1.0, factor, material);
 }
 
-scene::TextureSlot MaterialTable::slot(int texture, int texcoord, const tinygltf::ExtensionMap& extensions,
-                                       ColorSpace color_space) {
+scene::TextureSlot MaterialTable::slot(int index, int texcoord, const tinygltf::ExtensionMap& extensions,
+                                       TextureMember texture) {
     scene::TextureSlot slot;
-    if (texture < 0) return slot;
+    if (index < 0) return slot;
     if (const Value* transform = extension(extensions, "KHR_texture_transform")) {
         slot.uv_transform = uv_transform(*transform);
         texcoord = whole_in(*transform, "texCoord", texcoord);
@@ -116,7 +115,7 @@ scene::TextureSlot MaterialTable::slot(int texture, int texcoord, const tinygltf
         return {};
     }
     slot.texcoord = *set;
-    slot.texture = textures_.texture(texture, color_space);
+    slot.texture = textures_.texture(index, scene::texture_inputs[scene::texture_slot(texture)].color_space);
     return slot;
 }
 
@@ -133,12 +132,15 @@ std::optional<int> MaterialTable::texcoord_set(int n) {
     return std::nullopt;
 }
 
-scene::TextureSlot MaterialTable::slot(const Value& info, ColorSpace color_space) {
+void MaterialTable::read_texture(const Value& from, const char* key, TextureMember texture,
+                                 scene::Material& to) {
+    if (!from.Has(key)) return;
+    const Value& info = from.Get(key);
     tinygltf::ExtensionMap extensions;
     if (info.Has("extensions"))
-        for (const std::string& key : info.Get("extensions").Keys())
-            extensions[key] = info.Get("extensions").Get(key);
-    return slot(whole_in(info, "index", -1), whole_in(info, "texCoord", 0), extensions, color_space);
+        for (const std::string& name : info.Get("extensions").Keys())
+            extensions[name] = info.Get("extensions").Get(name);
+    to.*texture = slot(whole_in(info, "index", -1), whole_in(info, "texCoord", 0), extensions, texture);
 }
 
 void MaterialTable::read_specular(const tinygltf::Material& from, scene::Material& to) {
@@ -147,10 +149,8 @@ void MaterialTable::read_specular(const tinygltf::Material& from, scene::Materia
     to.specular = fraction(number_in(*specular, "specularFactor", 1.0), "specularFactor", from.name);
     to.specular_color = not_negative(document_, three_in(*specular, "specularColorFactor", vec3(1.0f)),
                                      "specularColorFactor", from.name);
-    if (specular->Has("specularTexture"))
-        to.specular_texture = slot(specular->Get("specularTexture"), ColorSpace::linear);
-    if (specular->Has("specularColorTexture"))
-        to.specular_color_texture = slot(specular->Get("specularColorTexture"), ColorSpace::srgb);
+    read_texture(*specular, "specularTexture", &scene::Material::specular_texture, to);
+    read_texture(*specular, "specularColorTexture", &scene::Material::specular_color_texture, to);
 }
 
 void MaterialTable::read_emission(const tinygltf::Material& from, scene::Material& to) {
@@ -209,11 +209,11 @@ void MaterialTable::read_metallic_roughness(const tinygltf::Material& from, scen
             fraction(pbr.baseColorFactor[static_cast<std::size_t>(i)], "baseColorFactor", from.name);
     to.metallic = fraction(pbr.metallicFactor, "metallicFactor", from.name);
     to.roughness = fraction(pbr.roughnessFactor, "roughnessFactor", from.name);
-    const auto slot_of = [&](const auto& info, ColorSpace color_space) {
-        return slot(info.index, info.texCoord, info.extensions, color_space);
+    const auto read = [&](TextureMember texture, const auto& info) {
+        to.*texture = slot(info.index, info.texCoord, info.extensions, texture);
     };
-    to.base_color_texture = slot_of(pbr.baseColorTexture, ColorSpace::srgb);
-    to.metallic_roughness_texture = slot_of(pbr.metallicRoughnessTexture, ColorSpace::linear);
+    read(&scene::Material::base_color_texture, pbr.baseColorTexture);
+    read(&scene::Material::metallic_roughness_texture, pbr.metallicRoughnessTexture);
     if (const Value* ior = extension(from.extensions, "KHR_materials_ior"))
         to.ior = static_cast<float>(number_in(*ior, "ior", 1.5));
     if (to.ior != 0.0f && !(to.ior >= 1.0f && std::isfinite(to.ior)))
@@ -237,10 +237,8 @@ void MaterialTable::read_specular_glossiness(const tinygltf::Material& from, con
         if (i < 3) to.specular_color[i] = fraction(double{specular[i]}, "specularFactor", from.name);
     }
     to.roughness = 1.0f - fraction(number_in(stated, "glossinessFactor", 1.0), "glossinessFactor", from.name);
-    if (stated.Has("diffuseTexture"))
-        to.base_color_texture = slot(stated.Get("diffuseTexture"), ColorSpace::srgb);
-    if (stated.Has("specularGlossinessTexture"))
-        to.specular_color_texture = slot(stated.Get("specularGlossinessTexture"), ColorSpace::srgb);
+    read_texture(stated, "diffuseTexture", &scene::Material::base_color_texture, to);
+    read_texture(stated, "specularGlossinessTexture", &scene::Material::specular_color_texture, to);
 }
 
 scene::Material MaterialTable::read(const tinygltf::Material& from, int number) {
@@ -258,13 +256,13 @@ scene::Material MaterialTable::read(const tinygltf::Material& from, int number) 
         read_metallic_roughness(from, to);
     else
         read_specular_glossiness(from, *glossy, to);
-    const auto slot_of = [&](const auto& info, ColorSpace color_space) {
-        return slot(info.index, info.texCoord, info.extensions, color_space);
+    const auto read = [&](TextureMember texture, const auto& info) {
+        to.*texture = slot(info.index, info.texCoord, info.extensions, texture);
     };
-    to.normal_texture = slot_of(from.normalTexture, ColorSpace::linear);
+    read(&scene::Material::normal_texture, from.normalTexture);
     to.normal_scale =
         clamped(from.normalTexture.scale, -steepest_map, steepest_map, "normalTexture/scale", from.name);
-    to.emission_texture = slot_of(from.emissiveTexture, ColorSpace::srgb);
+    read(&scene::Material::emission_texture, from.emissiveTexture);
 
     // Where the map is lost, nothing of it is emitted: a surface that glows all over would light the scene.
     const bool has_map = from.emissiveTexture.index >= 0

@@ -51,9 +51,13 @@ private:
     void read_diffuse_transmission(const tinygltf::Material& from, scene::Material& to);
     vec3 color(const tinygltf::Value& object, const char* factor, const std::string& material);
     void read_brdf(const tinygltf::Material& from, scene::Material& to);
-    scene::TextureSlot slot(const tinygltf::Value& info, scene::ColorSpace color_space);
-    scene::TextureSlot slot(int texture, int texcoord, const tinygltf::ExtensionMap& extensions,
-                            scene::ColorSpace color_space);
+    using TextureMember = scene::TextureSlot scene::Material::*;
+    /// Reads the textureInfo `key` of an extension, if it is there.
+    void read_texture(const tinygltf::Value& from, const char* key, TextureMember texture,
+                      scene::Material& to);
+    /// @return the texture `index`, for a material's `texture`
+    scene::TextureSlot slot(int index, int texcoord, const tinygltf::ExtensionMap& extensions,
+                            TextureMember texture);
     /// Which of the two sets of a mesh is TEXCOORD_n for the material at hand; absent where both are taken.
     std::optional<int> texcoord_set(int n);
     /// The value, or with a warning the nearest of [least, most].

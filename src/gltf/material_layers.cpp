@@ -7,7 +7,6 @@
 
 namespace sr::gltf {
 
-using scene::ColorSpace;
 using tinygltf::Value;
 
 void MaterialTable::read_anisotropy(const tinygltf::Material& from, scene::Material& to) {
@@ -17,8 +16,7 @@ void MaterialTable::read_anisotropy(const tinygltf::Material& from, scene::Mater
         fraction(number_in(*anisotropy, "anisotropyStrength", 0.0), "anisotropyStrength", from.name);
     to.anisotropy_rotation =
         static_cast<float>(within_a_turn(number_in(*anisotropy, "anisotropyRotation", 0.0)));
-    if (anisotropy->Has("anisotropyTexture"))
-        to.anisotropy_texture = slot(anisotropy->Get("anisotropyTexture"), ColorSpace::linear);
+    read_texture(*anisotropy, "anisotropyTexture", &scene::Material::anisotropy_texture, to);
 }
 
 void MaterialTable::read_clearcoat(const tinygltf::Material& from, scene::Material& to) {
@@ -27,15 +25,13 @@ void MaterialTable::read_clearcoat(const tinygltf::Material& from, scene::Materi
     to.clearcoat = fraction(number_in(*coat, "clearcoatFactor", 0.0), "clearcoatFactor", from.name);
     to.clearcoat_roughness =
         fraction(number_in(*coat, "clearcoatRoughnessFactor", 0.0), "clearcoatRoughnessFactor", from.name);
-    if (coat->Has("clearcoatTexture"))
-        to.clearcoat_texture = slot(coat->Get("clearcoatTexture"), ColorSpace::linear);
-    if (coat->Has("clearcoatRoughnessTexture"))
-        to.clearcoat_roughness_texture = slot(coat->Get("clearcoatRoughnessTexture"), ColorSpace::linear);
+    read_texture(*coat, "clearcoatTexture", &scene::Material::clearcoat_texture, to);
+    read_texture(*coat, "clearcoatRoughnessTexture", &scene::Material::clearcoat_roughness_texture, to);
     if (!coat->Has("clearcoatNormalTexture")) return;
-    const Value& normal = coat->Get("clearcoatNormalTexture");
-    to.clearcoat_normal_texture = slot(normal, ColorSpace::linear);
-    to.clearcoat_normal_scale = clamped(number_in(normal, "scale", 1.0), -steepest_map, steepest_map,
-                                        "clearcoatNormalTexture/scale", from.name);
+    read_texture(*coat, "clearcoatNormalTexture", &scene::Material::clearcoat_normal_texture, to);
+    to.clearcoat_normal_scale =
+        clamped(number_in(coat->Get("clearcoatNormalTexture"), "scale", 1.0), -steepest_map, steepest_map,
+                "clearcoatNormalTexture/scale", from.name);
 }
 
 void MaterialTable::read_sheen(const tinygltf::Material& from, scene::Material& to) {
@@ -47,10 +43,8 @@ void MaterialTable::read_sheen(const tinygltf::Material& from, scene::Material& 
         to.sheen_color[i] = fraction(static_cast<double>(color[i]), "sheenColorFactor", from.name);
     to.sheen_roughness =
         fraction(number_in(*sheen, "sheenRoughnessFactor", 0.0), "sheenRoughnessFactor", from.name);
-    if (sheen->Has("sheenColorTexture"))
-        to.sheen_color_texture = slot(sheen->Get("sheenColorTexture"), ColorSpace::srgb);
-    if (sheen->Has("sheenRoughnessTexture"))
-        to.sheen_roughness_texture = slot(sheen->Get("sheenRoughnessTexture"), ColorSpace::linear);
+    read_texture(*sheen, "sheenColorTexture", &scene::Material::sheen_color_texture, to);
+    read_texture(*sheen, "sheenRoughnessTexture", &scene::Material::sheen_roughness_texture, to);
 }
 
 void MaterialTable::read_iridescence(const tinygltf::Material& from, scene::Material& to) {
@@ -70,10 +64,8 @@ void MaterialTable::read_iridescence(const tinygltf::Material& from, scene::Mate
             document_.fail(fmt::format("material {}: its film is {} to {} nm thick", in_quotes(from.name),
                                        to.least_film_thickness, to.largest_film_thickness),
                            fmt::format("give 0 to {}", thickest));
-    if (film->Has("iridescenceTexture"))
-        to.iridescence_texture = slot(film->Get("iridescenceTexture"), ColorSpace::linear);
-    if (film->Has("iridescenceThicknessTexture"))
-        to.film_thickness_texture = slot(film->Get("iridescenceThicknessTexture"), ColorSpace::linear);
+    read_texture(*film, "iridescenceTexture", &scene::Material::iridescence_texture, to);
+    read_texture(*film, "iridescenceThicknessTexture", &scene::Material::film_thickness_texture, to);
 }
 
 vec3 MaterialTable::color(const Value& object, const char* factor, const std::string& material) {
@@ -87,8 +79,7 @@ void MaterialTable::read_transmission(const tinygltf::Material& from, scene::Mat
     if (!transmission) return;
     to.transmission =
         fraction(number_in(*transmission, "transmissionFactor", 0.0), "transmissionFactor", from.name);
-    if (transmission->Has("transmissionTexture"))
-        to.transmission_texture = slot(transmission->Get("transmissionTexture"), ColorSpace::linear);
+    read_texture(*transmission, "transmissionTexture", &scene::Material::transmission_texture, to);
 }
 
 void MaterialTable::read_volume(const tinygltf::Material& from, scene::Material& to) {
@@ -108,8 +99,7 @@ void MaterialTable::read_volume(const tinygltf::Material& from, scene::Material&
                           "nothing is attenuated");
     }
     to.attenuation_color = color(*volume, "attenuationColor", from.name);
-    if (volume->Has("thicknessTexture"))
-        to.thickness_texture = slot(volume->Get("thicknessTexture"), ColorSpace::linear);
+    read_texture(*volume, "thicknessTexture", &scene::Material::thickness_texture, to);
 }
 
 void MaterialTable::read_diffuse_transmission(const tinygltf::Material& from, scene::Material& to) {
@@ -118,12 +108,9 @@ void MaterialTable::read_diffuse_transmission(const tinygltf::Material& from, sc
     to.diffuse_transmission = fraction(number_in(*diffuse, "diffuseTransmissionFactor", 0.0),
                                        "diffuseTransmissionFactor", from.name);
     to.diffuse_transmission_color = color(*diffuse, "diffuseTransmissionColorFactor", from.name);
-    if (diffuse->Has("diffuseTransmissionTexture"))
-        to.diffuse_transmission_texture =
-            slot(diffuse->Get("diffuseTransmissionTexture"), ColorSpace::linear);
-    if (diffuse->Has("diffuseTransmissionColorTexture"))
-        to.diffuse_transmission_color_texture =
-            slot(diffuse->Get("diffuseTransmissionColorTexture"), ColorSpace::srgb);
+    read_texture(*diffuse, "diffuseTransmissionTexture", &scene::Material::diffuse_transmission_texture, to);
+    read_texture(*diffuse, "diffuseTransmissionColorTexture",
+                 &scene::Material::diffuse_transmission_color_texture, to);
 }
 
 } // namespace sr::gltf

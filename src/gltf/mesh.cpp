@@ -130,10 +130,11 @@ void finish_lines(SourcedMesh& mesh, int mode, Warnings& warnings) {
 }
 
 void warn_of_absent_texcoords(const scene::Mesh& mesh, const scene::Material& material, Warnings& warnings) {
-    for (const scene::TextureSlot* slot : scene::texture_slots(material))
-        if (slot->is_present() && mesh.texcoords[slot->texcoord].empty())
+    for (const scene::TextureInput& input : scene::texture_inputs)
+        if (const scene::TextureSlot& slot = material.*input.member;
+            slot.is_present() && mesh.texcoords[slot.texcoord].empty())
             warnings.add(fmt::format("mesh {} has a texture and no TEXCOORD_{}", in_quotes(mesh.name),
-                                     material.texcoord_sets[static_cast<std::size_t>(slot->texcoord)]),
+                                     material.texcoord_sets[static_cast<std::size_t>(slot.texcoord)]),
                          "its texture is read at (0, 0)");
 }
 

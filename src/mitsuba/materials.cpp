@@ -9,8 +9,8 @@
 namespace sr::mitsuba {
 
 int texcoord_of(const scene::Material& material) {
-    for (const scene::TextureSlot* slot : scene::texture_slots(material))
-        if (slot->is_present()) return slot->texcoord;
+    for (const scene::TextureInput& input : scene::texture_inputs)
+        if ((material.*input.member).is_present()) return (material.*input.member).texcoord;
     return 0;
 }
 
@@ -55,8 +55,9 @@ void Materials::warn(const scene::Material& material) {
     if (material.transmits_diffusely()) add("transmits diffusely: exported without that");
     if (material.is_emissive() && material.clearcoat > 0.0f)
         add("emits under a coat: exported with what it emits, uncoated");
-    for (const scene::TextureSlot* slot : scene::texture_slots(material))
-        if (slot->is_present() && slot->texcoord != texcoord_of(material))
+    for (const scene::TextureInput& input : scene::texture_inputs)
+        if (const scene::TextureSlot& slot = material.*input.member;
+            slot.is_present() && slot.texcoord != texcoord_of(material))
             return add("reads two sets of texture coordinates: exported with the first for all its textures");
 }
 

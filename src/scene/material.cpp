@@ -28,40 +28,6 @@ std::optional<Model> model_named(std::string_view name) {
     return found == model_names.end() ? std::nullopt : std::optional(found->second);
 }
 
-namespace {
-
-template<class AnySlot, class AnyMaterial>
-std::array<AnySlot*, slot_count> slots_of(AnyMaterial& m) {
-    return {&m.base_color_texture,
-            &m.metallic_roughness_texture,
-            &m.normal_texture,
-            &m.emission_texture,
-            &m.specular_texture,
-            &m.specular_color_texture,
-            &m.anisotropy_texture,
-            &m.clearcoat_texture,
-            &m.clearcoat_roughness_texture,
-            &m.clearcoat_normal_texture,
-            &m.sheen_color_texture,
-            &m.sheen_roughness_texture,
-            &m.iridescence_texture,
-            &m.film_thickness_texture,
-            &m.transmission_texture,
-            &m.thickness_texture,
-            &m.diffuse_transmission_texture,
-            &m.diffuse_transmission_color_texture};
-}
-
-} // namespace
-
-std::array<const TextureSlot*, slot_count> texture_slots(const Material& material) {
-    return slots_of<const TextureSlot>(material);
-}
-
-std::array<TextureSlot*, slot_count> texture_slots(Material& material) {
-    return slots_of<TextureSlot>(material);
-}
-
 vec3 attenuation_coefficient(const Material& m) {
     constexpr float blackest = 1e-30f; // a colour of 0 would be an endless coefficient
     return -glm::log(glm::clamp(m.attenuation_color, vec3(blackest), vec3(1.0f))) / m.attenuation_distance;

@@ -81,30 +81,6 @@ enum class Model {
 std::string_view name_of(Model model);
 std::optional<Model> model_named(std::string_view name);
 
-/// The textures of a material, in the order of texture_slots(). GLSL has the same numbers
-/// (shaders/interface/material.glsl).
-enum Slot : unsigned {
-    base_color_slot,
-    metallic_roughness_slot,
-    normal_slot,
-    emission_slot,
-    specular_slot,
-    specular_color_slot,
-    anisotropy_slot,
-    clearcoat_slot,
-    clearcoat_roughness_slot,
-    clearcoat_normal_slot,
-    sheen_color_slot,
-    sheen_roughness_slot,
-    iridescence_slot,
-    film_thickness_slot,
-    transmission_slot,
-    thickness_slot,
-    diffuse_transmission_slot,
-    diffuse_transmission_color_slot,
-    slot_count
-};
-
 /// A conductor's index of refraction n + ik for red, green and blue. Source: conductor.hpp.
 struct ComplexIor {
     vec3 n{1.0f};
@@ -209,9 +185,43 @@ struct Material {
 /// σ of KHR_materials_volume [1/m]: what is left of light after d metres is exp(-σ d).
 vec3 attenuation_coefficient(const Material& material);
 
-/// In the order of Slot.
-std::array<const TextureSlot*, slot_count> texture_slots(const Material& material);
-std::array<TextureSlot*, slot_count> texture_slots(Material& material);
+/// A texture that a material can have.
+struct TextureInput {
+    std::string_view
+        name; // "base_color": GLSL has base_color_slot, base_color_texture and has_base_color_texture
+    TextureSlot Material::*member;
+    ColorSpace color_space; // of its texels
+};
+
+/// All of them. A slot is a place in this table, here and in GLSL (shaders/interface/texture_inputs.glsl).
+inline constexpr std::array texture_inputs{
+    TextureInput{"base_color", &Material::base_color_texture, ColorSpace::srgb},
+    TextureInput{"metallic_roughness", &Material::metallic_roughness_texture, ColorSpace::linear},
+    TextureInput{"normal", &Material::normal_texture, ColorSpace::linear},
+    TextureInput{"emission", &Material::emission_texture, ColorSpace::srgb},
+    TextureInput{"specular", &Material::specular_texture, ColorSpace::linear},
+    TextureInput{"specular_color", &Material::specular_color_texture, ColorSpace::srgb},
+    TextureInput{"anisotropy", &Material::anisotropy_texture, ColorSpace::linear},
+    TextureInput{"clearcoat", &Material::clearcoat_texture, ColorSpace::linear},
+    TextureInput{"clearcoat_roughness", &Material::clearcoat_roughness_texture, ColorSpace::linear},
+    TextureInput{"clearcoat_normal", &Material::clearcoat_normal_texture, ColorSpace::linear},
+    TextureInput{"sheen_color", &Material::sheen_color_texture, ColorSpace::srgb},
+    TextureInput{"sheen_roughness", &Material::sheen_roughness_texture, ColorSpace::linear},
+    TextureInput{"iridescence", &Material::iridescence_texture, ColorSpace::linear},
+    TextureInput{"film_thickness", &Material::film_thickness_texture, ColorSpace::linear},
+    TextureInput{"transmission", &Material::transmission_texture, ColorSpace::linear},
+    TextureInput{"thickness", &Material::thickness_texture, ColorSpace::linear},
+    TextureInput{"diffuse_transmission", &Material::diffuse_transmission_texture, ColorSpace::linear},
+    TextureInput{"diffuse_transmission_color", &Material::diffuse_transmission_color_texture,
+                 ColorSpace::srgb}};
+inline constexpr unsigned slot_count = static_cast<unsigned>(texture_inputs.size());
+
+/// The slot of a member, as in texture_slot(&Material::normal_texture).
+constexpr std::size_t texture_slot(TextureSlot Material::*member) {
+    std::size_t slot = 0;
+    while (texture_inputs[slot].member != member) ++slot;
+    return slot;
+}
 
 /// Whether shading reads the tangents of meshes of this material.
 bool needs_tangents(const Material& material);

@@ -34,26 +34,6 @@ constexpr std::array light_flags{Flag{"has_sun_disks", &Features::has_sun_disks}
                                  Flag{"has_emission_maps", &Features::has_emission_maps},
                                  Flag{"has_environment_maps", &Features::has_environment_maps}};
 
-constexpr std::array texture_flags{
-    Flag{"has_base_color_texture", &Features::has_base_color_texture},
-    Flag{"has_metallic_roughness_texture", &Features::has_metallic_roughness_texture},
-    Flag{"has_normal_texture", &Features::has_normal_texture},
-    Flag{"has_emission_texture", &Features::has_emission_texture},
-    Flag{"has_specular_texture", &Features::has_specular_texture},
-    Flag{"has_specular_color_texture", &Features::has_specular_color_texture},
-    Flag{"has_anisotropy_texture", &Features::has_anisotropy_texture},
-    Flag{"has_clearcoat_texture", &Features::has_clearcoat_texture},
-    Flag{"has_clearcoat_roughness_texture", &Features::has_clearcoat_roughness_texture},
-    Flag{"has_clearcoat_normal_texture", &Features::has_clearcoat_normal_texture},
-    Flag{"has_sheen_color_texture", &Features::has_sheen_color_texture},
-    Flag{"has_sheen_roughness_texture", &Features::has_sheen_roughness_texture},
-    Flag{"has_iridescence_texture", &Features::has_iridescence_texture},
-    Flag{"has_film_thickness_texture", &Features::has_film_thickness_texture},
-    Flag{"has_transmission_texture", &Features::has_transmission_texture},
-    Flag{"has_thickness_texture", &Features::has_thickness_texture},
-    Flag{"has_diffuse_transmission_texture", &Features::has_diffuse_transmission_texture},
-    Flag{"has_diffuse_transmission_color_texture", &Features::has_diffuse_transmission_color_texture}};
-
 constexpr std::array other_flags{Flag{"has_vertex_colors", &Features::has_vertex_colors},
                                  Flag{"has_anisotropy", &Features::has_anisotropy},
                                  Flag{"has_clearcoat", &Features::has_clearcoat},
@@ -81,31 +61,36 @@ bool takes_compensation(scene::Model model) {
 /// What the layers of glTF's own model take of this mesh.
 void ask_for_layers(Features& f, const scene::Material& m, bool has_tangents) {
     f.has_anisotropy = m.is_anisotropic() && has_tangents;
-    f.has_anisotropy_texture = f.has_anisotropy && m.anisotropy_texture.is_present();
     f.has_clearcoat = m.clearcoat > 0.0f;
-    f.has_clearcoat_texture = f.has_clearcoat && m.clearcoat_texture.is_present();
-    f.has_clearcoat_roughness_texture = f.has_clearcoat && m.clearcoat_roughness_texture.is_present();
-    f.has_clearcoat_normal_texture =
-        f.has_clearcoat && m.clearcoat_normal_texture.is_present() && has_tangents;
     f.has_energy_compensation &= takes_compensation(m.model);
     f.has_sheen = m.has_sheen();
-    f.has_sheen_color_texture = f.has_sheen && m.sheen_color_texture.is_present();
-    f.has_sheen_roughness_texture = f.has_sheen && m.sheen_roughness_texture.is_present();
     f.has_iridescence = m.iridescence > 0.0f;
-    f.has_iridescence_texture = f.has_iridescence && m.iridescence_texture.is_present();
-    f.has_film_thickness_texture = f.has_iridescence && m.film_thickness_texture.is_present();
 }
 
 /// What lets light through this material.
 void ask_for_transmission(Features& f, const scene::Material& m) {
     f.is_transmissive = m.is_transmissive();
-    f.has_transmission_texture = f.is_transmissive && m.transmission_texture.is_present();
-    f.has_thickness_texture = f.is_transmissive && m.thickness_texture.is_present();
     f.has_diffuse_transmission = m.transmits_diffusely();
-    f.has_diffuse_transmission_texture =
-        f.has_diffuse_transmission && m.diffuse_transmission_texture.is_present();
-    f.has_diffuse_transmission_color_texture =
-        f.has_diffuse_transmission && m.diffuse_transmission_color_texture.is_present();
+}
+
+/// Which of the material's textures shading reads: those of a layer that is there.
+void ask_for_textures(Features& f, const scene::Material& material, bool has_tangents) {
+    using M = scene::Material;
+    for (std::size_t slot = 0; slot < scene::slot_count; ++slot)
+        f.has_texture[slot] = (material.*scene::texture_inputs[slot].member).is_present();
+    const auto keep_if = [&f](bool is_read, std::initializer_list<scene::TextureSlot M::*> textures) {
+        for (const auto texture : textures) f.has(texture) &= is_read;
+    };
+    keep_if(has_tangents, {&M::normal_texture, &M::clearcoat_normal_texture});
+    keep_if(material.is_emissive(), {&M::emission_texture});
+    keep_if(f.has_anisotropy, {&M::anisotropy_texture});
+    keep_if(f.has_clearcoat,
+            {&M::clearcoat_texture, &M::clearcoat_roughness_texture, &M::clearcoat_normal_texture});
+    keep_if(f.has_sheen, {&M::sheen_color_texture, &M::sheen_roughness_texture});
+    keep_if(f.has_iridescence, {&M::iridescence_texture, &M::film_thickness_texture});
+    keep_if(f.is_transmissive, {&M::transmission_texture, &M::thickness_texture});
+    keep_if(f.has_diffuse_transmission,
+            {&M::diffuse_transmission_texture, &M::diffuse_transmission_color_texture});
 }
 
 /// Whether an instance of the scene has a material of which `is_so`.
@@ -132,7 +117,9 @@ std::string Features::glsl() const {
                             has_lights[kind]);
     }
     append(light_flags);
-    append(texture_flags);
+    for (std::size_t slot = 0; slot < scene::slot_count; ++slot)
+        text += fmt::format("const bool has_{}_texture = {};\n", scene::texture_inputs[slot].name,
+                            has_texture[slot]);
     append(other_flags);
     text += fmt::format("const bool is_mirror = {};\n", model == scene::Model::mirror);
     text += fmt::format("const bool is_lambert = {};\n", model == scene::Model::lambert);
@@ -160,8 +147,7 @@ bool Features::is_analytic() const {
 }
 
 int Features::material_texture_count() const {
-    return static_cast<int>(
-        std::ranges::count_if(texture_flags, [this](const Flag& flag) { return this->*flag.member; }));
+    return static_cast<int>(std::ranges::count(has_texture, true));
 }
 
 Features light_features(std::span<const scene::Light> lights) {
@@ -195,17 +181,12 @@ bool has_tinted_casters(const scene::Scene& scene) {
 Features shading_features(const scene::Scene& scene, const scene::Mesh& mesh, const Features& lights) {
     const scene::Material& material = scene.materials[mesh.material];
     Features f = lights;
-    f.has_base_color_texture = material.base_color_texture.is_present();
-    f.has_metallic_roughness_texture = material.metallic_roughness_texture.is_present();
-    f.has_normal_texture = material.normal_texture.is_present() && !mesh.tangents.empty();
-    f.has_emission_texture = material.emission_texture.is_present() && material.is_emissive();
-    f.has_specular_texture = material.specular_texture.is_present();
-    f.has_specular_color_texture = material.specular_color_texture.is_present();
     f.has_vertex_colors = !mesh.colors.empty();
     f.model = material.model;
     f.is_specular_glossiness = material.is_specular_glossiness;
     ask_for_layers(f, material, !mesh.tangents.empty());
     if (mesh.is_surface()) ask_for_transmission(f, material);
+    ask_for_textures(f, material, !mesh.tangents.empty());
     f.is_masked = material.alpha_mode == scene::AlphaMode::mask;
     f.is_blended = material.alpha_mode == scene::AlphaMode::blend;
     f.is_unlit = scene::is_unlit(mesh, material);
@@ -228,8 +209,9 @@ Features depth_features(const Features& shading) {
     Features f = caster_features(shading);
     if (!shading.is_opaque_part) return f;
     f.is_transmissive = f.is_opaque_part = true;
-    f.has_transmission_texture = shading.has_transmission_texture;
-    f.has_metallic_roughness_texture = shading.has_metallic_roughness_texture;
+    for (const auto texture :
+         {&scene::Material::transmission_texture, &scene::Material::metallic_roughness_texture})
+        f.has(texture) = shading.has(texture);
     return f;
 }
 
@@ -240,7 +222,7 @@ Features caster_features(const Features& shading) {
     if (!shading.is_masked && !shading.is_blended) return f;
     f.is_masked = shading.is_masked;
     f.is_blended = shading.is_blended;
-    f.has_base_color_texture = shading.has_base_color_texture;
+    f.has(&scene::Material::base_color_texture) = shading.has(&scene::Material::base_color_texture);
     f.has_vertex_colors = shading.has_vertex_colors;
     return f;
 }

@@ -20,12 +20,7 @@ struct Features {
     bool has_emission_maps = false;
     bool has_environment_maps = false;
 
-    bool has_base_color_texture = false;
-    bool has_metallic_roughness_texture = false;
-    bool has_normal_texture = false;
-    bool has_emission_texture = false;
-    bool has_specular_texture = false;
-    bool has_specular_color_texture = false;
+    std::array<bool, scene::slot_count> has_texture{}; // by slot
     bool has_vertex_colors = false;
 
     scene::Model model = scene::Model::metallic_roughness;
@@ -35,22 +30,10 @@ struct Features {
     bool has_iridescence = false;
     bool has_energy_compensation = false;
     bool is_specular_glossiness = false;
-    bool has_anisotropy_texture = false;
-    bool has_clearcoat_texture = false;
-    bool has_clearcoat_roughness_texture = false;
-    bool has_clearcoat_normal_texture = false;
-    bool has_sheen_color_texture = false;
-    bool has_sheen_roughness_texture = false;
-    bool has_iridescence_texture = false;
-    bool has_film_thickness_texture = false;
 
     bool is_transmissive = false; // light goes straight through
     bool is_opaque_part = false;  // but only what its textures keep opaque is drawn
     bool has_diffuse_transmission = false;
-    bool has_transmission_texture = false;
-    bool has_thickness_texture = false;
-    bool has_diffuse_transmission_texture = false;
-    bool has_diffuse_transmission_color_texture = false;
 
     int rays_per_light = 1;               // that a point sends to each light
     bool has_transparent_casters = false; // surfaces that are masked, blended or of glass cast shadows
@@ -70,6 +53,13 @@ struct Features {
         return has_lights[scene::light_kind<L>()];
     }
 
+    bool& has(scene::TextureSlot scene::Material::*texture) {
+        return has_texture[scene::texture_slot(texture)];
+    }
+    bool has(scene::TextureSlot scene::Material::*texture) const {
+        return has_texture[scene::texture_slot(texture)];
+    }
+
     /// The text that stands for interface/features.glsl.
     std::string glsl() const;
 
@@ -78,7 +68,9 @@ struct Features {
 
     /// Whether a texture can make parts of glass opaque, which then hide what is behind like other surfaces.
     bool may_have_opaque_part() const {
-        return is_transmissive && !is_blended && (has_transmission_texture || has_metallic_roughness_texture);
+        return is_transmissive && !is_blended
+               && (has(&scene::Material::transmission_texture)
+                   || has(&scene::Material::metallic_roughness_texture));
     }
 
     /// Whether the analytic estimator can take the BRDF: one GGX lobe without a direction, or none.

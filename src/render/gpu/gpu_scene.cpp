@@ -70,10 +70,10 @@ MaterialBlock packed_material(const scene::Material& m, const scene::Scene& scen
     block.alpha_cutoff = scene::least_opaque_alpha(m);
     const float r = (m.ior - 1.0f) / (m.ior + 1.0f);
     block.F0_from_ior = m.ior == 0.0f ? 1.0f : r * r; // KHR_materials_ior: 0 stands for infinity
-    const auto slots = scene::texture_slots(m);
-    for (unsigned s = 0; s < slot_count; ++s) {
-        const mat3 rows = glm::transpose(slots[s]->uv_transform);
-        const auto set = static_cast<float>(slots[s]->texcoord);
+    for (std::size_t s = 0; s < slot_count; ++s) {
+        const scene::TextureSlot& texture = m.*scene::texture_inputs[s].member;
+        const mat3 rows = glm::transpose(texture.uv_transform);
+        const auto set = static_cast<float>(texture.texcoord);
         block.uv_row_u[s] = vec4(rows[0], set);
         block.uv_row_v[s] = vec4(rows[1], set);
     }
@@ -209,9 +209,9 @@ void GpuScene::upload_materials(const scene::Scene& scene) {
         blocks.push_back(packed_material(material, scene));
         measured_of_material_.push_back(material.measured);
         std::array<int, slot_count> textures{};
-        const auto slots = scene::texture_slots(material);
-        std::transform(slots.begin(), slots.end(), textures.begin(),
-                       [](const auto* slot) { return slot->texture; });
+        std::ranges::transform(
+            scene::texture_inputs, textures.begin(),
+            [&](const scene::TextureInput& input) { return (material.*input.member).texture; });
         textures_of_material_.push_back(textures);
     }
     material_stride_ = upload_blocks(materials_, blocks);

@@ -10,25 +10,6 @@ namespace sr::render {
 namespace {
 
 /// Sampler names by texture unit, the order of scene::Slot.
-constexpr std::array<const char*, slot_count> sampler_names{"base_color_texture",
-                                                            "metallic_roughness_texture",
-                                                            "normal_texture",
-                                                            "emission_texture",
-                                                            "specular_texture",
-                                                            "specular_color_texture",
-                                                            "anisotropy_texture",
-                                                            "clearcoat_texture",
-                                                            "clearcoat_roughness_texture",
-                                                            "clearcoat_normal_texture",
-                                                            "sheen_color_texture",
-                                                            "sheen_roughness_texture",
-                                                            "iridescence_texture",
-                                                            "film_thickness_texture",
-                                                            "transmission_texture",
-                                                            "thickness_texture",
-                                                            "diffuse_transmission_texture",
-                                                            "diffuse_transmission_color_texture"};
-
 /// What stands for a file as long as the user's own roots do not have it.
 glsl::Root specialised(const Features& features, VisibilityTerm visibility) {
     constexpr std::array files{"none", "ray", "record", "answered", "map"};
@@ -49,7 +30,8 @@ void connect(const gl::Program& program) {
     program.bind_block("Material", material_block);
     program.bind_block("Rays", rays_block);
     for (unsigned unit = 0; unit < slot_count; ++unit)
-        program.bind_texture(sampler_names[unit], static_cast<GLint>(unit));
+        program.bind_texture(fmt::format("{}_texture", scene::texture_inputs[unit].name).c_str(),
+                             static_cast<GLint>(unit));
     program.bind_texture("light_table", light_table_unit);
     program.bind_texture("emission_texels", emission_texels_unit);
     program.bind_texture("environment_texels", environment_texels_unit);

@@ -17,8 +17,7 @@ Features everything() {
     Features f;
     f.has_lights.fill(true);
     f.has_sun_disks = f.has_profiles = f.has_emission_maps = true;
-    f.has_base_color_texture = f.has_metallic_roughness_texture = f.has_normal_texture = true;
-    f.has_emission_texture = f.has_specular_texture = f.has_specular_color_texture = true;
+    f.has_texture.fill(true);
     f.has_vertex_colors = f.is_masked = f.is_blended = true;
     f.has_anisotropy = f.has_clearcoat = f.has_sheen = f.has_iridescence = true;
     f.is_transmissive = f.has_diffuse_transmission = true;

@@ -42,11 +42,9 @@ const Test programs("unit.render.features.materials_share_programs", [] {
 
 const Test units("unit.render.features.too_many_textures_name_the_material", [] {
     render::Features features;
-    features.has_base_color_texture = features.has_metallic_roughness_texture = features.has_normal_texture =
-        features.has_emission_texture = features.has_specular_texture = features.has_specular_color_texture =
-            features.has_clearcoat_texture = features.has_clearcoat_normal_texture = true;
+    std::fill_n(features.has_texture.begin(), 8, true);
     render::require_texture_units(features, "paint", 16);
-    features.has_sheen_color_texture = true;
+    features.has_texture[8] = true;
     render::require_texture_units(features, "paint", 17);
     try {
         render::require_texture_units(features, "paint", 16);
@@ -67,6 +65,23 @@ const Test kinds("unit.render.features.lights_have_the_same_numbers_in_c_and_in_
         EXPECT_NE(render::Features{}.glsl().find(number), std::string::npos) << number;
         EXPECT_NE(text.find("const bool has_" + name + "_lights = true;"), std::string::npos) << name;
     }
+});
+
+const Test textures("unit.render.features.textures_have_the_same_slots_in_c_and_in_glsl", [] {
+    const std::string text = glsl::embedded().text_of("interface/texture_inputs.glsl").value();
+    const std::string features = glsl::embedded().text_of("interface/features.glsl").value();
+    for (unsigned slot = 0; slot < scene::slot_count; ++slot) {
+        const std::string name(scene::texture_inputs[slot].name);
+        for (const std::string& line : {"const int " + name + "_slot = " + std::to_string(slot) + ";",
+                                        "uniform sampler2D " + name + "_texture;"})
+            EXPECT_NE(text.find(line), std::string::npos) << line;
+        EXPECT_NE(features.find("const bool has_" + name + "_texture = true;"), std::string::npos) << name;
+        EXPECT_NE(render::Features{}.glsl().find("const bool has_" + name + "_texture = false;"),
+                  std::string::npos);
+    }
+    EXPECT_NE(text.find("const int slot_count = " + std::to_string(scene::slot_count) + ";"),
+              std::string::npos);
+    EXPECT_EQ(std::ranges::count(text, '\n'), 2 * scene::slot_count + 3) << "a texture that the table lacks";
 });
 
 } // namespace
