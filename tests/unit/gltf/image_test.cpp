@@ -57,7 +57,7 @@ const Test types("unit.gltf.image.the_type_is_told_by_the_bytes", [] {
     }
 });
 
-const Test data_uris("unit.gltf.image.data_uris_of_every_spelling", [] {
+const Test data_uri_spellings("unit.gltf.image.data_uris_of_every_spelling", [] {
     // Until its base64 has both digits that URLs write otherwise.
     Png png{1, 1, 8, 2, {0, 10, 20, 30}, {}, {}};
     png.chunks.emplace_back("teXt",
