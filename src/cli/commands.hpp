@@ -7,8 +7,8 @@ class App;
 
 namespace sr::cli {
 
-/// What a command ends with: 0 done, 1 a difference or a failed check, 2 usage, 3 the world's fault (an
-/// Error).
+/// Exit status of a command: 0 done, 1 a difference or a failed check, 2 usage, 3 a file, shader or driver is
+/// at fault (an Error).
 enum ExitStatus : int { done = 0, failed_check = 1, usage = 2, worlds_fault = 3, interrupted = 130 };
 
 void add_view_command(CLI::App& app);

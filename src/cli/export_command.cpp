@@ -25,7 +25,7 @@ struct ExportCommand {
     gltf::LoadOptions moment;
 };
 
-/// What `render` would render, without the surfaces that it gives to lights.
+/// Prepares the scene as `render` does, without the surfaces that `render` gives to lights.
 scene::RenderScene staged(const ExportCommand& command, std::optional<Size> size, scene::Scene&& scene) {
     scene::PrepareOptions options{command.camera, command.rig};
     options.environment = command.environment.light();

@@ -73,7 +73,7 @@ ordered_json extensions_json(const gltf::Contents& contents) {
     return list;
 }
 
-/// How many materials have which BRDF, and what the analytic estimator makes of it.
+/// Counts the materials of each BRDF, and says how the analytic estimator treats it.
 ordered_json brdfs_json(const scene::Scene& s) {
     std::map<std::string, int> count;
     for (const scene::Material& material : s.materials) {

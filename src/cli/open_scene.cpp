@@ -13,7 +13,7 @@
 namespace sr::cli {
 namespace {
 
-/// The file, read, at the moment that is asked for.
+/// A file that is read, and its scene at the time of --at or of the first frame.
 struct Opened {
     gltf::Asset asset;
     scene::Scene scene;
@@ -44,7 +44,7 @@ std::vector<int> frames_of(const gltf::Asset& asset, const std::vector<int>& ani
     return frames;
 }
 
-/// What the scene reaches in these frames, or in 64 of them.
+/// Returns the bounds of the scene over these frames, or over 64 of them.
 scene::Bounds extent_of(Opened& opened, const RenderCommand& command) {
     constexpr std::size_t most = 64;
     scene::Bounds all;

@@ -1,5 +1,5 @@
 #pragma once
-// What every command that renders begins with: a context, and a scene set before a camera.
+// Start of every command that renders: a context, and a scene prepared for a camera.
 #include "cli/render_options.hpp"
 #include "cli/summary.hpp"
 #include "gltf/asset.hpp"
@@ -19,12 +19,12 @@ struct OpenScene {
     gltf::Asset asset; // what the scene was made of
     scene::PrepareOptions stage_options;
     std::vector<int> animations; // that play
-    std::vector<int> frames;     // of the sequence that was asked for; empty: a single picture
+    std::vector<int> frames;     // of --frames; empty: a single picture
     std::set<std::string> told;  // warnings that were printed
 };
 
-/// Opens a context and loads the scene beside it, at the moment that is asked for, or at the first frame;
-/// warnings and remarks go to stderr. @throws Error, for a moment or a frame beyond the animation too
+/// Opens a context and loads the scene at the same time, at the time of --at or of the first frame. Prints
+/// warnings and remarks to stderr. @throws Error, also for a time or a frame beyond the animation
 OpenScene open_scene(const RenderCommand& command, PhaseTimes& times);
 
 /// When a frame is [s].

@@ -141,7 +141,7 @@ struct Work {
     std::string what = "rendering";
 };
 
-/// The channels beside the film that were asked for; those of an interrupted step are left out.
+/// Renders the channels of --layers and --aov. After an interruption it leaves out those of the step at hand.
 std::vector<output::Plane> further_planes(const Work& work, const Picture& picture,
                                           const std::vector<int>& samples) {
     std::vector<output::Plane> planes;
@@ -163,7 +163,7 @@ std::vector<output::Plane> further_planes(const Work& work, const Picture& pictu
     return planes;
 }
 
-/// Takes the samples, and what else was asked for; after an interruption, what there is.
+/// Takes the samples, and renders further channels. After an interruption it returns what is complete.
 Picture draw(const Work& work) {
     Picture picture;
     picture.stop = add_samples(work.renderer, work.command.stop, work.interruption, work.what);
@@ -184,7 +184,7 @@ Picture draw(const Work& work) {
     return picture;
 }
 
-/// Says why a picture is not what was asked for.
+/// Says why a picture has fewer samples, or a greater error, than the options state.
 void remark_on_stop(const Picture& picture, const RenderCommand& command) {
     const int samples = picture.samples.max;
     if (picture.stop.by == StoppedBy::interruption)
@@ -223,7 +223,7 @@ std::optional<std::pair<Picture, std::optional<float>>> make_picture(const Work&
     return std::pair(std::move(picture), ev100);
 }
 
-/// What a rendering works with, and what it wrote.
+/// Inputs of a rendering, and a record of what it wrote.
 struct Rendering {
     const RenderCommand& command;
     OpenScene& open;
@@ -232,7 +232,7 @@ struct Rendering {
     render::Renderer& renderer;
     PhaseTimes& times;
     std::vector<std::string> written{};
-    std::optional<float> ev100{}; // automatic, or as it was asked for
+    std::optional<float> ev100{}; // automatic, or that of --exposure
     std::optional<Picture> last{};
 };
 

@@ -18,7 +18,7 @@ class App;
 
 namespace sr::cli {
 
-/// What --environment and its kin say.
+/// Values of --environment, --environment-rotation, --environment-strength and --hide-environment.
 struct EnvironmentArguments {
     std::string source; // a file, or L, or R,G,B [cd/m²]; empty: none
     float degrees = 0.0f;
@@ -40,14 +40,14 @@ struct RenderCommand : output::RenderSettings {
     bool denoises = false;                  // the shadows of the analytic estimator
     const output::Variable* view = nullptr; // one term instead of radiance
 
-    /// Whether the picture has to know its error, that is, takes its samples from two sequences.
+    /// True if the picture estimates its error, for which it takes its samples from two sequences.
     bool asks_for_error() const;
     image::SampleType exr_type = image::SampleType::floating;
     gl::Backend backend = gl::Backend::automatic;
     bool json = false;
 };
 
-/// What --strict does.
+/// Help of --strict.
 inline constexpr const char* strict_help =
     "what is broken in the file, or not supported, is an error (status 3) instead of a warning";
 

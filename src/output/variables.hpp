@@ -11,7 +11,7 @@
 
 namespace sr::output {
 
-/// What a variable is sampled from.
+/// Source of a variable's samples.
 enum class Source {
     picture, // the picture itself: no shader
     ids,     // the pixel's centre

@@ -1,5 +1,5 @@
 #pragma once
-// What a light's quantity is, and what a person may type in its place: "800 lm", "6500 K", "12 lx", "250".
+// The quantity of a light as text, and the values that a person may type: "800 lm", "6500 K", "12 lx", "250".
 #include "scene/lights/light.hpp"
 #include "scene/spectrum.hpp"
 
