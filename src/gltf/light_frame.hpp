@@ -1,5 +1,6 @@
 #pragma once
 // The place, the direction and the scale of a light at a node.
+#include "core/math.hpp"
 #include "gltf/document.hpp"
 #include "gltf/hierarchy.hpp"
 
