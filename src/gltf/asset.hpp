@@ -15,7 +15,7 @@
 namespace sr::gltf {
 
 struct AssetOptions {
-    /// Which of the file's scenes; absent: its default scene, or the first.
+    /// The index of the file's scene; absent: its default scene, or the first.
     std::optional<int> scene{};
     /// A name of KHR_materials_variants; empty: the materials that the primitives name themselves.
     std::string variant{};
@@ -23,7 +23,7 @@ struct AssetOptions {
     bool is_strict = false;
 };
 
-/// What a file has besides what its Scene shows.
+/// The contents of a file besides what its Scene shows.
 struct Contents {
     struct Animation {
         std::string name;
@@ -69,7 +69,7 @@ public:
 
     /// The same scene at another moment. Images, textures and meshes that keep their shape are those of
     /// `scene`, which comes from here, perhaps by way of a RenderScene, whose additions are dropped.
-    /// Instances, lights, cameras, materials and meshes that deform are made anew.
+    /// Instances, lights, cameras, materials and meshes that deform are made again.
     /// @throws Error if a value that an animation takes makes no sense where it goes
     scene::Scene posed(scene::Scene scene, const Moment& moment);
 

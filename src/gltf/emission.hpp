@@ -1,5 +1,5 @@
 #pragma once
-// What extras.steradian says of a light: how much, and of which colour.
+// The emission of a light that extras.steradian states: its quantity and its colour.
 #include "gltf/document.hpp"
 #include "scene/spectrum.hpp"
 #include "scene/units.hpp"
@@ -13,7 +13,7 @@ namespace sr::gltf {
 /// The object `steradian` in a glTF object's extras; null where there is none.
 const tinygltf::Value* steradian_in(const tinygltf::Value& extras);
 
-/// What asset.extras.steradian.units says: photometric unless it is "radiometric".
+/// Returns the system that asset.extras.steradian.units states: photometric unless it is "radiometric".
 scene::UnitSystem unit_system_of(const Document& document);
 
 struct PhotometricValue {
@@ -25,7 +25,7 @@ struct EmissionSpec {
     std::optional<PhotometricValue> quantity;
     std::optional<scene::LightColor> color; // by colour, temperature or spectrum
 
-    /// What is stated here, and else what `other` states.
+    /// Returns the quantity and the colour that are stated here, each from `other` where it is not.
     EmissionSpec over(const EmissionSpec& other) const {
         return {quantity ? quantity : other.quantity, color ? color : other.color};
     }
@@ -50,7 +50,7 @@ vec3 emitted(const Document& document, const EmissionSpec& emission, glm::dvec3 
 /// The numbers of a light as 32-bit floats. @throws Error if they are too large for that
 vec3 as_floats(const Document& document, glm::dvec3 rgb, const std::string& title);
 
-/// What errors call a light: "light "Key" (/extensions/…/lights/0)".
+/// Returns the name of a light in errors: "light "Key" (/extensions/…/lights/0)".
 std::string light_title(std::string_view extension, int index, std::string_view name);
 
 /// Returns colour times quantity. @throws Error if either is negative

@@ -23,7 +23,7 @@ void require_picture(const image::Image& picture, const std::filesystem::path& f
                     fmt::format("make it smaller: {} texels are allowed", most_texels));
 }
 
-/// How many values of a picture are not used as they are.
+/// The counts of a picture's values that are replaced, one for each fault.
 struct Mended {
     std::size_t dark = 0;     // negative or no number
     std::size_t infinite = 0; // or beyond a float's range once they are summed up

@@ -15,7 +15,7 @@ namespace sr::gltf {
 std::shared_ptr<const scene::EnvironmentMap> read_environment(const std::filesystem::path& file,
                                                               std::vector<std::string>& warnings);
 
-/// What extras.steradian.environment of the glTF scene says; absent where it says nothing. @throws Error
+/// Returns the environment that extras.steradian of the glTF scene states; absent if none. @throws Error
 std::optional<scene::EnvironmentLight> environment_of(const Document& document, std::optional<int> scene,
                                                       Warnings& warnings);
 

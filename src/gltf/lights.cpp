@@ -17,14 +17,14 @@ namespace {
 using glm::dvec3;
 using tinygltf::Value;
 
-/// What is done without a lamp that is lost.
+/// The consequence of a lost lamp, as warnings state it.
 constexpr std::string_view without_lamp = "until then that lamp is off";
 
 /// The properties of extras.steradian that all lights have.
 constexpr std::array common_keys{"quantity", "color", "temperature", "spectrum", "visible"};
 
-/// What extras.steradian says of the lights that extensions put on a node: not what names a shape, a light of
-/// its own.
+/// Returns a node's extras.steradian for the lights that extensions put on the node. Null: there is none, or
+/// it names a shape, which is a light of its own.
 const Value* extras_of_extension(const tinygltf::Node& node) {
     const Value* authored = steradian_in(node.extras);
     return authored && authored->Has("shape") ? nullptr : authored;
@@ -44,7 +44,7 @@ constexpr std::string_view sun_takes = "state a directional light in lx or W/m^2
                                        "scene, so that no flux or intensity is its "
                                        "own); with an angular_diameter also in cd/m^2 or W/(m^2 sr)";
 
-/// What the extras of a light of KHR_lights_punctual, and over them those of its node, state.
+/// The extras of a light of KHR_lights_punctual. Those of its node override its own.
 class PunctualExtras {
 public:
     PunctualExtras(const Document& document, const Value* node, const Value* light, const std::string& title)
@@ -111,7 +111,7 @@ Cone cone_of(const Document& document, const tinygltf::SpotLight& spot, const st
     return cone;
 }
 
-/// What KHR_lights_punctual itself says of a light.
+/// The properties of a light that KHR_lights_punctual itself states.
 struct PunctualSource {
     const tinygltf::Light& from;
     dvec3 own{0.0};                // colour times intensity
@@ -148,7 +148,7 @@ scene::Light directional(const Document& document, const PunctualSource& source,
     return light;
 }
 
-/// What points and spots have in common: place, range, radius.
+/// Returns a point or a spot with the properties that both have: place, range, visibility, radius.
 template<class Punctual>
 Punctual placed_light(const Document& document, const PlacedNode& placed, const PunctualSource& source,
                       const PunctualExtras& extras, const std::string& title) {
@@ -180,8 +180,8 @@ scene::Light punctual(const Document& document, const PlacedNode& placed, const 
     return light;
 }
 
-/// What extras without a shape can state of the lights that a node has by extensions; nothing if there are
-/// none.
+/// Returns the properties that extras without a shape can state of the lights that a node has by extensions;
+/// empty if it has no such light.
 std::vector<std::string> properties_without_shape(const tinygltf::Node& node) {
     std::vector<std::string> known;
     const auto take = [&](const char* name, std::initializer_list<std::string> properties) {
@@ -230,7 +230,7 @@ Flat flat_light(const Document& document, const LightFrame& frame, double size, 
     return result;
 }
 
-/// What EXT_lights_area itself says of a light: its place and size, and colour times intensity.
+/// The properties of a light that EXT_lights_area itself states: place and size, and colour times intensity.
 using AreaSource = std::pair<std::variant<scene::DiskLight, scene::RectangleLight>, dvec3>;
 
 AreaSource area_source_of(const Document& document, const PlacedNode& placed, const Value& light,
@@ -249,7 +249,7 @@ AreaSource area_source_of(const Document& document, const PlacedNode& placed, co
 
 // Shapes of extras.steradian, which no extension of glTF has. A light stands at its node and goes along -Z.
 
-/// What a shape has besides those: its sizes, and what its kind of light can do.
+/// Returns the keys that a shape requires besides the common ones: its sizes, and the corners of a polygon.
 template<class L>
 std::vector<std::string> keys_of(const scene::NamedShape<L>& shape) {
     std::vector<std::string> keys;

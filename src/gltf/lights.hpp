@@ -17,7 +17,7 @@ namespace sr::gltf {
 /// node's scale is; only sizes scale.
 class LightTable {
 public:
-    /// Textures of emitters are asked for in `textures`.
+    /// Takes the textures of emitters from `textures`.
     LightTable(const Document& document, TextureTable& textures) : document_(document), textures_(textures) {}
 
     /// Appends the lights that a node carries, whether or not it is visible. A lamp that glTF states wrongly

@@ -58,7 +58,8 @@ private:
     /// @return the texture `index`, for a material's `texture`
     scene::TextureSlot slot(int index, int texcoord, const tinygltf::ExtensionMap& extensions,
                             TextureMember texture);
-    /// Which of the two sets of a mesh is TEXCOORD_n for the material at hand; absent where both are taken.
+    /// Returns the set of a mesh, 0 or 1, that is TEXCOORD_n for the material at hand. It takes a free set if
+    /// none is yet; absent if both are taken.
     std::optional<int> texcoord_set(int n);
     /// The value, or with a warning the nearest of [least, most].
     float clamped(double value, double least, double most, const char* factor, const std::string& material);

@@ -26,7 +26,7 @@ void append_cdf(const Weights& weights, std::vector<float>& cdf) {
     std::fill(cdf.end() - static_cast<std::ptrdiff_t>(weights.size() - last + 1), cdf.end(), 1.0f);
 }
 
-/// Which entry of an ascending cdf u falls on; u becomes its place within that entry.
+/// Returns the entry of an ascending cdf that u falls on. Sets u to its place within that entry, 0 to 1.
 int entry_at(const float* cdf, int count, float& u) {
     const int i = std::min(static_cast<int>(std::upper_bound(cdf, cdf + count, u) - cdf), count - 1);
     const float low = i > 0 ? cdf[i - 1] : 0.0f;
@@ -34,7 +34,7 @@ int entry_at(const float* cdf, int count, float& u) {
     return i;
 }
 
-/// How much of an entry's cdf is its own.
+/// Returns the probability of entry i: its cdf less that of the entry before.
 double share(const float* cdf, int i) {
     return static_cast<double>(cdf[i]) - (i > 0 ? static_cast<double>(cdf[i - 1]) : 0.0);
 }

@@ -1,5 +1,5 @@
 #pragma once
-// What a surface is made of, and the images that say so. Plain data, linear unless it says otherwise.
+// The material of a surface, and the images that it reads. Plain data, linear unless stated otherwise.
 #include "core/math.hpp"
 
 #include <array>
@@ -29,7 +29,7 @@ enum class Wrap { repeat, mirrored_repeat, clamp_to_edge };
 int wrapped(int i, int size, Wrap wrap);
 
 enum class Filter { nearest, linear };
-/// Which mip levels minification reads.
+/// The mip levels that minification reads.
 enum class Mipmap { none, nearest, linear };
 
 struct Sampler {
@@ -64,7 +64,7 @@ struct TextureSlot {
 
 enum class AlphaMode { opaque, mask, blend };
 
-/// Which BRDF a surface has: glTF's own, or one that extras.steradian names (shaders/brdf/models/).
+/// The BRDF of a surface: glTF's own, or one that extras.steradian names (shaders/brdf/models/).
 enum class Model {
     metallic_roughness,
     lambert,
@@ -155,7 +155,7 @@ struct Material {
     /// diffuse.
     bool is_specular_glossiness = false;
 
-    /// Which TEXCOORD_n of the file the meshes' first and second set of texture coordinates are.
+    /// The n of the file's TEXCOORD_n, for the meshes' first and second set of texture coordinates.
     std::array<int, 2> texcoord_sets{0, 1};
 
     AlphaMode alpha_mode = AlphaMode::opaque;
@@ -163,18 +163,18 @@ struct Material {
     bool is_double_sided = false;
     bool is_unlit = false; // KHR_materials_unlit: L_o is the base colour [cd/m²], no light touches it
 
-    /// Whether the GGX lobe is wider along one direction; then meshes need tangents.
+    /// True if the GGX lobe is wider along one direction; then meshes need tangents.
     bool is_anisotropic() const {
         return model == Model::metallic_roughness ? anisotropy > 0.0f
                                                   : roughness_across >= 0.0f && roughness_across != roughness;
     }
     bool has_sheen() const { return sheen_color.x > 0.0f || sheen_color.y > 0.0f || sheen_color.z > 0.0f; }
-    /// Whether light goes straight through: glass. Metal lets none through.
+    /// True if light passes straight through, as through glass. Metal lets none through.
     bool is_transmissive() const {
         return model == Model::metallic_roughness && !is_specular_glossiness && !is_unlit
                && transmission > 0.0f && (metallic < 1.0f || metallic_roughness_texture.is_present());
     }
-    /// Whether light from behind is scattered to the front, as by a leaf.
+    /// True if light from behind is scattered to the front, as by a leaf.
     bool transmits_diffusely() const {
         return model == Model::metallic_roughness && !is_specular_glossiness && !is_unlit
                && diffuse_transmission > 0.0f;
@@ -223,7 +223,7 @@ constexpr std::size_t texture_slot(TextureSlot Material::*member) {
     return slot;
 }
 
-/// Whether shading reads the tangents of meshes of this material.
+/// True if shading reads the tangents of meshes of this material.
 bool needs_tangents(const Material& material);
 
 /// The texture coordinate set that tangents follow: the normal map's, or that of what else needs them.

@@ -130,7 +130,7 @@ float irradiance(const Source& source, vec3 x, vec3 n) {
            / std::max(d2, source.area / pi);
 }
 
-/// What a point of the picture sees.
+/// The surface point that is seen at a point of the picture.
 struct Seen {
     float distance = std::numeric_limits<float>::infinity(); // along the ray, in its own length
     vec3 x{0.0f};

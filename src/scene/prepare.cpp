@@ -206,7 +206,7 @@ EnvironmentMap studio_map() {
 
 // The camera.
 
-/// How far the scene reaches along a direction, max p·direction over all vertices.
+/// Returns the support of the scene in a direction: max p·direction over all vertices.
 float reach(const Scene& scene, vec3 direction) {
     float farthest = -std::numeric_limits<float>::infinity();
     for (const Instance& instance : scene.instances) {
@@ -234,7 +234,7 @@ Fit fitted(const Scene& scene, vec3 axis, vec3 back, float tangent) {
 
 // The scene as a whole.
 
-/// What the camera at this place of Scene::cameras is called, where it has no name.
+/// Returns the number that identifies the camera at this place of Scene::cameras: its own, or else the place.
 int number_of(const Scene& scene, std::size_t place) {
     const int number = scene.cameras[place].number;
     return number >= 0 ? number : static_cast<int>(place);
@@ -278,14 +278,14 @@ Camera chosen_camera(const Scene& scene, const std::string& file, const PrepareO
     throw Error({file}, fmt::format("no camera '{}'", wanted), "choose one of " + cameras_of(scene));
 }
 
-/// Whether almost nothing of what the camera sees would be lit.
+/// True if almost nothing of what the camera sees would be lit.
 bool is_dark(const RenderScene& stage, const Scene& scene, float aspect_ratio) {
     if (stage.lights.empty()) return true;
     const auto share = lit_share(scene, stage.lights, stage.camera, aspect_ratio);
     return share && *share < min_lit_share(scene);
 }
 
-/// Whether a surface is there that takes light to be seen.
+/// True if the scene has a surface that is seen only if it is lit.
 bool needs_light(const Scene& scene) {
     return std::ranges::any_of(scene.instances, [&](const Instance& instance) {
         const Mesh& mesh = scene.meshes[static_cast<std::size_t>(instance.mesh)];

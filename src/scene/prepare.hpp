@@ -6,7 +6,7 @@
 
 namespace sr::scene {
 
-/// What stands in for lamps: `automatic` is the studio where the scene's own light would leave it dark.
+/// The lamps added to a scene: `automatic` is the studio where the scene's own light would leave it dark.
 enum class Rig { automatic, studio, softboxes, none };
 
 struct PrepareOptions {

@@ -33,8 +33,9 @@ struct Instance {
 };
 
 struct Scene {
-    /// Where in the file's world the coordinates of this scene are zero [m]. Instances, lights and cameras
-    /// are told from here, so that what stands far out keeps its digits; what people read and write adds it.
+    /// The point of the file's world where the coordinates of this scene are zero [m]. Instances, lights and
+    /// cameras are relative to it, so that distant ones keep their digits. What people read and write adds
+    /// it.
     glm::dvec3 origin{0.0};
     std::vector<TextureImage> images;
     std::vector<Texture> textures;
@@ -45,7 +46,7 @@ struct Scene {
     std::optional<EnvironmentLight> environment; // what the file says of light from outside
     std::vector<LightProfile> profiles;
     std::vector<MeasuredBrdf> measured; // what materials of Model::merl read
-    /// What the lights count in, and the film: cd/m² or W/(m² sr).
+    /// The units of the lights and the film: cd/m² or W/(m² sr).
     UnitSystem units = UnitSystem::photometric;
     std::vector<Camera> cameras;
 };
@@ -59,15 +60,15 @@ glm::dvec3 fitting_origin(const Scene& scene);
 
 std::size_t triangle_count(const Scene& scene);
 
-/// Whether no light touches the mesh: its material is unlit, or it is lines or points without normals (glTF
+/// True if no light touches the mesh: its material is unlit, or it is lines or points without normals (glTF
 /// 2.0, section 3.9.7).
 bool is_unlit(const Mesh& mesh, const Material& material);
 
-/// Whether the mesh encloses a volume: every edge of a triangle is another's in the other sense. Corners at
-/// the same place are the same.
+/// True if the mesh encloses a volume: every edge of a triangle is also an edge of another triangle, in the
+/// opposite direction. Corners at the same place count as one.
 bool is_closed(const Mesh& mesh);
 
-/// Whether KHR_materials_volume fills the mesh, so that a ray that enters it leaves it elsewhere.
+/// True if KHR_materials_volume fills the mesh, so that a ray that enters it leaves it elsewhere.
 bool is_body_of_glass(const Mesh& mesh, const Material& material);
 
 } // namespace sr::scene

@@ -14,7 +14,7 @@ struct SpectrumPoint {
 /// Linear between its points, of ascending wavelength, and nothing outside them.
 using Spectrum = std::vector<SpectrumPoint>;
 
-/// What a spectrum is as light: the stated quantity times rgb is its RGB.
+/// The colour and efficacy of a spectrum's light. The stated quantity times rgb is its RGB.
 struct LightColor {
     vec3 rgb{1.0f};          // linear Rec. 709, of luminance 1
     double efficacy = 683.0; // K [lm/W]; lumens_per_watt where no spectrum is known

@@ -6,10 +6,10 @@
 
 namespace sr::scene {
 
-/// What a scene counts light in: lumens and what follows from them (glTF), or watts.
+/// The system of units of a scene's light: lumens and the units derived from them (glTF), or watts.
 enum class UnitSystem { photometric, radiometric };
 
-/// What is stated of a light: Φ, I, E or L.
+/// The quantity that is stated of a light: Φ, I, E or L.
 enum class Quantity { flux, intensity, irradiance, radiance };
 
 struct Unit {

@@ -84,7 +84,7 @@ struct EmitterPoint {
     bool is_far = false;       // parallel light: `place` is a direction
 };
 
-/// What cameras see of an emitter.
+/// The surface of an emitter, as cameras see it.
 struct LightSurface {
     Mesh mesh;
     vec3 L{0.0f}; // radiance [cd/m²]

@@ -1,5 +1,5 @@
 #pragma once
-// Light: any emitter, and what can be asked of all of them.
+// Light: any emitter, and the functions that all of them have.
 #include "scene/lights/directional.hpp"
 #include "scene/lights/disk.hpp"
 #include "scene/lights/environment.hpp"
@@ -55,19 +55,19 @@ void set_name(Light& light, const std::string& name);
 /// Its kind, with what changes how it is evaluated: "round point", "profile", "round spot", "sun".
 std::string variety_of(const Light& light);
 
-/// Whether cameras could see it, and do; absent for those that have no surface.
+/// Returns true if cameras see the light, false if it is hidden from them; absent if it has no surface.
 std::optional<bool> visibility_of(const Light& light);
 
-/// Whether a single-sided face that the light meets from behind casts no shadow of it. So it is for lights
-/// that stand in for the surroundings of a model: what the camera looks through, they shine through. Other
-/// lights are blocked by both sides of every face. A kind of light says so by a member of this name.
+/// True if a single-sided face that the light meets from behind casts no shadow of it. This holds for lights
+/// that replace the surroundings of a model: they shine through each face that the camera looks through.
+/// Other lights are blocked by both sides of every face. A kind of light states it by a member of this name.
 bool passes_back_faces(const Light& light);
 
 /// I, E or L of a light as RGB; a profile's factor.
 vec3 quantity_of(const Light& light);
 void set_quantity(Light& light, vec3 quantity);
 
-/// Which of them the light keeps. A profile's factor has no unit.
+/// Returns the kind of quantity that the light keeps: I, E or L. A profile's factor has no unit.
 Quantity quantity_kind_of(const Light& light);
 bool has_profile(const Light& light);
 
@@ -85,7 +85,7 @@ std::optional<double> quantity_from(const L& light, Quantity quantity, double va
 /// directional lights and environments, which have none of their own.
 std::optional<vec3> flux_of(const Light& light, const std::vector<LightProfile>& profiles);
 
-/// Whether the light is more than one point or direction, so that its shadows have penumbrae.
+/// True if the light is more than one point or direction, so that its shadows have penumbrae.
 bool has_extent(const Light& light);
 
 /// Returns the point of the emitter that the random numbers u in [0, 1)³ choose.
@@ -118,11 +118,12 @@ std::vector<LightSize> sizes_of(const Light& light);
 /// Gives size number `index` another value, above 0 [m].
 void set_size(Light& light, std::size_t index, float value);
 
-/// Whether it can be scaled.
+/// True if the light can be scaled.
 bool is_scalable(const Light& light);
 
-/// What cameras see of the light; absent where they see nothing: the sun's disk, and spots and profiles with
-/// a radius, whose radiance depends on the direction. A mesh's surface is the mesh that it came from.
+/// Returns the surface of the light, as cameras see it. Absent where they see nothing: the sun's disk, and
+/// spots and profiles with a radius, whose radiance depends on the direction. A mesh's surface is the mesh
+/// that it came from.
 std::optional<LightSurface> surface_of(const Light& light);
 
 } // namespace sr::scene

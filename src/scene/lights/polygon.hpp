@@ -19,8 +19,8 @@ struct PolygonLight {
     /// Its size is that of its corners.
     static constexpr std::array<NamedShape<PolygonLight>, 1> shapes{{{"polygon", {}}}};
 
-    /// What is wrong with the corners of a polygon; empty if nothing is: they are three or more, in one plane
-    /// (to 1e-4 of the extent), and go around a convex polygon once.
+    /// Returns the fault of the corners of a polygon; empty if they have none. Without a fault they are three
+    /// or more, lie in one plane (to 1e-4 of the extent), and go around a convex polygon once.
     static std::string fault_of(const std::vector<glm::dvec3>& corners);
 
     float area() const; // [m²]

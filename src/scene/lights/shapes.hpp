@@ -66,7 +66,7 @@ Mesh flat_mesh(const Flat& light, const std::vector<vec2>& st) {
     return mesh;
 }
 
-/// What cameras see of a flat light with a map.
+/// Returns the surface of a flat light with a map, as cameras see it; absent if it is invisible.
 template<class Flat>
 std::optional<LightSurface> flat_surface(const Flat& light, const std::vector<vec2>& st) {
     if (!light.is_visible) return std::nullopt;

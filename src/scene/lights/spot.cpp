@@ -7,7 +7,7 @@
 namespace sr::scene {
 namespace {
 
-constexpr double min_ramp = 1e-6; // of cosθ, that 32-bit cosines can tell apart
+constexpr double min_ramp = 1e-6; // of cosθ, which 32-bit cosines can distinguish
 
 } // namespace
 
