@@ -14,7 +14,7 @@ struct PixelRect {
     bool is_empty() const { return width <= 0 || height <= 0; }
 };
 
-/// What lies in both.
+/// Returns the intersection of both rectangles.
 inline PixelRect common_part(const PixelRect& a, const PixelRect& b) {
     const int column = std::max(a.column, b.column), row = std::max(a.row, b.row);
     const int end_column = std::min(a.column + a.width, b.column + b.width);

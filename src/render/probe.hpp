@@ -6,8 +6,8 @@
 
 namespace sr::render {
 
-/// What one light adds to a pixel. Means over all samples; E and what derives from it by the points on the
-/// light.
+/// Contribution of one light to a pixel. Its values are means over all samples. E and the values derived from
+/// it are estimated by points on the light.
 struct LightTerms {
     float solid_angle = 0.0f; // Ω [sr]; 0 for emitters without extent
     vec3 wi{0.0f};            // the mean direction, weighted by E; shorter than 1 the larger the light is
@@ -30,9 +30,9 @@ struct PixelTerms {
 };
 
 /// Renders the pixel (column, row), counted from the picture's upper left corner, once for each term and
-/// light, with the samples that the whole picture would have. `goes_on` is asked between the steps; false
+/// light, with the samples that the whole picture would have. `goes_on` is called between the steps; false
 /// ends the work.
-/// @return absent if `goes_on` said so
+/// @return absent if `goes_on` returned false
 std::optional<PixelTerms> probe(
     const GpuScene& scene, const scene::Camera& camera, const RenderOptions& options, int column, int row,
     const std::function<bool()>& goes_on = [] { return true; });

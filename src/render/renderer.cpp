@@ -21,7 +21,8 @@ void require_lobes(std::span<const glsl::Root> users) {
                 "overlay that file too, or use --estimator sampled");
 }
 
-/// What the analytic estimator puts in the place of shaders/integrator/; absent for the sampled one.
+/// Returns the files with which the analytic estimator overlays shaders/integrator/ and its constants; absent
+/// for the sampled one.
 std::optional<glsl::Root> estimator(const RenderOptions& options) {
     if (options.estimator == Estimator::sampled) return std::nullopt;
     require_lobes(std::span(options.shader_path).first(options.shader_path.size() - 1));

@@ -29,7 +29,7 @@ struct RenderOptions {
     int samples = 16; // how many will be added; one sample looks at the centre of each pixel
     std::uint32_t seed = 0;
     vec3 background{0.0f}; // radiance where there is no surface [cd/m²]
-    /// What surfaces are drawn with: forward.frag is the equation, views/ shows one of its terms.
+    /// Fragment shader of the surfaces: forward.frag is the equation, each one in views/ shows a term of it.
     std::string shader = "forward.frag";
     /// The only part that is drawn; the rest of the film stays black.
     std::optional<PixelRect> window;
@@ -95,15 +95,15 @@ public:
 
     /// These pixels take no more samples, until clear() or look_from(). It costs them nothing that others do.
     void rest(const PixelMask& pixels) { converged_.add(pixels, sample_count_); }
-    /// Whether no pixel is left that takes samples.
+    /// True if no pixel is left that takes samples.
     bool all_rest() const { return converged_.working(sample_count_).is_empty(); }
     const ConvergedPixels& converged_pixels() const { return converged_; }
-    /// How many samples each pixel has, rows from top to bottom.
+    /// Returns the number of samples of each pixel, rows from top to bottom.
     std::vector<int> pixel_samples() const;
 
     bool estimates_error() const { return options_.estimates_error; }
-    /// How far the film is from what it converges to, as far as two halves of its samples tell; absent before
-    /// both have one. Reads the film back. Only with RenderOptions::estimates_error.
+    /// Estimates the error of the film against its limit from two halves of its samples; absent before both
+    /// have one. Reads the film back. Only with RenderOptions::estimates_error.
     std::optional<ErrorEstimate> error_estimate() const;
 
     /// The mean of the first sequence's samples, of which a pixel has one more if their number is odd. Only
@@ -118,7 +118,7 @@ public:
     const gl::Texture& film_sum() const { return film_.color(); }
 
     std::size_t program_count() const { return shaders_->program_count(); }
-    /// The rays that the CPU answered; null where it is not asked.
+    /// The rays that the CPU answered; null where it answers none.
     const CpuShadowRays* shadow_rays() const { return shadow_rays_ ? &*shadow_rays_ : nullptr; }
 
     /// The depth maps; null where shadows are found otherwise.

@@ -15,7 +15,7 @@ vec2 sub_pixel(int index, int count, std::uint32_t seed);
 
 /// Two independent halves of one rendering, 0 and 1, take its samples by turns.
 inline int half_of(int sample) { return sample % 2; }
-/// How many of the first `count` samples half `half` has.
+/// Returns the number of samples that half `half` has of the first `count` ones.
 inline int samples_of_half(int half, int count) { return (count + 1 - half) / 2; }
 /// The seed of a half, from the rendering's own.
 std::uint32_t half_seed(int half, std::uint32_t seed);

@@ -16,7 +16,7 @@ constexpr int radius = 2;
 constexpr std::array spline{0.375f, 0.25f, 0.0625f}; // B3, Dammertz 2010, section 3.1
 constexpr float noise_widths = 2.0f;                 // σ_l of Schied 2017, section 4.4
 
-/// What of a pixel's surroundings lies on the same surface.
+/// Surfaces of the picture: tells how much the pixels around a pixel lie on the same surface.
 class Surfaces {
 public:
     explicit Surfaces(const Guides& guides)
@@ -31,8 +31,8 @@ public:
         }
     }
 
-    /// Whether all of the pixel lies on one surface, as far as its surroundings and its normal's length tell.
-    /// What two surfaces share has no V of its own.
+    /// True if all of the pixel lies on one surface, as far as its surroundings and its normal's length tell.
+    /// A pixel that two surfaces share has no V of its own.
     bool is_pure(int x, int y) const { return pure_[index(x, y)]; }
 
     /// 0 to 1, of the pixel (x + dx, y + dy) for (x, y).

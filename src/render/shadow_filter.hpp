@@ -6,7 +6,7 @@
 
 namespace sr::render {
 
-/// What tells surfaces apart, a value a pixel.
+/// Values that distinguish surfaces, one of each kind per pixel.
 struct Guides {
     image::Image normals;       // n in the first three channels, not necessarily unit
     std::vector<float> depths;  // along the camera's axis [m]

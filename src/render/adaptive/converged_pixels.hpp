@@ -12,8 +12,8 @@ namespace sr::render {
 /// One byte a pixel, rows from top to bottom; not 0: it is meant.
 using PixelMask = std::vector<std::uint8_t>;
 
-/// Which pixels rest, and since when. A pixel that rests stays at rest, so its samples are the first ones of
-/// its sequence, whatever the others have.
+/// Pixels that rest, each with the number of the first sample that it does not take. A resting pixel stays at
+/// rest, so its samples are the first ones of its sequence. They do not depend on the other pixels.
 class ConvergedPixels {
 public:
     ConvergedPixels(int width, int height) : width_(width), height_(height) {}
@@ -21,13 +21,13 @@ public:
     /// These pixels rest from sample number `sample` on, which is none before an earlier call's.
     void add(const PixelMask& pixels, int sample);
 
-    /// How many of the first `taken` samples the pixel has.
+    /// Returns the number of samples that the pixel has of the first `taken` ones.
     int samples_of(std::size_t pixel, int taken) const;
 
-    /// Whether any pixel rests in sample number `sample`.
+    /// True if any pixel rests in sample number `sample`.
     bool any(int sample) const { return event_of(sample) >= 0; }
 
-    /// What holds all pixels that sample number `sample` is for; nothing is in it if all rest.
+    /// Returns the bounding rectangle of the pixels that take sample number `sample`; empty if all rest.
     PixelRect working(int sample) const;
 
     /// Binds a texture that is not 0 where pixels rest in sample number `sample`; rows as GL counts them.

@@ -7,7 +7,7 @@
 
 namespace sr::render {
 
-/// Whether an error is worth a look after `samples` samples: at 2^k and 3·2^k of them, from 8 on.
+/// True if the error is estimated after `samples` samples: after 2^k and 3·2^k of them, from 8 on.
 bool is_time_to_look(int samples);
 
 class Convergence {
@@ -19,7 +19,7 @@ public:
     /// two samples at least.
     void look(Renderer& renderer);
 
-    /// What was seen last, with what was remembered; absent before the first look.
+    /// The last estimate, averaged with those before it; absent before the first look.
     const std::optional<ErrorEstimate>& seen() const { return seen_; }
     /// Infinite before the first look.
     double error() const { return seen_ ? seen_->error : std::numeric_limits<double>::infinity(); }

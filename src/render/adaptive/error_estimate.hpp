@@ -1,6 +1,5 @@
 #pragma once
-// How far a progressive picture is from what it converges to, told from two independent halves of its
-// samples.
+// Error of a progressive picture against its limit, estimated from two independent halves of its samples.
 #include "image/image.hpp"
 
 #include <vector>
@@ -23,13 +22,15 @@ struct ErrorEstimate {
 /// Sets `error` and `expected` from the squares.
 void sum_up(ErrorEstimate& estimate);
 
-/// `mean` of all samples, RGBA, and of the `first` half's, of which a pixel has one more than of the second
-/// if their number, `samples`, is odd. Each pixel has two at least.
+/// Estimates the error of `mean`, the mean of all samples in RGBA. `first` is the mean of the first half's
+/// samples. If a pixel's number of samples is odd, the first half has one more than the second. Each pixel
+/// has two samples at least.
 ///
-/// If both halves were the same size, a and b, half their difference would have the variance of their mean,
-/// for they are independent: E((a - b)²/4) = Var((a + b)/2). It is taken relative to the lesser of a and b,
-/// lest a firefly in one of them excuse itself. The mean over the picture is itself uncertain, most where few
-/// pixels make up most of it, so `error` adds its standard error over blocks of 8×8 pixels.
+/// Let a and b be the means of two independent halves of the same size. Half their difference has the
+/// variance of their mean: E((a - b)²/4) = Var((a + b)/2). It is relative to a·b, which estimates the value's
+/// square without the squares of the errors, so that a firefly in one half does not hide itself. The mean
+/// over the picture is itself uncertain, most where few pixels make up most of it, so `error` adds its
+/// standard error over blocks of 8×8 pixels.
 ErrorEstimate estimated_error(const image::Image& mean, const image::Image& first,
                               const std::vector<int>& samples);
 

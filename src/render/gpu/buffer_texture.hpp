@@ -21,7 +21,7 @@ public:
     }
     void bind(GLuint unit) const { texture_.bind(unit); }
 
-    /// How many texels this driver reads from one buffer.
+    /// Returns the number of texels that this driver reads from one buffer.
     static std::size_t most_texels();
 
 private:

@@ -8,7 +8,8 @@
 namespace sr::render {
 
 /// Where a texture lies among the texels of all: the first one, its size, and its wrap modes as
-/// wrap_u + 4 * wrap_v in the order of scene::Wrap. Mirror: shaders/light/emission_map.glsl.
+/// wrap_u + 4 * wrap_v in the order of scene::Wrap. Keep in sync with
+/// shaders/light/emission_map.glsl.
 struct EmissionMapPlace {
     int first = 0;
     int width = 0;

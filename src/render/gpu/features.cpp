@@ -23,7 +23,7 @@ void ask_for_light(Features& f, const L& light) {
         f.has_emission_maps |= light.map.is_present();
 }
 
-// What goes into GLSL as `const bool`, by the member's own name.
+// A member of Features that GLSL has as `const bool` of the same name.
 struct Flag {
     const char* name;
     bool Features::*member;
@@ -52,13 +52,13 @@ constexpr std::array other_flags{Flag{"has_vertex_colors", &Features::has_vertex
                                  Flag{"is_line", &Features::is_line},
                                  Flag{"is_point", &Features::is_point}};
 
-/// Whether a model has GGX microfacets, which lose energy.
+/// True if the model has GGX microfacets, which lose energy.
 bool takes_compensation(scene::Model model) {
     return model == scene::Model::metallic_roughness || model == scene::Model::ggx
            || model == scene::Model::conductor;
 }
 
-/// What the layers of glTF's own model take of this mesh.
+/// Sets the features that the layers of glTF's own model need for this mesh.
 void ask_for_layers(Features& f, const scene::Material& m, bool has_tangents) {
     f.has_anisotropy = m.is_anisotropic() && has_tangents;
     f.has_clearcoat = m.clearcoat > 0.0f;
@@ -67,13 +67,13 @@ void ask_for_layers(Features& f, const scene::Material& m, bool has_tangents) {
     f.has_iridescence = m.iridescence > 0.0f;
 }
 
-/// What lets light through this material.
+/// Sets the features of the light that passes through this material.
 void ask_for_transmission(Features& f, const scene::Material& m) {
     f.is_transmissive = m.is_transmissive();
     f.has_diffuse_transmission = m.transmits_diffusely();
 }
 
-/// Which of the material's textures shading reads: those of a layer that is there.
+/// Sets the textures of the material that shading reads. It does not read those of an absent layer.
 void ask_for_textures(Features& f, const scene::Material& material, bool has_tangents) {
     using M = scene::Material;
     for (std::size_t slot = 0; slot < scene::slot_count; ++slot)
@@ -93,7 +93,7 @@ void ask_for_textures(Features& f, const scene::Material& material, bool has_tan
             {&M::diffuse_transmission_texture, &M::diffuse_transmission_color_texture});
 }
 
-/// Whether an instance of the scene has a material of which `is_so`.
+/// True if `is_so` holds for the material of an instance of the scene.
 template<class Predicate>
 bool any_material(const scene::Scene& scene, Predicate is_so) {
     return std::ranges::any_of(scene.instances, [&](const scene::Instance& instance) {
@@ -154,7 +154,8 @@ Features light_features(std::span<const scene::Light> lights) {
     Features f;
     for (const scene::Light& light : lights)
         std::visit([&f](const auto& any) { ask_for_light(f, any); }, light);
-    // What a direction of the BRDF's choice can meet: has_lights_to_meet in shaders/light/sample_light.glsl.
+    // Lights that a direction sampled from the BRDF can hit. Keep in sync with has_lights_to_meet in
+    // shaders/light/sample_light.glsl.
     bool has_lights_to_meet = f.has_sun_disks;
     scene::for_each_light_kind([&]<class L>(std::type_identity<L>) {
         constexpr bool is_met =

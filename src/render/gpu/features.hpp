@@ -1,7 +1,7 @@
 #pragma once
-// What a program has to deal with: constants that overlay shaders/interface/features.glsl, so that the
-// compiler drops what a scene does not use. (One program for everything costs seconds of compile time in
-// software GL.)
+// Features of a shader program: constants that overlay shaders/interface/features.glsl. The compiler drops
+// the code that a scene does not use. (One program for everything costs seconds of compile time in software
+// GL.)
 #include "scene/scene.hpp"
 
 #include <array>
@@ -47,7 +47,7 @@ struct Features {
 
     auto operator<=>(const Features&) const = default;
 
-    /// Whether there are lights of the kind L.
+    /// Returns the flag of the light kind L: true if there are such lights.
     template<class L>
     bool& has() {
         return has_lights[scene::light_kind<L>()];
@@ -66,41 +66,44 @@ struct Features {
     /// The text that stands for brdf/model.glsl: the one BRDF that the material has.
     std::string model_glsl() const;
 
-    /// Whether a texture can make parts of glass opaque, which then hide what is behind like other surfaces.
+    /// True if a texture can make parts of glass opaque. These hide what is behind like other surfaces.
     bool may_have_opaque_part() const {
         return is_transmissive && !is_blended
                && (has(&scene::Material::transmission_texture)
                    || has(&scene::Material::metallic_roughness_texture));
     }
 
-    /// Whether the analytic estimator can take the BRDF: one GGX lobe without a direction, or none.
-    /// Others are sampled.
+    /// True if the analytic estimator can evaluate the BRDF: it has one isotropic GGX lobe, or none.
+    /// Other BRDFs are sampled.
     bool is_analytic() const;
 
-    /// How many of the material's textures shading reads.
+    /// Returns the number of the material's textures that shading reads.
     int material_texture_count() const;
 };
 
-/// What these lights take, whatever they shine on. A point sends each of them a ray to a point of its, and,
-/// where a direction of the BRDF's choice can meet any of them, another along that.
+/// Returns the features that these lights need on every surface. A shaded point sends each light a ray to a
+/// point on it. If a direction sampled from the BRDF can hit any of the lights, the shaded point sends each
+/// light a second ray along such a direction.
 Features light_features(std::span<const scene::Light> lights);
 
-/// Whether any surface of the scene is masked, blended or of glass, and so lets some light through.
+/// True if any surface of the scene is masked, blended or of glass, and so lets some light through.
 bool has_transparent_casters(const scene::Scene& scene);
-/// Whether any is of glass, so that V has a colour.
+/// True if any surface of the scene is of glass, so that V has a colour.
 bool has_tinted_casters(const scene::Scene& scene);
 
-/// What shading this mesh takes under lights that take `lights`.
+/// Returns the features that the shading of this mesh needs; `lights` are those that the lights need.
 Features shading_features(const scene::Scene& scene, const scene::Mesh& mesh, const Features& lights);
 
 /// @throws Error if the material of that name takes more than `units` textures together with lights and
 /// shadows; OpenGL grants 16 at least, GL_MAX_TEXTURE_IMAGE_UNITS
 void require_texture_units(const Features& features, std::string_view material, int units);
 
-/// What the depth pre-pass needs of `shading`: nothing, unless the material is masked or glass in part.
+/// Returns the features of `shading` that the depth pre-pass needs: the kind of primitive, and the features
+/// of alpha and transmission if the material is masked or glass in part.
 Features depth_features(const Features& shading);
 
-/// What depth maps need of `shading`: what alpha takes, unless the material is opaque.
+/// Returns the features of `shading` that depth maps need: the kind of primitive, and the features of alpha
+/// unless the material is opaque.
 Features caster_features(const Features& shading);
 
 } // namespace sr::render

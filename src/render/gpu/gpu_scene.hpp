@@ -34,23 +34,23 @@ public:
     GpuScene(const scene::Scene& scene, std::span<const scene::Light> lights,
              Visibility visibility = Visibility::ray, bool has_energy_compensation = false);
 
-    /// Takes over other lights of the same scene, and what shows them: the meshes from `first_mesh` on, all
-    /// instances and all materials. Textures and the meshes before stay as they are. Shadows are made anew if
-    /// `casters_change`. @throws Error
+    /// Uploads other lights of the same scene and the surfaces that show them: the meshes from `first_mesh`
+    /// on, all instances and all materials. Textures and the meshes before stay as they are. The shadow
+    /// casters are rebuilt if `casters_change`, and always for depth maps. @throws Error
     void relight(const scene::Scene& scene, std::span<const scene::Light> lights, std::size_t first_mesh,
                  bool casters_change);
 
     int light_count() const { return light_count_; }
-    /// Which of the lights are seen behind everything.
+    /// Indices of the environment lights that are visible behind all surfaces.
     const std::vector<int>& visible_environments() const { return visible_environments_; }
     int rays_per_light() const { return rays_per_light_; } // that a point of a surface sends
-    /// What casts shadows; null if nothing does.
+    /// The shadow casters; null without shadows or without lights.
     const VisibilityBackend* visibility_backend() const { return visibility_backend_.get(); }
     const std::vector<Draw>& opaque_draws() const { return opaque_; } // opaque and masked, by program
-    /// What lets through a part of what is behind: blended, or of glass; in the scene's order.
+    /// Draws of surfaces that let through light from behind: blended ones and glass, in the scene's order.
     const std::vector<Draw>& blended_draws() const { return blended_; }
 
-    /// How many distinct sets of features its draws have: each takes its own programs.
+    /// Returns the number of distinct sets of features of the draws. Each set needs its own programs.
     std::size_t feature_set_count() const;
 
     /// Binds the light table, the emitters' textures, the fitted lobes and the shadow casters to their units.

@@ -16,9 +16,9 @@ namespace sr::render {
 /// A row of inputs: three texels of the buffer texture `rows`.
 using Row = std::array<vec4, 3>;
 
-/// A fragment shader that is asked row by row. It reads `uniform samplerBuffer rows`, of which its pixel's
-/// are first at 3 (256 gl_FragCoord.y + gl_FragCoord.x), draws what is below `uniform int row_count` and
-/// writes one vec4 (shaders/trial/table.glsl does all that).
+/// A fragment shader that is evaluated once per row. It reads `uniform samplerBuffer rows`; the texels of a
+/// pixel start at 3 (256 gl_FragCoord.y + gl_FragCoord.x). It draws the rows below `uniform int row_count`
+/// and writes one vec4 each (shaders/trial/table.glsl does all that).
 class ShaderEvaluator {
 public:
     /// Compiles `fragment` of the shader path with fullscreen.vert. Needs a current context.

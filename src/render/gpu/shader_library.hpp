@@ -15,7 +15,7 @@
 
 namespace sr::render {
 
-/// Which file stands for shaders/visibility/visibility.glsl.
+/// The file that is compiled as shaders/visibility/visibility.glsl.
 enum class VisibilityTerm { none, ray, record, answered, map };
 
 class ShaderLibrary {

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int most_rays = 7; // rays_a_pass of shaders/interface/rays.glsl
 // Most pixels have rays to a third of the lights. The more lights at once, the fewer passes read the
-// surfaces; but pixels that do have more rays sample all of these lights anew in every pass.
+// surfaces; but pixels that do have more rays sample all of these lights again in every pass.
 constexpr int lights_a_pass = 16;
 constexpr std::size_t target_memory = std::size_t{512} << 20; // [bytes] that may go into targets
 
@@ -158,7 +158,7 @@ std::size_t CpuShadowRays::answer_row(std::size_t first, std::size_t end) {
         const int number = static_cast<int>(std::abs(ray.w)) - 1;
         const std::size_t place = static_cast<std::size_t>(number - planes_.first_ray) * planes_.size + pixel;
         if (!is_finite(ray)
-            || !is_finite(receiver)) { // a user's shader may ask this, Embree may not be asked
+            || !is_finite(receiver)) { // a user's shader may write this, Embree must not get it
             std::fill_n(&values_[place * channels()], channels(), std::numeric_limits<float>::quiet_NaN());
             ++broken;
             continue;

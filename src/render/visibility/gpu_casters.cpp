@@ -15,7 +15,7 @@ constexpr std::size_t texels_per_alpha_corner = 1;
 constexpr std::size_t texels_per_glass = 7;
 constexpr std::size_t texels_per_glass_corner = 3;
 
-// Where the parts of the casters' texels begin: shaders/interface/casters.glsl.
+// First texels of the parts of the casters' data, which shaders/interface/casters.glsl describes.
 std::size_t first_alpha_corner(const Casters& casters) { return casters.casters.size() * texels_per_caster; }
 std::size_t first_glass(const Casters& casters) {
     return first_alpha_corner(casters) + casters.alpha_corners.size() * texels_per_alpha_corner;
@@ -67,7 +67,7 @@ std::vector<vec4> packed_data(const Casters& casters) {
     return texels;
 }
 
-/// What w says of a triangle: the texels of its caster, of its corners and of its glass.
+/// Returns the w components of a triangle's corners: the first texels of its caster, corners and glass.
 vec3 links_of(const Casters& casters, std::uint32_t triangle) {
     const std::uint32_t index = casters.caster_of[triangle];
     const Caster& caster = casters.casters[index];

@@ -21,7 +21,7 @@ enum class Visibility {
 std::optional<Visibility> visibility_named(std::string_view name);
 std::string_view name_of(Visibility visibility);
 
-/// A scene's shadow casters, ready to be asked.
+/// A scene's shadow casters, ready for queries.
 class VisibilityBackend {
 public:
     /// `visibility` is not none. With `has_blended_receivers` the shader's tree is made in any case: several
@@ -32,7 +32,7 @@ public:
     /// The CPU's answers; null where the shader finds them itself.
     const shadow::Occlusion* occlusion() const { return occlusion_.get(); }
 
-    /// What depth maps are drawn of; null where V is found by rays.
+    /// The contents of the depth maps; null where V is found by rays.
     const shadow::ShadowMapScene* shadow_map_scene() const {
         return shadow_map_scene_ ? &*shadow_map_scene_ : nullptr;
     }
