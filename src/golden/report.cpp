@@ -1,5 +1,6 @@
 #include "golden/report.hpp"
 
+#include "golden/page.hpp"
 #include "image/file.hpp"
 
 #include <algorithm>
