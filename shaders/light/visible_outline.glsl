@@ -36,8 +36,8 @@ vec4 middle_and_length(Arc arc) {
     return sum;
 }
 
-// Closes a gap along the horizon. A convex outline has one. Rounding makes several of edges that lie on the horizon; some lead back.
-// All count for E, so that they cancel, and the longest is the closing piece.
+// Closes a gap along the horizon. A convex outline has one gap. Where an edge lies on the horizon, rounding makes several, and some
+// lead back. All of them count for E, so that they cancel. The longest is the closing piece.
 void close_gap(inout VisibleOutline v, vec3 from, vec3 to) {
     float angle = horizon_angle(from, to);
     v.E += 0.5 * angle;

@@ -9,6 +9,9 @@
 namespace sr::render {
 namespace {
 
+template<class T, class... Others>
+constexpr bool is_any_of = (std::is_same_v<T, Others> || ...);
+
 template<class L>
 void ask_for_light(Features& f, const L& light) {
     bool is_sphere = false;
@@ -159,10 +162,7 @@ Features light_features(std::span<const scene::Light> lights) {
     bool has_lights_to_meet = f.has_sun_disks;
     scene::for_each_light_kind([&]<class L>(std::type_identity<L>) {
         constexpr bool is_met =
-            !std::is_same_v<
-                L,
-                scene::
-                    PointLight> && !std::is_same_v<L, scene::SpotLight> && !std::is_same_v<L, scene::DirectionalLight> && !std::is_same_v<L, scene::MeshLight>;
+            !is_any_of<L, scene::PointLight, scene::SpotLight, scene::DirectionalLight, scene::MeshLight>;
         has_lights_to_meet |= is_met && f.has<L>();
     });
     f.rays_per_light = has_lights_to_meet ? 2 : 1;
