@@ -6,7 +6,7 @@
 
 uniform sampler2D film_sum;  // the sum of all samples
 uniform float film_weight;   // 1 / their number
-uniform sampler2D rest_weights; // of the film's pixels that rest 1 / their number; 0 of the others
+uniform sampler2D pixel_weights; // of the film's pixels that rest 1 / their number; 0 of the others
 uniform sampler2D other_sum; // what it is compared with
 uniform float other_weight;
 uniform vec2 window_size;
@@ -17,7 +17,7 @@ uniform float wipe;             // where the other picture begins, 0 to 1
 out vec4 screen;
 
 vec4 mean(sampler2D sum, float weight, bool has_rest, ivec2 at) {
-    if (has_rest) weight = max(weight, texelFetch(rest_weights, at, 0).r);
+    if (has_rest) weight = max(weight, texelFetch(pixel_weights, at, 0).r);
     return texelFetch(sum, at, 0) * weight;
 }
 
@@ -63,7 +63,7 @@ vec3 difference(vec3 L, vec3 other) {
 }
 
 void main() {
-    vec4 film = radiance(film_sum, film_weight, is_resting);
+    vec4 film = radiance(film_sum, film_weight, has_frozen_pixels);
     vec3 L = film.rgb;
     vec3 color = shown(film);
     if (comparison == 2) {

@@ -83,7 +83,7 @@ void background_pass(const RenderTarget& frame, const GpuScene& scene, ShaderLib
     }
 }
 
-void rest_pass(const RenderTarget& frame, ShaderLibrary& shaders) {
+void mask_pass(const RenderTarget& frame, ShaderLibrary& shaders) {
     frame.bind();
     glDisable(GL_BLEND);
     glDisable(GL_CULL_FACE);
@@ -91,7 +91,7 @@ void rest_pass(const RenderTarget& frame, ShaderLibrary& shaders) {
     glDepthFunc(GL_ALWAYS);
     glDepthMask(GL_TRUE);
     glBindSampler(0, 0);
-    shaders.fullscreen_program("rest.frag").use();
+    shaders.fullscreen_program("mask.frag").use();
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 

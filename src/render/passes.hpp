@@ -15,7 +15,7 @@ void depth_pass(const RenderTarget& frame, const GpuScene& scene, ShaderLibrary&
 void background_pass(const RenderTarget& frame, const GpuScene& scene, ShaderLibrary& shaders);
 
 /// Leaves the frame black, and closed to all passes that follow, where the texture of unit 0 is not 0.
-void rest_pass(const RenderTarget& frame, ShaderLibrary& shaders);
+void mask_pass(const RenderTarget& frame, ShaderLibrary& shaders);
 
 /// Writes the rays that the forward pass will ask about within the scissor into the bound framebuffer, whose
 /// depth is the pre-pass's: to attachment 0 the receivers, to `attachments` - 1 others a ray each.

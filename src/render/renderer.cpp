@@ -154,7 +154,7 @@ void Renderer::draw(const PixelRect& part) {
     if (shows_environment()) background_pass(frame_, scene_, *shaders_);
     if (converged_.any(sample_count_)) {
         converged_.bind(sample_count_, 0);
-        rest_pass(frame_, *shaders_);
+        mask_pass(frame_, *shaders_);
     }
     shade_opaque(part);
     keep_to(part);
@@ -174,8 +174,8 @@ void Renderer::accumulate() {
 }
 
 PixelRect Renderer::window() const {
-    const PixelRect working = converged_.working(sample_count_);
-    return options_.window ? common_part(*options_.window, working) : working;
+    const PixelRect active = converged_.active(sample_count_);
+    return options_.window ? common_part(*options_.window, active) : active;
 }
 
 void Renderer::keep_to(const PixelRect& window) const {

@@ -81,22 +81,22 @@ public:
     int width() const { return options_.width; }
     int height() const { return options_.height; }
 
-    /// Starts over with an empty film, in which every pixel will rest when it did: after as many samples as
+    /// Starts over with an empty film, in which every pixel is frozen when it was: after as many samples as
     /// before, the film has the very same ones.
     void repeat();
 
-    /// Renders one frame, one sample of every pixel that does not rest, and adds it to the film.
+    /// Renders one frame, one sample of every pixel that is not frozen, and adds it to the film.
     void add_sample();
     /// The same by parts, the next `count` rows at a time, so that others can work in between. The film is to
     /// be read only when the sample is complete, or starts over before. @return whether it is complete
     bool add_rows(int count);
-    /// The samples of the pixels that do not rest.
+    /// The samples of the pixels that are not frozen.
     int sample_count() const { return sample_count_; }
 
-    /// These pixels take no more samples, until clear() or look_from(). It costs them nothing that others do.
-    void rest(const PixelMask& pixels) { converged_.add(pixels, sample_count_); }
+    /// Freezes these pixels: they take no more samples, until clear() or look_from(). They cost nothing then.
+    void freeze(const PixelMask& pixels) { converged_.add(pixels, sample_count_); }
     /// True if no pixel is left that takes samples.
-    bool all_rest() const { return converged_.working(sample_count_).is_empty(); }
+    bool is_frozen() const { return converged_.active(sample_count_).is_empty(); }
     const ConvergedPixels& converged_pixels() const { return converged_; }
     /// Returns the number of samples of each pixel, rows from top to bottom.
     std::vector<int> pixel_samples() const;
@@ -114,7 +114,7 @@ public:
     image::Image film() const;
 
     /// The sum of all samples so far, where shaders can read it: film() is it over pixel_samples(), which is
-    /// sample_count() where no pixel rests.
+    /// sample_count() where no pixel is frozen.
     const gl::Texture& film_sum() const { return film_.color(); }
 
     std::size_t program_count() const { return shaders_->program_count(); }

@@ -67,7 +67,7 @@ Stopped stopped_at(double target, std::uint32_t seed, const render::GpuScene& sc
     render::Convergence convergence(target);
     while (!convergence.is_reached() && renderer.sample_count() < 4096) {
         renderer.add_sample();
-        if (render::is_time_to_look(renderer.sample_count())) convergence.look(renderer);
+        if (render::is_estimate_due(renderer.sample_count())) convergence.update(renderer);
     }
     double samples = 0.0;
     for (const int count : renderer.pixel_samples()) samples += count;

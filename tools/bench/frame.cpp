@@ -24,7 +24,7 @@ struct Arguments {
     int frames = 60;
     bool own_lights = false;
     int softboxes = 0;
-    double resting = 0.0;
+    double frozen = 0.0;
     std::string visibility = "ray";
     render::MapOptions maps;
     std::string backend = "auto";
@@ -105,7 +105,7 @@ void run(const Arguments& arguments) {
     render::Renderer renderer(gpu_scene, stage.camera, options);
     renderer.compile();
     const double first = frame_times(renderer, 1).front(); // includes what the driver compiles at first use
-    if (arguments.resting > 0.0) renderer.rest(spread(arguments.resting, options.width, options.height));
+    if (arguments.frozen > 0.0) renderer.freeze(spread(arguments.frozen, options.width, options.height));
     std::vector<double> times = frame_times(renderer, arguments.frames);
     std::sort(times.begin(), times.end());
     double load[1] = {0.0};
@@ -132,7 +132,7 @@ int main(int argc, char** argv) {
     app.add_flag("--own-lights", arguments.own_lights,
                  "the scene's lights (or the studio rig) instead of one point light");
     app.add_option("--softboxes", arguments.softboxes, "this many rectangles of the studio rig instead");
-    app.add_option("--resting", arguments.resting, "this share of the pixels has enough samples")
+    app.add_option("--frozen", arguments.frozen, "this share of the pixels has enough samples")
         ->check(CLI::Range(0.0, 0.99));
     app.add_option("--visibility", arguments.visibility)
         ->check(CLI::IsMember({"none", "ray", "ray-cpu", "ray-glsl", "map"}))

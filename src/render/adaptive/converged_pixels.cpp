@@ -15,17 +15,17 @@ constexpr int never = std::numeric_limits<int>::max();
 void ConvergedPixels::add(const PixelMask& pixels, int sample) {
     const auto size = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
     require(pixels.size() == size, "the mask has the picture's size");
-    require(events_.empty() || events_.back().sample <= sample, "pixels come to rest in the samples' order");
-    if (rests_from_.empty()) rests_from_.assign(size, never);
+    require(events_.empty() || events_.back().sample <= sample, "pixels are frozen in the samples' order");
+    if (frozen_from_.empty()) frozen_from_.assign(size, never);
     for (std::size_t i = 0; i < size; ++i)
-        if (pixels[i] != 0) rests_from_[i] = std::min(rests_from_[i], sample);
+        if (pixels[i] != 0) frozen_from_[i] = std::min(frozen_from_[i], sample);
     if (events_.empty() || events_.back().sample < sample) events_.push_back({sample, {}});
-    events_.back().working = bounds_at(sample);
+    events_.back().active = bounds_at(sample);
     uploaded_ = -1;
 }
 
 int ConvergedPixels::samples_of(std::size_t pixel, int taken) const {
-    return rests_from_.empty() ? taken : std::min(taken, rests_from_[pixel]);
+    return frozen_from_.empty() ? taken : std::min(taken, frozen_from_[pixel]);
 }
 
 int ConvergedPixels::event_of(int sample) const {
@@ -33,9 +33,9 @@ int ConvergedPixels::event_of(int sample) const {
     return static_cast<int>(after - events_.begin()) - 1;
 }
 
-PixelRect ConvergedPixels::working(int sample) const {
+PixelRect ConvergedPixels::active(int sample) const {
     const int event = event_of(sample);
-    return event < 0 ? PixelRect{0, 0, width_, height_} : events_[static_cast<std::size_t>(event)].working;
+    return event < 0 ? PixelRect{0, 0, width_, height_} : events_[static_cast<std::size_t>(event)].active;
 }
 
 PixelRect ConvergedPixels::bounds_at(int sample) const {
@@ -43,7 +43,7 @@ PixelRect ConvergedPixels::bounds_at(int sample) const {
     for (int row = 0; row < height_; ++row) {
         for (int column = 0; column < width_; ++column) {
             const auto i = static_cast<std::size_t>(row) * static_cast<std::size_t>(width_);
-            if (rests_from_[i + static_cast<std::size_t>(column)] <= sample) continue;
+            if (frozen_from_[i + static_cast<std::size_t>(column)] <= sample) continue;
             left = std::min(left, column);
             right = std::max(right, column + 1);
             top = std::min(top, row);
@@ -55,7 +55,7 @@ PixelRect ConvergedPixels::bounds_at(int sample) const {
 
 void ConvergedPixels::bind(int sample, GLuint unit) {
     const int event = event_of(sample);
-    require(event >= 0, "pixels rest");
+    require(event >= 0, "a pixel is frozen");
     texture_.bind(unit);
     if (event == uploaded_) return;
     upload(events_[static_cast<std::size_t>(event)].sample);
@@ -64,9 +64,9 @@ void ConvergedPixels::bind(int sample, GLuint unit) {
 
 void ConvergedPixels::upload(int sample) {
     PixelMask texels;
-    texels.reserve(rests_from_.size());
+    texels.reserve(frozen_from_.size());
     for (int row = height_ - 1; row >= 0; --row) {
-        const auto first = rests_from_.begin() + std::ptrdiff_t{row} * width_;
+        const auto first = frozen_from_.begin() + std::ptrdiff_t{row} * width_;
         std::transform(first, first + width_, std::back_inserter(texels),
                        [sample](int from) { return static_cast<std::uint8_t>(from <= sample ? 255 : 0); });
     }

@@ -8,17 +8,17 @@
 namespace sr::render {
 namespace {
 
-constexpr int first_look = 8;
+constexpr int first_estimate = 8;
 
-/// Before that no pixel rests: what one sample in fifty finds has to be seen, or it is taken for darkness.
-constexpr int first_rest = 64;
+/// No pixel is frozen before that: light that one sample in fifty finds would be taken for darkness.
+constexpr int first_freeze = 64;
 
-/// The part of a target's square that a pixel's surroundings must be under to rest. Those that rest early are
-/// not the ones that matter; without it, too many would end just under the target.
-constexpr float resting_share = 0.5f;
+/// The part of a target's square that a pixel's surroundings must be under to be frozen. Those frozen early
+/// are not the ones that matter; without it, too many would end just under the target.
+constexpr float freeze_share = 0.5f;
 
-/// The side of the blocks of pixels that rest together: enough to tell an error by, few enough to follow a
-/// penumbra.
+/// The side of the blocks of pixels that are frozen together: enough to tell an error by, few enough to
+/// follow a penumbra.
 constexpr int block_side = 4;
 
 /// A picture of blocks.
@@ -71,44 +71,44 @@ Blocks with_surroundings(Blocks blocks) {
 
 } // namespace
 
-bool is_time_to_look(int samples) {
-    if (samples < first_look) return false;
+bool is_estimate_due(int samples) {
+    if (samples < first_estimate) return false;
     const auto n = static_cast<unsigned>(samples);
     return std::has_single_bit(n) || (n % 3 == 0 && std::has_single_bit(n / 3));
 }
 
-void Convergence::look(Renderer& renderer) {
-    seen_ = renderer.error_estimate();
+void Convergence::update(Renderer& renderer) {
+    estimate_ = renderer.error_estimate();
     const std::vector<int> samples = renderer.pixel_samples();
     is_confirmed_ = !samples_.empty();
     if (is_confirmed_) remember(samples);
-    squares_ = seen_->squares;
+    squares_ = estimate_->squares;
     samples_ = samples;
-    if (target_ == 0.0 || is_reached() || renderer.sample_count() < first_rest) return;
-    const PixelMask resting = enough();
-    if (std::ranges::find(resting, 0) == resting.end()) return; // someone has to go on
-    renderer.rest(resting);
+    if (target_ == 0.0 || is_reached() || renderer.sample_count() < first_freeze) return;
+    const PixelMask frozen = converged();
+    if (std::ranges::find(frozen, 0) == frozen.end()) return; // someone has to go on
+    renderer.freeze(frozen);
 }
 
 void Convergence::remember(const std::vector<int>& samples) {
     for (std::size_t i = 0; i < samples.size(); ++i) {
         if (samples[i] == samples_[i])
-            seen_->squares[i] = squares_[i]; // it rests
+            estimate_->squares[i] = squares_[i]; // it is frozen
         else {
             const float ratio = static_cast<float>(samples_[i]) / static_cast<float>(samples[i]);
-            seen_->squares[i] = 0.5f * (seen_->squares[i] + ratio * squares_[i]);
+            estimate_->squares[i] = 0.5f * (estimate_->squares[i] + ratio * squares_[i]);
         }
     }
-    sum_up(*seen_);
+    sum_up(*estimate_);
 }
 
-PixelMask Convergence::enough() const {
-    const float most = resting_share * static_cast<float>(target_ * target_);
-    Blocks largest = with_surroundings(block_squares(*seen_));
+PixelMask Convergence::converged() const {
+    const float most = freeze_share * static_cast<float>(target_ * target_);
+    Blocks largest = with_surroundings(block_squares(*estimate_));
     PixelMask mask;
-    mask.reserve(seen_->squares.size());
-    for (int y = 0; y < seen_->height; ++y)
-        for (int x = 0; x < seen_->width; ++x)
+    mask.reserve(estimate_->squares.size());
+    for (int y = 0; y < estimate_->height; ++y)
+        for (int x = 0; x < estimate_->width; ++x)
             mask.push_back(largest.at(x / block_side, y / block_side) <= most ? 1 : 0);
     return mask;
 }
@@ -128,7 +128,7 @@ void StopMonitor::restart() { *this = StopMonitor(StopRule(rule_)); }
 bool StopMonitor::took_sample(Renderer& renderer, double seconds) {
     using Clock = std::chrono::steady_clock;
     const Clock::time_point begin = Clock::now();
-    if (is_time_to_look(renderer.sample_count())) update_error(renderer);
+    if (is_estimate_due(renderer.sample_count())) update_error(renderer);
     seconds += std::chrono::duration<double>(Clock::now() - begin).count();
     seconds_ += seconds;
     stopped_by_ = condition_met(renderer, seconds);
@@ -140,7 +140,7 @@ bool StopMonitor::took_sample(Renderer& renderer, double seconds) {
 void StopMonitor::update_error(Renderer& renderer) {
     const int samples = renderer.sample_count();
     if (!renderer.estimates_error() || samples < 2 || estimated_at_ == samples) return;
-    convergence_.look(renderer);
+    convergence_.update(renderer);
     estimated_at_ = samples;
 }
 
@@ -151,7 +151,7 @@ std::optional<double> StopMonitor::error() const {
 std::optional<StoppedBy> StopMonitor::condition_met(const Renderer& renderer, double last_seconds) const {
     if (rule_.error && convergence_.is_reached()) return StoppedBy::error;
     if (renderer.sample_count() >= rule_.samples) return StoppedBy::samples;
-    if (rule_.error && renderer.all_rest()) return StoppedBy::error;
+    if (rule_.error && renderer.is_frozen()) return StoppedBy::error;
     if (rule_.seconds && seconds_ + last_seconds > *rule_.seconds) return StoppedBy::time;
     return std::nullopt;
 }

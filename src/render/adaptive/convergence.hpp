@@ -1,5 +1,5 @@
 #pragma once
-// Samples where they are needed: looks at the error of a growing picture now and then, and lets pixels rest.
+// Adaptive sampling: estimates the error of a growing picture now and then, and freezes converged pixels.
 #include "render/adaptive/stop_rule.hpp"
 #include "render/renderer.hpp"
 
@@ -8,22 +8,22 @@
 namespace sr::render {
 
 /// True if the error is estimated after `samples` samples: after 2^k and 3·2^k of them, from 8 on.
-bool is_time_to_look(int samples);
+bool is_estimate_due(int samples);
 
 class Convergence {
 public:
-    /// `target`: √relMSE that the picture shall keep under; 0: no pixel ever rests.
+    /// `target`: √relMSE that the picture shall keep under; 0: no pixel is ever frozen.
     explicit Convergence(double target) : target_(target) {}
 
-    /// Looks at the renderer's error and sends the pixels that need no more samples to rest. The renderer has
+    /// Estimates the renderer's error and freezes the pixels that need no more samples. The renderer has
     /// two samples at least.
-    void look(Renderer& renderer);
+    void update(Renderer& renderer);
 
-    /// The last estimate, averaged with those before it; absent before the first look.
-    const std::optional<ErrorEstimate>& seen() const { return seen_; }
-    /// Infinite before the first look.
-    double error() const { return seen_ ? seen_->error : std::numeric_limits<double>::infinity(); }
-    /// Never after one look alone.
+    /// The last estimate, averaged with those before it; absent before the first one.
+    const std::optional<ErrorEstimate>& estimate() const { return estimate_; }
+    /// Infinite before the first estimate.
+    double error() const { return estimate_ ? estimate_->error : std::numeric_limits<double>::infinity(); }
+    /// Never true after one estimate alone.
     bool is_reached() const { return is_confirmed_ && error() <= target_; }
 
 private:
@@ -31,12 +31,12 @@ private:
     /// pixel's square is the mean of what is seen and what was seen before, scaled as slowly as variance can
     /// fall.
     void remember(const std::vector<int>& samples);
-    PixelMask enough() const; // the pixels that may rest
+    PixelMask converged() const; // the pixels that may be frozen
 
     double target_;
-    std::optional<ErrorEstimate> seen_;
-    bool is_confirmed_ = false;  // there was a look before
-    std::vector<float> squares_; // at the look before: of each pixel
+    std::optional<ErrorEstimate> estimate_;
+    bool is_confirmed_ = false;  // there was an estimate before
+    std::vector<float> squares_; // of each pixel, by the estimate before
     std::vector<int> samples_;
 };
 
@@ -62,7 +62,7 @@ public:
     /// Time of all samples and estimates [s].
     double seconds() const { return seconds_; }
     /// The last estimate; absent before the first one.
-    const std::optional<ErrorEstimate>& estimate() const { return convergence_.seen(); }
+    const std::optional<ErrorEstimate>& estimate() const { return convergence_.estimate(); }
     /// √relMSE of the last estimate; absent before the first one.
     std::optional<double> error() const;
 

@@ -9,13 +9,13 @@ namespace sr::viewer {
 namespace {
 
 std::string constants(image::ToneCurve curve, const output::Variable* view, ComparisonMode comparison,
-                      bool is_scaled, bool is_reference_displayed, bool is_resting) {
+                      bool is_scaled, bool is_reference_displayed, bool has_frozen_pixels) {
     const bool is_false_color = view && view->display == output::Display::false_color;
     return fmt::format("const int shown_curve = {};\nconst bool is_false_color = {};\n"
                        "const int comparison = {};\nconst bool is_scaled = {};\n"
-                       "const bool is_other_displayed = {};\nconst bool is_resting = {};\n{}{}",
+                       "const bool is_other_displayed = {};\nconst bool has_frozen_pixels = {};\n{}{}",
                        static_cast<int>(curve), is_false_color, static_cast<int>(comparison), is_scaled,
-                       is_reference_displayed, is_resting, image::colormap_glsl(), view_glsl(view));
+                       is_reference_displayed, has_frozen_pixels, image::colormap_glsl(), view_glsl(view));
 }
 
 } // namespace
@@ -38,7 +38,7 @@ const gl::Program& Presenter::program(const Choice& choice) {
                         glsl::expand(path, "display/screen.frag"));
     program.bind_texture("film_sum", 0);
     program.bind_texture("other_sum", 1);
-    program.bind_texture("rest_weights", 2);
+    program.bind_texture("pixel_weights", 2);
     return programs_.emplace(choice, std::move(program)).first->second;
 }
 

@@ -77,7 +77,7 @@ render::PixelMask left_half(int size) {
 
 // A pixel that rests has the very samples that a shorter rendering has, one that works those of a longer one;
 // and repeat() takes all of them again. With shadows, so that the rays' bands follow.
-const Test rest("unit.render.resting.pixels_keep_their_samples", [] {
+const Test rest("unit.render.frozen.pixels_keep_their_samples", [] {
     context();
     constexpr int size = 32;
     scene::Scene plane = lambert_plane(4.0f);
@@ -94,7 +94,7 @@ const Test rest("unit.render.resting.pixels_keep_their_samples", [] {
     };
     const image::Image at_5 = add(whole, 5), at_12 = add(whole, 7);
     add(other, 5);
-    other.rest(left_half(size));
+    other.freeze(left_half(size));
     for (const image::Image& film : {add(other, 7), (other.repeat(), add(other, 12))}) {
         for (int y = 0; y < size; ++y)
             for (int x = 0; x < size; ++x)
@@ -103,10 +103,10 @@ const Test rest("unit.render.resting.pixels_keep_their_samples", [] {
     }
     EXPECT_EQ(other.pixel_samples()[size / 2 - 1], 5);
     EXPECT_EQ(other.pixel_samples()[size / 2], 12);
-    other.rest(render::PixelMask(size * size, 1));
-    EXPECT_TRUE(other.all_rest());
+    other.freeze(render::PixelMask(size * size, 1));
+    EXPECT_TRUE(other.is_frozen());
     other.clear();
-    EXPECT_FALSE(other.all_rest());
+    EXPECT_FALSE(other.is_frozen());
 });
 
 } // namespace
