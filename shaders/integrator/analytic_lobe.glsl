@@ -7,7 +7,7 @@
 // is constant and the result exact; elsewhere it converges with the points. Without points: Heitz et al. 2016. The
 // ratio: Heitz, Hill & McGuire 2018. Points where p is: Peters 2021, who draws them; these are a fixed fan.
 #include "surface/surface.glsl"
-#include "brdf/lobes.glsl"
+#include "brdf/brdf.glsl"
 #include "brdf/warp.glsl"
 #include "integrator/cosine.glsl"
 #include "interface/estimator.glsl"

@@ -20,7 +20,7 @@ struct UserShader {
 };
 
 /// Reads a user's shader. @throws Error if the file cannot be read or does not declare f_r, or declares only
-/// a part of its sampling (has_peak, sample_f_r, p_f_r)
+/// a part of its sampling (has_peak, sample_f_r, pdf_f_r)
 UserShader read_user_shader(const std::filesystem::path& file);
 
 struct BrdfUnderTest {

@@ -123,10 +123,6 @@ std::string Features::glsl() const {
     return text + fmt::format("const int rays_per_light = {};\n", rays_per_light);
 }
 
-std::string Features::model_glsl() const {
-    return fmt::format("#include \"brdf/models/{}.glsl\"\n", scene::name_of(model));
-}
-
 bool Features::is_analytic() const {
     const bool is_layered = has_anisotropy || has_clearcoat || has_sheen || has_diffuse_transmission;
     const scene::BrdfModel& brdf = scene::brdf_model(model);

@@ -18,6 +18,12 @@ namespace sr::render {
 /// The file that is compiled as shaders/visibility/visibility.glsl.
 enum class VisibilityTerm { none, ray, record, answered, map };
 
+/// The files that put a BRDF in the place of brdf/f_r.glsl, behind the user's own roots, which are all of
+/// `path` but the last. Where one of those has that file, brdf/brdf.glsl adds from the model what it does not
+/// declare.
+/// @throws Error if the user's file cannot be expanded
+glsl::Files brdf_files(scene::Model model, std::span<const glsl::Root> path);
+
 class ShaderLibrary {
 public:
     /// `shader_path`: the roots that shaders come from; the first that has a file wins.

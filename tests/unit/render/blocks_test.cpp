@@ -70,12 +70,14 @@ const Test layout("unit.render.blocks.match_the_shaders", [] {
     EXPECT_EQ(offset_of(program, "clearcoat_factor"), offsetof(MaterialBlock, clearcoat_factor));
     EXPECT_EQ(offset_of(program, "sheen_factor"), offsetof(MaterialBlock, sheen_factor));
     EXPECT_EQ(offset_of(program, "iridescence_factor"), offsetof(MaterialBlock, iridescence_factor));
-    EXPECT_EQ(offset_of(program, "ior_factor"), offsetof(MaterialBlock, ior_factor));
-    EXPECT_EQ(offset_of(program, "extinction_factor"), offsetof(MaterialBlock, extinction_factor));
     EXPECT_EQ(offset_of(program, "transmission_factor"), offsetof(MaterialBlock, transmission_factor));
     EXPECT_EQ(offset_of(program, "attenuation_factor"), offsetof(MaterialBlock, attenuation_factor));
-    EXPECT_EQ(offset_of(program, "diffuse_transmission_color_factor"),
-              offsetof(MaterialBlock, diffuse_transmission_color_factor));
+    EXPECT_EQ(offset_of(program, "diffuse_transmission_factor"),
+              offsetof(MaterialBlock, diffuse_transmission_factor));
+    Features metal = everything();
+    metal.model = scene::Model::conductor;
+    EXPECT_EQ(offset_of(shaders.mesh_program("forward.frag", metal), "model_parameters[0]"),
+              offsetof(MaterialBlock, model_parameters));
     EXPECT_EQ(offset_of(program, "metallic_factor"), offsetof(MaterialBlock, metallic_factor));
     EXPECT_EQ(offset_of(program, "roughness_factor"), offsetof(MaterialBlock, roughness_factor));
     EXPECT_EQ(offset_of(program, "normal_scale"), offsetof(MaterialBlock, normal_scale));
