@@ -200,7 +200,7 @@ View Renderer::begin_frame() {
 
 VisibilityTerm Renderer::opaque_visibility() const {
     if (!scene_.visibility_backend() || !options_.has_shadows) return VisibilityTerm::none;
-    return shadow_rays_ ? VisibilityTerm::answered : blended_visibility();
+    return shadow_rays_ ? VisibilityTerm::resolve : blended_visibility();
 }
 
 VisibilityTerm Renderer::blended_visibility() const {
@@ -220,7 +220,7 @@ void Renderer::shade_opaque(const PixelRect& window) {
     for (const RowRange& band : bands) {
         glScissor(window.column, band.first, window.width, band.count);
         shadow_rays_->find(band, first_light_, end_light_, frame_data_, *shaders_);
-        forward_pass(frame_, scene_, *shaders_, options_.shader, VisibilityTerm::answered);
+        forward_pass(frame_, scene_, *shaders_, options_.shader, VisibilityTerm::resolve);
     }
     glDisable(GL_SCISSOR_TEST);
 }

@@ -88,7 +88,7 @@ void connect(const gl::Program& program) {
     program.bind_texture("environment_texels", environment_texels_unit);
     program.bind_texture("ltc_table", ltc_table_unit);
     program.bind_texture("measured_brdf", measured_unit);
-    program.bind_texture("answers", answers_unit);
+    program.bind_texture("ray_visibility", ray_visibility_unit);
     program.bind_texture("last_rays", last_rays_unit);
     program.bind_texture("map_triangles", map_triangles_unit);
     program.bind_texture("map_points", map_points_unit);

@@ -50,10 +50,10 @@ struct RaysBlock {
 using scene::slot_count;
 inline constexpr unsigned light_table_unit = slot_count;
 inline constexpr unsigned emission_texels_unit = slot_count + 1;
-inline constexpr unsigned answers_unit = slot_count + 2;
+inline constexpr unsigned ray_visibility_unit = slot_count + 2;
 inline constexpr unsigned ltc_table_unit = slot_count + 3;
 inline constexpr unsigned last_rays_unit = slot_count + 4;
-inline constexpr unsigned map_triangles_unit = answers_unit; // depth maps answer where no rays do
+inline constexpr unsigned map_triangles_unit = ray_visibility_unit; // depth maps take the place of rays
 inline constexpr unsigned map_points_unit = last_rays_unit;
 inline constexpr unsigned first_caster_unit = slot_count + 5; // five of them, see gpu_casters.hpp
 inline constexpr unsigned measured_unit = slot_count + 10;

@@ -18,7 +18,7 @@ constexpr std::array<std::string_view, 9> brdf_functions{
 /// The files that are specialised, behind the user's own roots.
 glsl::Root specialised(const Features& features, VisibilityTerm visibility,
                        std::span<const glsl::Root> path) {
-    constexpr std::array files{"none", "ray", "record", "answered", "map"};
+    constexpr std::array files{"none", "ray", "record", "resolve", "map"};
     const char* file = files[static_cast<std::size_t>(visibility)];
     glsl::Files texts = brdf_files(features.model, path);
     texts["interface/features.glsl"] = features.glsl();

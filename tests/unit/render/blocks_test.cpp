@@ -58,7 +58,7 @@ const Test layout("unit.render.blocks.match_the_shaders", [] {
     EXPECT_EQ(offset_of(program, "world_from_normal"), offsetof(ObjectBlock, world_from_normal));
     EXPECT_EQ(offset_of(program, "handedness"), offsetof(ObjectBlock, handedness));
     EXPECT_EQ(offset_of(program, "first_triangle"), offsetof(ObjectBlock, first_triangle));
-    const gl::Program& numbers = shaders.mesh_program("views/numbers.frag", everything());
+    const gl::Program& numbers = shaders.mesh_program("views/ids_depth.frag", everything());
     EXPECT_EQ(offset_of(numbers, "object"), offsetof(ObjectBlock, object));
     EXPECT_EQ(offset_of(numbers, "material"), offsetof(ObjectBlock, material));
     EXPECT_LE(size_of(program, "Object"), static_cast<GLint>(sizeof(ObjectBlock)));
@@ -91,7 +91,7 @@ const Test layout("unit.render.blocks.match_the_shaders", [] {
 const Test rays("unit.render.blocks.rays_match_the_shader", [] {
     sr::testing::context();
     ShaderLibrary shaders({glsl::embedded()});
-    const gl::Program& program = shaders.mesh_program("forward.frag", everything(), VisibilityTerm::answered);
+    const gl::Program& program = shaders.mesh_program("forward.frag", everything(), VisibilityTerm::resolve);
     EXPECT_EQ(offset_of(program, "first_ray"), offsetof(RaysBlock, first_ray));
     EXPECT_EQ(offset_of(program, "plane_size"), offsetof(RaysBlock, plane_size));
     EXPECT_EQ(offset_of(program, "row_size"), offsetof(RaysBlock, row_size));
