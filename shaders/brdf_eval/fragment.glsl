@@ -1,4 +1,4 @@
-// What stands for interface/fragment.glsl where there is no mesh: one tilted frame, white.
+// The place of interface/fragment.glsl where there is no mesh: one tilted frame, white.
 const vec3 tilted_n = vec3(0.48, -0.6, 0.64);
 const vec3 tilted_t = normalize(cross(vec3(0.0, 0.0, 1.0), tilted_n));
 

@@ -8,11 +8,13 @@
 #include <utility>
 
 namespace sr::brdf {
+
 UserShader read_user_shader(const std::filesystem::path& file) {
     UserShader shader{read_text(file), file.string(), false};
     if (!glsl::declares(shader.text, "f_r"))
-        throw Error({file.string()}, "does not declare f_r",
-                    "write vec3 f_r(Surface x, vec3 wi, vec3 wo) { … }, as shaders/brdf/models/lambert.glsl does");
+        throw Error(
+            {file.string()}, "does not declare f_r",
+            "write vec3 f_r(Surface x, vec3 wi, vec3 wo) { … }, as shaders/brdf/models/lambert.glsl does");
     int count = 0;
     for (const char* name : {"has_peak", "sample_f_r", "pdf_f_r"}) count += glsl::declares(shader.text, name);
     if (count != 0 && count != 3)

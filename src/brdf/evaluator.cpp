@@ -9,6 +9,7 @@ namespace sr::brdf {
 namespace {
 
 using render::Row;
+
 std::vector<Row> numbered_rows(vec3 wo, int count) {
     std::vector<Row> rows;
     for (int i = 0; i < count; ++i) rows.push_back({vec4(wo, static_cast<float>(i))});

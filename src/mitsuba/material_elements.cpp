@@ -8,13 +8,6 @@ namespace {
 
 using scene::Model;
 
-/// ((ior - 1) / (ior + 1))²; 0 stands for an infinite ior (KHR_materials_ior).
-float F0_from_ior(float ior) {
-    if (ior == 0.0f) return 1.0f;
-    const float r = (ior - 1.0f) / (ior + 1.0f);
-    return r * r;
-}
-
 void write_attribute(Xml& xml, std::string_view name) {
     xml.open("texture", "mesh_attribute", name);
     xml.text("name", name);
@@ -97,7 +90,7 @@ private:
 
     void write_metallic_roughness() {
         xml_.number("metallic", m_.metallic);
-        xml_.number("F0", F0_from_ior(m_.ior));
+        xml_.number("F0", scene::F0_from_ior(m_.ior));
         xml_.number("specular", m_.specular);
         write_slot("specular_texture", m_.specular_texture, Part::alpha);
         write_specular_color();

@@ -17,6 +17,12 @@ std::string models_with(const BrdfParameter& parameter, std::string_view between
     return text;
 }
 
+float F0_from_ior(float ior) {
+    if (ior == 0.0f) return 1.0f;
+    const float r = (ior - 1.0f) / (ior + 1.0f);
+    return r * r;
+}
+
 vec3 attenuation_coefficient(const Material& m) {
     constexpr float blackest = 1e-30f; // a colour of 0 would be an endless coefficient
     return -glm::log(glm::clamp(m.attenuation_color, vec3(blackest), vec3(1.0f))) / m.attenuation_distance;

@@ -179,6 +179,10 @@ struct Material {
     bool is_emissive() const { return emission.x > 0.0f || emission.y > 0.0f || emission.z > 0.0f; }
 };
 
+/// The reflectance of a dielectric at normal incidence, ((ior - 1) / (ior + 1))²; 0 stands for an infinite
+/// ior (KHR_materials_ior).
+float F0_from_ior(float ior);
+
 /// σ of KHR_materials_volume [1/m]: what is left of light after d metres is exp(-σ d).
 vec3 attenuation_coefficient(const Material& material);
 
@@ -256,6 +260,8 @@ inline constexpr std::array brdf_parameters{
                   .meaning = "a measured BRDF in the MERL database's binary format, beside the glTF",
                   .models = {Model::merl, Model::merl},
                   .member = &Material::measured}};
+
+static_assert(brdf_models.size() == static_cast<std::size_t>(Model::merl) + 1);
 
 constexpr const BrdfModel& brdf_model(Model model) { return brdf_models[static_cast<std::size_t>(model)]; }
 constexpr std::string_view name_of(Model model) { return brdf_model(model).name; }

@@ -63,8 +63,7 @@ MaterialBlock packed_material(const scene::Material& m, std::span<const scene::M
     block.roughness_factor = m.roughness;
     block.normal_scale = m.normal_scale;
     block.alpha_cutoff = scene::least_opaque_alpha(m);
-    const float r = (m.ior - 1.0f) / (m.ior + 1.0f);
-    block.F0_from_ior = m.ior == 0.0f ? 1.0f : r * r; // KHR_materials_ior: 0 stands for infinity
+    block.F0_from_ior = scene::F0_from_ior(m.ior);
     for (std::size_t s = 0; s < slot_count; ++s) {
         const scene::TextureSlot& texture = m.*scene::texture_inputs[s].member;
         const mat3 rows = glm::transpose(texture.uv_transform);
