@@ -8,7 +8,7 @@
 #include "gltf/extensions.hpp"
 #include "gltf/load.hpp"
 #include "render/gpu/features.hpp"
-#include "scene/material_description.hpp"
+#include "scene/material.hpp"
 #include "scene/prepare.hpp"
 
 #include <CLI/CLI.hpp>
