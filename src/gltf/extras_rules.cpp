@@ -2,8 +2,11 @@
 
 #include "scene/conductor.hpp"
 #include "scene/lights/light.hpp"
+#include "scene/material.hpp"
 
 #include <algorithm>
+#include <span>
+#include <variant>
 
 namespace sr::gltf {
 namespace {
@@ -27,9 +30,7 @@ struct ExtrasRules {
                   .is_closed = true};
 
     Rule text{.kind = Kind::text};
-    Rule brdf{
-        .kind = Kind::text,
-        .words = {"lambert", "oren_nayar", "mirror", "phong", "blinn_phong", "ggx", "conductor", "merl"}};
+    Rule brdf{.kind = Kind::text}; // the names of all BRDFs but glTF's own
     Rule metal{.kind = Kind::text, .words = scene::metal_names()};
     Rule complex_ior{.kind = Kind::record,
                      .properties = {{"n", &three_numbers, true}, {"k", &three_numbers, true}},
@@ -47,8 +48,7 @@ struct ExtrasRules {
         {"visible", &boolean}}, .is_closed = true, .is_ours = true};
     Rule material{.kind = Kind::record, .properties = {
         {"quantity", &quantity}, {"color", &three_numbers}, {"temperature", &number}, {"spectrum", &spectrum},
-        {"brdf", &brdf}, {"roughness_across", &number}, {"exponent", &number}, {"specular_color", &three_numbers},
-        {"metal", &metal}, {"complex_ior", &complex_ior}, {"ior_spectrum", &ior_spectrum}, {"file", &text}},
+        {"brdf", &brdf}},
         .is_closed = true, .is_ours = true};
     Rule environment{.kind = Kind::record, .properties = {
         {"file", &text}, {"radiance", &three_numbers}, {"strength", &number}, {"rotation", &number},
@@ -64,6 +64,10 @@ struct ExtrasRules {
     Rule asset_extras{.kind = Kind::record, .properties = {{"steradian", &asset}}, .is_optional = true};
 
     ExtrasRules() {
+        for (const scene::BrdfModel& model : std::span(scene::brdf_models).subspan(1))
+            brdf.words.push_back(model.name);
+        for (const scene::BrdfParameter& parameter : scene::brdf_parameters)
+            material.properties.push_back({parameter.key, rule_of(parameter)});
         for (const scene::NamedUnit& named : scene::unit_names) unit.words.push_back(named.name);
         std::vector<PropertyRule> of_node{{"shape", &shape}}, of_light;
         const auto add = [&](std::vector<PropertyRule>& to, std::string_view key) {
@@ -86,6 +90,15 @@ struct ExtrasRules {
         });
         node.properties.insert(node.properties.begin(), of_node.begin(), of_node.end());
         light.properties.insert(light.properties.begin(), of_light.begin(), of_light.end());
+    }
+
+    const Rule* rule_of(const scene::BrdfParameter& parameter) const {
+        if (parameter.key == "metal") return &metal;
+        if (parameter.key == "ior_spectrum") return &ior_spectrum;
+        if (std::holds_alternative<float scene::Material::*>(parameter.member)) return &number;
+        if (std::holds_alternative<vec3 scene::Material::*>(parameter.member)) return &three_numbers;
+        if (std::holds_alternative<int scene::Material::*>(parameter.member)) return &text;
+        return &complex_ior;
     }
 };
 

@@ -87,7 +87,7 @@ std::optional<PixelTerms> probe(const GpuScene& scene, const scene::Camera& came
         if (film.w > 0.0f) t.wi = vec3(film) / film.w;
         t.cos_i = glm::dot(t.wi, terms.n);
     });
-    for_each_light("views/extent.frag", [](LightTerms& t, vec4 film) {
+    for_each_light("views/solid_angle.frag", [](LightTerms& t, vec4 film) {
         t.solid_angle = film.x;
         t.V = film.z > 0.0f ? film.y / film.z : 1.0f;
     });
@@ -206,7 +206,7 @@ std::optional<PixelBrdf> brdf_at(const GpuScene& scene, const scene::Camera& cam
         scene.draw_triangle(*seen->draw, seen->triangle);
     }
     glDisable(GL_SCISSOR_TEST);
-    return PixelBrdf{seen->draw->features.model == scene::Model::mirror, answers.read(wi.size())};
+    return PixelBrdf{scene::brdf_model(seen->draw->features.model).is_delta, answers.read(wi.size())};
 }
 
 } // namespace sr::render
