@@ -6,7 +6,7 @@
 #include "core/text.hpp"
 #include "gl/context.hpp"
 #include "gltf/extensions.hpp"
-#include "gltf/load.hpp"
+#include "gltf/asset.hpp"
 #include "render/gpu/features.hpp"
 #include "scene/material_description.hpp"
 #include "scene/prepare.hpp"

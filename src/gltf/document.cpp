@@ -2,12 +2,11 @@
 
 #include "core/error.hpp"
 #include "core/file.hpp"
-#include "gltf/compression.hpp"
+#include "gltf/read/compression.hpp"
 #include "gltf/container.hpp"
 #include "gltf/extensions.hpp"
-#include "gltf/json.hpp"
 #include "gltf/schema.hpp"
-#include "gltf/text.hpp"
+#include "gltf/warnings.hpp"
 #include "gltf/uri.hpp"
 
 #include <fmt/format.h>
@@ -153,6 +152,12 @@ Bytes Document::view(int buffer_view, std::string_view pointer) const {
     return buffer->subspan(view.byteOffset, view.byteLength);
 }
 
+int Document::add_buffer(std::vector<std::uint8_t> bytes) {
+    storage.push_back(std::make_unique<const std::vector<std::uint8_t>>(std::move(bytes)));
+    buffers.push_back({*storage.back(), std::nullopt});
+    return static_cast<int>(buffers.size()) - 1;
+}
+
 Document read_document(const std::filesystem::path& file, Warnings& warnings) {
     Document document;
     document.name = file.string();
@@ -161,12 +166,12 @@ Document read_document(const std::filesystem::path& file, Warnings& warnings) {
     document.storage.push_back(
         std::make_unique<const std::vector<std::uint8_t>>(read_file(file, document.name)));
 
-    const Container container = split(*document.storage.back(), document.name);
+    const Container container = split_container(*document.storage.back(), document.name);
     json root = parse(container, document.name);
     check_version(root, document.name);
     check_required_extensions(root, document.name);
     check_counts(root, document.name);
-    document.lost = check(root, gltf_rule(), document.name, warnings);
+    document.lost = check(root, gltf_schema(), document.name, warnings);
 
     complete(root, document, warnings);
     if (root.contains("buffers")) read_buffers(document, root["buffers"], container.bin);
@@ -175,7 +180,7 @@ Document read_document(const std::filesystem::path& file, Warnings& warnings) {
     if (root.contains("animations")) list_animations(document, root["animations"]);
     if (root.contains("extensionsRequired"))
         document.extensions_required = root["extensionsRequired"].get<std::vector<std::string>>();
-    document.model = model_of(std::move(root), document.name);
+    document.model = parse_model(std::move(root), document.name);
     unpack_meshopt(document);
     unpack_draco(document);
     return document;

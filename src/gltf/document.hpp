@@ -1,7 +1,7 @@
 #pragma once
 // A glTF file and everything it refers to, checked and in memory, before anything is made of it.
 #include "core/limits.hpp"
-#include "gltf/bytes.hpp"
+#include "gltf/container.hpp"
 #include "gltf/tinygltf.hpp"
 #include "gltf/warnings.hpp"
 
@@ -73,6 +73,9 @@ struct Document {
     /// The bytes of a buffer view. `pointer` ("/images/0") says in errors who wants them.
     /// @throws Error if it reaches beyond its buffer, or its buffer has no bytes
     Bytes view(int buffer_view, std::string_view pointer) const;
+
+    /// Keeps the bytes as another buffer. @return its index
+    int add_buffer(std::vector<std::uint8_t> bytes);
 
     bool is_lost(const std::string& pointer) const { return lost.contains(pointer); }
     /// Returns whether it or anything in it is lost.

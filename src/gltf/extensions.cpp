@@ -1,8 +1,8 @@
 #include "gltf/extensions.hpp"
 
 #include "core/error.hpp"
-#include "gltf/compression.hpp"
-#include "gltf/text.hpp"
+#include "gltf/read/compression.hpp"
+#include "gltf/warnings.hpp"
 #include "image/webp.hpp"
 
 #include <algorithm>

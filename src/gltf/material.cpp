@@ -1,6 +1,6 @@
 #include "gltf/material.hpp"
 
-#include "gltf/text.hpp"
+#include "gltf/warnings.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 #pragma once
 // glTF materials.
-#include "gltf/emission.hpp"
+#include "gltf/read/emission.hpp"
 #include "gltf/measured.hpp"
-#include "gltf/texture.hpp"
+#include "gltf/read/texture.hpp"
 #include "scene/scene.hpp"
 
 #include <array>

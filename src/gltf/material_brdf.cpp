@@ -1,6 +1,6 @@
 // BRDFs of extras.steradian, in the place of glTF's own.
 #include "gltf/material.hpp"
-#include "gltf/text.hpp"
+#include "gltf/warnings.hpp"
 #include "scene/conductor.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // The KHR_materials_ extensions that shape or cover a material's lobes, or let light through.
 #include "gltf/material.hpp"
-#include "gltf/text.hpp"
+#include "gltf/warnings.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

@@ -34,7 +34,7 @@ int lend_buffer_view(json& root, std::vector<std::size_t>& borrowers) {
 
 } // namespace
 
-tinygltf::Model model_of(json root, const std::string& name) {
+tinygltf::Model parse_model(json root, const std::string& name) {
     std::vector<std::size_t> borrowers;
     const int lent = lend_buffer_view(root, borrowers);
     for (const char* foreign : {"buffers", "images", "skins", "animations"}) root.erase(foreign);

@@ -10,7 +10,7 @@ namespace sr::gltf {
 /// Maps a checked glTF JSON onto tinygltf's structs. The model has no buffers, images, skins or animations:
 /// Document has those.
 /// @throws Error calling the file `name`
-tinygltf::Model model_of(nlohmann::json root, const std::string& name);
+tinygltf::Model parse_model(nlohmann::json root, const std::string& name);
 
 /// A number within an extension's object, or `fallback`.
 double number_in(const tinygltf::Value& object, const std::string& key, double fallback);

@@ -1,6 +1,6 @@
 #pragma once
 // Warnings: features of a file that the picture lacks.
-//
+// 
 // One thing that is broken (a texture, an animation's channel, a lamp, a camera) costs that thing and one
 // warning. Under --strict every warning is an Error instead.
 #include "core/error.hpp"
@@ -12,6 +12,9 @@
 #include <vector>
 
 namespace sr::gltf {
+
+/// The text in double quotes, without control characters and at most 80 bytes of it.
+std::string in_quotes(std::string_view text);
 
 class Warnings {
 public:

@@ -5,7 +5,7 @@
 #include "scene/material.hpp"
 #include "scene/measured_brdf.hpp"
 #include "scene/mesh.hpp"
-#include "scene/profile.hpp"
+#include "scene/ies.hpp"
 #include "scene/units.hpp"
 
 #include <cstdint>

@@ -59,14 +59,14 @@ const Test posing("unit.gltf.animation.an_asset_is_posed_again_and_again", [] {
     gltf::Asset asset(file);
     ASSERT_EQ(asset.contents().animations.size(), 2u);
     EXPECT_EQ(asset.contents().animations[1].duration, 3.0);
-    scene::Scene scene = asset.at_rest();
+    scene::Scene scene = asset.rest_pose();
     scene.meshes.emplace_back(); // as a RenderScene adds them
-    scene = asset.posed(std::move(scene), {{0}, 2.0});
+    scene = asset.evaluate(std::move(scene), {{0}, 2.0});
     EXPECT_EQ(scene.meshes.size(), 1u);
     EXPECT_EQ(scene.instances.at(0).world_from_object[3], vec4(1, 0, 0, 1));
-    scene = asset.posed(std::move(scene), {{1}, 3.0}); // nothing of the first is left
+    scene = asset.evaluate(std::move(scene), {{1}, 3.0}); // nothing of the first is left
     EXPECT_EQ(scene.instances.at(0).world_from_object, glm::mat4(mat3(3.0f)));
-    scene = asset.posed(std::move(scene), {{}, 0.0});
+    scene = asset.evaluate(std::move(scene), {{}, 0.0});
     EXPECT_EQ(scene.instances.at(0).world_from_object, mat4(1.0f));
 });
 

@@ -1,5 +1,5 @@
 // Containers, JSON, URIs: whatever comes before the glTF itself.
-#include "gltf/named_files.hpp"
+#include "gltf/uri.hpp"
 #include "gltf/warnings.hpp"
 #include "loading.hpp"
 
