@@ -52,7 +52,7 @@ scene::Bounds extent_of(Opened& opened, const RenderCommand& command) {
     for (std::size_t i = 0; i < count; ++i) {
         const std::size_t frame = count == 1 ? 0 : i * (opened.frames.size() - 1) / (count - 1);
         opened.scene = opened.asset.evaluate(std::move(opened.scene),
-                                          {opened.animations, seconds_of(opened.frames[frame], command)});
+                                             {opened.animations, seconds_of(opened.frames[frame], command)});
         const scene::Bounds bounds = scene::bounds_of(opened.scene);
         if (bounds.is_empty()) continue;
         all.extend(bounds.min);

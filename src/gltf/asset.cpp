@@ -1,13 +1,13 @@
 #include "gltf/asset.hpp"
 
 #include "core/error.hpp"
+#include "gltf/extensions.hpp"
 #include "gltf/read/animation.hpp"
 #include "gltf/read/camera.hpp"
-#include "gltf/read/texture.hpp"
-#include "gltf/read/mesh_instances.hpp"
 #include "gltf/read/environment.hpp"
-#include "gltf/extensions.hpp"
 #include "gltf/read/lights.hpp"
+#include "gltf/read/mesh_instances.hpp"
+#include "gltf/read/texture.hpp"
 #include "gltf/warnings.hpp"
 
 #include <algorithm>
@@ -27,7 +27,7 @@ public:
           scene_index_(options.scene),
           animations_(parse_animations(document_, warnings_)),
           mesh_instances_(document_, flatten_nodes(document_, options.scene),
-                 find_variant(document_, options.variant)),
+                          find_variant(document_, options.variant)),
           measured_(document_),
           materials_(document_, measured_, warnings_),
           lights_(document_, materials_.textures()) {
@@ -38,8 +38,9 @@ public:
         place_lights(flatten_nodes(document_, scene_index_), warnings_);
         scene_.profiles = lights_.profiles();
         scene_.units = unit_system_of(document_);
-        warnings_.attempt("it has no environment",
-                          [&] { scene_.environment = parse_environment(document_, scene_index_, warnings_); });
+        warnings_.attempt("it has no environment", [&] {
+            scene_.environment = parse_environment(document_, scene_index_, warnings_);
+        });
         scene_.textures = materials_.textures().textures();
         Decoding decoding(document_, materials_.textures().image_sources());
         mesh_instances_.build(materials_, scene_, warnings_);
@@ -165,8 +166,7 @@ private:
     scene::Scene scene_;        // until it is given away
     std::set<int> lost_images_; // those of the scene that could not be decoded
     std::size_t mesh_count_ = 0;
-    glm::dvec3 origin_{
-        0.0}; // fits the rest pose and stays, so that cameras may be kept
+    glm::dvec3 origin_{0.0}; // fits the rest pose and stays, so that cameras may be kept
     bool is_given_ = false;
 };
 

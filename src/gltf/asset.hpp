@@ -1,6 +1,6 @@
 #pragma once
 // A glTF file that is read once and evaluated at many times.
-// 
+//
 //     Asset asset(file);
 //     scene::Scene scene = asset.rest_pose();
 //     scene = asset.evaluate(std::move(scene), {asset.animations_named("Walk"), 1.5});

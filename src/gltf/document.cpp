@@ -2,12 +2,12 @@
 
 #include "core/error.hpp"
 #include "core/file.hpp"
-#include "gltf/read/compression.hpp"
 #include "gltf/container.hpp"
 #include "gltf/extensions.hpp"
+#include "gltf/read/compression.hpp"
 #include "gltf/schema.hpp"
-#include "gltf/warnings.hpp"
 #include "gltf/uri.hpp"
+#include "gltf/warnings.hpp"
 
 #include <fmt/format.h>
 

@@ -73,8 +73,7 @@ Schema node_extras_schema() {
     append(properties, std::move(sizes));
     properties.emplace_back("corners", array(three_numbers()));
     append(properties, emission_properties());
-    append(properties,
-           {{"texture", index("/textures")}, {"visible", boolean()}, {"two_sided", boolean()}});
+    append(properties, {{"texture", index("/textures")}, {"visible", boolean()}, {"two_sided", boolean()}});
     return extras(std::move(properties));
 }
 

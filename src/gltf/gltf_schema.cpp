@@ -74,14 +74,14 @@ Schema primitive() {
                 {"variants", array(index("/extensions/KHR_materials_variants/variants")), true}});
     const Schema draco =
         object({{"bufferView", view_index(), true}, {"attributes", dictionary(integer(max_int)), true}});
-    return object({{"attributes", attributes(), true},
-                   {"indices", accessor_index()},
-                   {"material", index("/materials")},
-                   {"mode", enum_integer({0, 1, 2, 3, 4, 5, 6})},
-                   {"targets", array(attributes())},
-                   {"extensions",
-                    object({{"KHR_materials_variants", object({{"mappings", array(mapping), true}})},
-                            {"KHR_draco_mesh_compression", draco}})}});
+    return object(
+        {{"attributes", attributes(), true},
+         {"indices", accessor_index()},
+         {"material", index("/materials")},
+         {"mode", enum_integer({0, 1, 2, 3, 4, 5, 6})},
+         {"targets", array(attributes())},
+         {"extensions", object({{"KHR_materials_variants", object({{"mappings", array(mapping), true}})},
+                                {"KHR_draco_mesh_compression", draco}})}});
 }
 
 Schema mesh() {
@@ -115,47 +115,47 @@ Schema texture_info() {
 
 Schema material_extensions() {
     const Schema texture = texture_info();
-    return object({{"KHR_materials_pbrSpecularGlossiness", object({{"diffuseFactor", numbers(4)},
-                                                                   {"diffuseTexture", texture},
-                                                                   {"specularFactor", numbers(3)},
-                                                                   {"glossinessFactor", number()},
-                                                                   {"specularGlossinessTexture", texture}})},
-                   {"KHR_materials_anisotropy", object({{"anisotropyStrength", number()},
-                                                        {"anisotropyRotation", number()},
-                                                        {"anisotropyTexture", texture}})},
-                   {"KHR_materials_clearcoat", object({{"clearcoatFactor", number()},
-                                                       {"clearcoatTexture", texture},
-                                                       {"clearcoatRoughnessFactor", number()},
-                                                       {"clearcoatRoughnessTexture", texture},
-                                                       {"clearcoatNormalTexture", texture}})},
-                   {"KHR_materials_sheen", object({{"sheenColorFactor", numbers(3)},
-                                                   {"sheenColorTexture", texture},
-                                                   {"sheenRoughnessFactor", number()},
-                                                   {"sheenRoughnessTexture", texture}})},
-                   {"KHR_materials_iridescence", object({{"iridescenceFactor", number()},
-                                                         {"iridescenceTexture", texture},
-                                                         {"iridescenceIor", number()},
-                                                         {"iridescenceThicknessMinimum", number()},
-                                                         {"iridescenceThicknessMaximum", number()},
-                                                         {"iridescenceThicknessTexture", texture}})},
-                   {"KHR_materials_emissive_strength", object({{"emissiveStrength", number()}})},
-                   {"KHR_materials_ior", object({{"ior", number()}})},
-                   {"KHR_materials_specular", object({{"specularFactor", number()},
-                                                      {"specularTexture", texture},
-                                                      {"specularColorFactor", numbers(3)},
-                                                      {"specularColorTexture", texture}})},
-                   {"KHR_materials_transmission",
-                    object({{"transmissionFactor", number()}, {"transmissionTexture", texture}})},
-                   {"KHR_materials_volume", object({{"thicknessFactor", number()},
-                                                    {"thicknessTexture", texture},
-                                                    {"attenuationDistance", number()},
-                                                    {"attenuationColor", numbers(3)}})},
-                   {"KHR_materials_diffuse_transmission",
-                    object({{"diffuseTransmissionFactor", number()},
-                            {"diffuseTransmissionTexture", texture},
-                            {"diffuseTransmissionColorFactor", numbers(3)},
-                            {"diffuseTransmissionColorTexture", texture}})},
-                   {"KHR_materials_unlit", object()}});
+    return object(
+        {{"KHR_materials_pbrSpecularGlossiness", object({{"diffuseFactor", numbers(4)},
+                                                         {"diffuseTexture", texture},
+                                                         {"specularFactor", numbers(3)},
+                                                         {"glossinessFactor", number()},
+                                                         {"specularGlossinessTexture", texture}})},
+         {"KHR_materials_anisotropy", object({{"anisotropyStrength", number()},
+                                              {"anisotropyRotation", number()},
+                                              {"anisotropyTexture", texture}})},
+         {"KHR_materials_clearcoat", object({{"clearcoatFactor", number()},
+                                             {"clearcoatTexture", texture},
+                                             {"clearcoatRoughnessFactor", number()},
+                                             {"clearcoatRoughnessTexture", texture},
+                                             {"clearcoatNormalTexture", texture}})},
+         {"KHR_materials_sheen", object({{"sheenColorFactor", numbers(3)},
+                                         {"sheenColorTexture", texture},
+                                         {"sheenRoughnessFactor", number()},
+                                         {"sheenRoughnessTexture", texture}})},
+         {"KHR_materials_iridescence", object({{"iridescenceFactor", number()},
+                                               {"iridescenceTexture", texture},
+                                               {"iridescenceIor", number()},
+                                               {"iridescenceThicknessMinimum", number()},
+                                               {"iridescenceThicknessMaximum", number()},
+                                               {"iridescenceThicknessTexture", texture}})},
+         {"KHR_materials_emissive_strength", object({{"emissiveStrength", number()}})},
+         {"KHR_materials_ior", object({{"ior", number()}})},
+         {"KHR_materials_specular", object({{"specularFactor", number()},
+                                            {"specularTexture", texture},
+                                            {"specularColorFactor", numbers(3)},
+                                            {"specularColorTexture", texture}})},
+         {"KHR_materials_transmission",
+          object({{"transmissionFactor", number()}, {"transmissionTexture", texture}})},
+         {"KHR_materials_volume", object({{"thicknessFactor", number()},
+                                          {"thicknessTexture", texture},
+                                          {"attenuationDistance", number()},
+                                          {"attenuationColor", numbers(3)}})},
+         {"KHR_materials_diffuse_transmission", object({{"diffuseTransmissionFactor", number()},
+                                                        {"diffuseTransmissionTexture", texture},
+                                                        {"diffuseTransmissionColorFactor", numbers(3)},
+                                                        {"diffuseTransmissionColorTexture", texture}})},
+         {"KHR_materials_unlit", object()}});
 }
 
 Schema material() {
@@ -191,11 +191,11 @@ Schema sampler() {
 // read/texture.cpp checks that its image is there.
 Schema texture() {
     return thing(
-        object({{"source", integer(max_int)},
-                {"sampler", thing(index("/samplers"), "the texture is read with the default sampler")},
-                {"name", string()},
-                {"extensions",
-                 object({{"EXT_texture_webp", object({{"source", integer(max_int), true}})}})}}),
+        object(
+            {{"source", integer(max_int)},
+             {"sampler", thing(index("/samplers"), "the texture is read with the default sampler")},
+             {"name", string()},
+             {"extensions", object({{"EXT_texture_webp", object({{"source", integer(max_int), true}})}})}}),
         without_texture, "{}");
 }
 
@@ -249,15 +249,15 @@ Schema root_extensions() {
 
 Schema node_extensions() {
     const auto light = [](std::string_view pointer) { return PropertySchema("light", index(pointer), true); };
-    const Schema ies = object(
-        {light("/extensions/EXT_lights_ies/lights"), {"multiplier", number()}, {"color", numbers(3)}});
-    return object({{"KHR_lights_punctual",
-                    thing(object({light("/extensions/KHR_lights_punctual/lights")}), without_lamp)},
-                   {"EXT_lights_area",
-                    thing(object({light("/extensions/EXT_lights_area/lights")}), without_lamp)},
-                   {"EXT_lights_ies", thing(ies, without_lamp)},
-                   {"EXT_mesh_gpu_instancing", object({{"attributes", attributes(), true}})},
-                   {"KHR_node_visibility", object({{"visible", boolean()}})}});
+    const Schema ies =
+        object({light("/extensions/EXT_lights_ies/lights"), {"multiplier", number()}, {"color", numbers(3)}});
+    return object(
+        {{"KHR_lights_punctual",
+          thing(object({light("/extensions/KHR_lights_punctual/lights")}), without_lamp)},
+         {"EXT_lights_area", thing(object({light("/extensions/EXT_lights_area/lights")}), without_lamp)},
+         {"EXT_lights_ies", thing(ies, without_lamp)},
+         {"EXT_mesh_gpu_instancing", object({{"attributes", attributes(), true}})},
+         {"KHR_node_visibility", object({{"visible", boolean()}})}});
 }
 
 Schema node() {
@@ -292,10 +292,9 @@ Schema animation() {
         object({{"node", index("/nodes")}, {"path", string(), true}, {"extensions", pointer}});
     const Schema channel = thing(object({{"sampler", integer(max_int), true}, {"target", target, true}}),
                                  "that channel is left out");
-    return thing(object({{"samplers", array(sampler), true},
-                         {"channels", array(channel), true},
-                         {"name", string()}}),
-                 "that animation moves nothing", R"({"samplers": [], "channels": []})");
+    return thing(
+        object({{"samplers", array(sampler), true}, {"channels", array(channel), true}, {"name", string()}}),
+        "that animation moves nothing", R"({"samplers": [], "channels": []})");
 }
 
 Schema asset() {

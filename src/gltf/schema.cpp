@@ -103,7 +103,7 @@ private:
     void number(const json& value, const Place& place) const {
         demand(value.is_number(), "must be a number", value, place);
         demand(std::abs(value.get<double>()) <= std::numeric_limits<float>::max(), "must fit a 32-bit float",
-              value, place);
+               value, place);
     }
 
     void integer(json& value, const Schema& schema, const Place& place) const {

@@ -30,15 +30,15 @@ struct Schema {
     enum class Kind { anything, boolean, string, number, integer, index, array, object, dictionary };
 
     Kind kind = Kind::anything;
-    std::vector<std::string_view> enum_values{};   // string: the only ones allowed; empty: any
-    std::vector<std::uint64_t> enum_integers{};    // integer: the only ones allowed; empty: any
-    std::uint64_t maximum = 0xFFFFFFFF;            // integer: GLB's own lengths are 32-bit
-    std::string_view indexes_into{};               // index: the JSON pointer of an array
-    std::shared_ptr<const Schema> items{};         // array, dictionary
-    std::size_t length = 0;                        // array: the exact number of items; 0: any
-    std::vector<PropertySchema> properties{};      // object
-    bool additional_properties = true;             // object: others than `properties` are allowed
-    bool is_optional = false;                      // object: a value that is no object passes
+    std::vector<std::string_view> enum_values{}; // string: the only ones allowed; empty: any
+    std::vector<std::uint64_t> enum_integers{};  // integer: the only ones allowed; empty: any
+    std::uint64_t maximum = 0xFFFFFFFF;          // integer: GLB's own lengths are 32-bit
+    std::string_view indexes_into{};             // index: the JSON pointer of an array
+    std::shared_ptr<const Schema> items{};       // array, dictionary
+    std::size_t length = 0;                      // array: the exact number of items; 0: any
+    std::vector<PropertySchema> properties{};    // object
+    bool additional_properties = true;           // object: others than `properties` are allowed
+    bool is_optional = false;                    // object: a value that is no object passes
 
     /// Not empty: the value is one thing of the picture. A broken one is removed, and this says in a warning
     /// what is done without it.

@@ -23,12 +23,12 @@ bool is_data_uri(std::string_view uri);
 /// them.
 std::vector<std::filesystem::path> candidate_files(std::string_view uri, const std::filesystem::path& folder);
 
-/// The file in `folder` that a relative URI names: the first of candidate_files() that is there, else the first
-/// of them. A URI that leaves the folder or names a network address is refused, and so is a symbolic link
-/// that leads out of the folder; one within it is followed.
+/// The file in `folder` that a relative URI names: the first of candidate_files() that is there, else the
+/// first of them. A URI that leaves the folder or names a network address is refused, and so is a symbolic
+/// link that leads out of the folder; one within it is followed.
 /// @throws Error
 std::filesystem::path resolve_file(std::string_view uri, const std::filesystem::path& folder,
-                              const UriPlace& place);
+                                   const UriPlace& place);
 
 /// The bytes of a data URI (base64 or percent-encoded), or of resolve_file() a relative one.
 /// @throws Error

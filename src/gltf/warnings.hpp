@@ -1,6 +1,6 @@
 #pragma once
 // Warnings: features of a file that the picture lacks.
-// 
+//
 // One thing that is broken (a texture, an animation's channel, a lamp, a camera) costs that thing and one
 // warning. Under --strict every warning is an Error instead.
 #include "core/error.hpp"

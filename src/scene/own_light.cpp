@@ -40,9 +40,9 @@ float mean_luminance(const Scene& scene, int texture) {
             double sum = 0.0;
             std::size_t taken = 0;
             for (std::size_t i = 0; i < count; i += step, ++taken)
-                sum += std::pow(
-                    luminance({texels[4 * i] / max_value, texels[4 * i + 1] / max_value, texels[4 * i + 2] / max_value}),
-                    2.2);
+                sum += std::pow(luminance({texels[4 * i] / max_value, texels[4 * i + 1] / max_value,
+                                           texels[4 * i + 2] / max_value}),
+                                2.2);
             return taken > 0 ? static_cast<float>(sum / static_cast<double>(taken)) : 0.0f;
         },
         image.texels);
@@ -91,7 +91,7 @@ public:
         }
     }
     void operator()(const MeshLight& light) {
-        if (light.texture >= 0) return;  // painted glows: what they send to others is next to nothing
+        if (light.texture >= 0) return; // painted glows: what they send to others is next to nothing
         constexpr std::size_t max_triangles = 64; // triangles that stand for all
         const std::size_t step = light.triangles.size() / max_triangles + 1;
         const float L = static_cast<float>(step) * luminance_of(light.L);

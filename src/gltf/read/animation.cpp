@@ -80,12 +80,12 @@ std::vector<float> parse_times(const Document& document, int accessor, const std
 
 /// @param sampler where it stands, for errors
 Track parse_track(const Document& document, const AnimationSource::Sampler& source, const PropertyForm& form,
-               const std::string& sampler) {
+                  const std::string& sampler) {
     Track track;
     track.width = form.width;
     track.is_rotation = form.kind == PropertyForm::Kind::rotation;
-    track.interpolation =
-        form.kind == PropertyForm::Kind::flag ? Interpolation::step : parse_interpolation(source.interpolation);
+    track.interpolation = form.kind == PropertyForm::Kind::flag ? Interpolation::step
+                                                                : parse_interpolation(source.interpolation);
     track.times = parse_times(document, source.input, sampler);
     track.values = numbers(document, source.output);
     const std::size_t parts = track.interpolation == Interpolation::cubic_spline ? 3 : 1;

@@ -64,7 +64,7 @@ std::shared_ptr<const scene::EnvironmentMap> read_environment(const std::filesys
 }
 
 std::optional<scene::EnvironmentLight> parse_environment(const Document& document, std::optional<int> scene,
-                                                      Warnings& warnings) {
+                                                         Warnings& warnings) {
     const int index = scene.value_or(std::max(document.model.defaultScene, 0));
     if (index < 0 || static_cast<std::size_t>(index) >= document.model.scenes.size()) return std::nullopt;
     const tinygltf::Value* own = steradian_in(document.model.scenes[static_cast<std::size_t>(index)].extras);

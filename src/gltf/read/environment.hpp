@@ -17,6 +17,6 @@ std::shared_ptr<const scene::EnvironmentMap> read_environment(const std::filesys
 
 /// Returns the environment that extras.steradian of the glTF scene states; absent if none. @throws Error
 std::optional<scene::EnvironmentLight> parse_environment(const Document& document, std::optional<int> scene,
-                                                      Warnings& warnings);
+                                                         Warnings& warnings);
 
 } // namespace sr::gltf

@@ -32,7 +32,8 @@ LightFrame build_frame(const Document& document, const NodeTransform& transform,
     return frame;
 }
 
-LightFrame build_sided_frame(const Document& document, const NodeTransform& transform, const std::string& title) {
+LightFrame build_sided_frame(const Document& document, const NodeTransform& transform,
+                             const std::string& title) {
     const LightFrame frame = build_frame(document, transform, title);
     const bool is_flat =
         !(glm::length(frame.u) > 0.0) || !(glm::length(dvec3(transform.world_from_node[0])) > 0.0);
@@ -51,7 +52,7 @@ float scaled_size(const Document& document, double size, const LightFrame& frame
 }
 
 std::vector<vec3> parse_corners(const Document& document, const tinygltf::Value& list,
-                                  const glm::dmat4& world_from_node, const std::string& title) {
+                                const glm::dmat4& world_from_node, const std::string& title) {
     std::vector<dvec3> corners;
     for (int i = 0; i < static_cast<int>(list.ArrayLen()); ++i) {
         const tinygltf::Value& point = list.Get(i);

@@ -25,7 +25,8 @@ double largest_axis(const NodeTransform& transform);
 LightFrame build_frame(const Document& document, const NodeTransform& transform, const std::string& title);
 
 /// The same for a light that has sides. @throws Error if they are scaled to nothing, too
-LightFrame build_sided_frame(const Document& document, const NodeTransform& transform, const std::string& title);
+LightFrame build_sided_frame(const Document& document, const NodeTransform& transform,
+                             const std::string& title);
 
 /// A size in the file times the frame's scale [m]. @throws Error unless it is positive and finite
 float scaled_size(const Document& document, double size, const LightFrame& frame, std::string_view what,
@@ -40,6 +41,6 @@ mat3 world_from_profile(const Document& document, const NodeTransform& transform
 /// counter-clockwise) kept in front where the node mirrors.
 /// @throws Error calling the light `title`, unless they are the corners of a flat convex polygon
 std::vector<vec3> parse_corners(const Document& document, const tinygltf::Value& list,
-                                  const glm::dmat4& world_from_node, const std::string& title);
+                                const glm::dmat4& world_from_node, const std::string& title);
 
 } // namespace sr::gltf

@@ -1,8 +1,8 @@
 #include "gltf/read/lights.hpp"
 
 #include "gltf/read/light_frame.hpp"
-#include "gltf/warnings.hpp"
 #include "gltf/uri.hpp"
+#include "gltf/warnings.hpp"
 
 #include <algorithm>
 #include <array>
@@ -91,7 +91,7 @@ struct Cone {
 // KHR_lights_punctual: 0 <= inner < outer <= pi/2. Exporters write inner = outer for a hard edge (Blender's
 // spot_blend 0); beyond that each angle is brought into its range, the outer one first.
 Cone parse_cone(const Document& document, const tinygltf::SpotLight& spot, const std::string& title,
-             Warnings& warnings) {
+                Warnings& warnings) {
     constexpr double right_angle = glm::half_pi<double>();
     constexpr double rounding = 1e-6; // of a pi/2 that was printed
     const double inner = spot.innerConeAngle, outer = spot.outerConeAngle;
@@ -121,11 +121,14 @@ struct PunctualSource {
 };
 
 /// @throws Error if what the extension says makes no sense, or the light has no direction
-PunctualSource parse_punctual(const Document& document, const NodeTransform& transform, const tinygltf::Light& from,
-                         const std::string& title, Warnings& warnings) {
+PunctualSource parse_punctual(const Document& document, const NodeTransform& transform,
+                              const tinygltf::Light& from, const std::string& title, Warnings& warnings) {
     const dvec3 color = from.color.empty() ? dvec3(1.0) : dvec3(from.color[0], from.color[1], from.color[2]);
-    PunctualSource source{
-        from, emitted_color(document, color, from.intensity, title), parse_range(document, from, title), {}, {}};
+    PunctualSource source{from,
+                          emitted_color(document, color, from.intensity, title),
+                          parse_range(document, from, title),
+                          {},
+                          {}};
     if (from.type == "spot") source.cone = parse_cone(document, from.spot, title, warnings);
     if (from.type != "point") source.aim = build_frame(document, transform, title);
     return source;
@@ -234,7 +237,7 @@ Flat flat_light(const Document& document, const LightFrame& frame, double size, 
 using AreaSource = std::pair<std::variant<scene::DiskLight, scene::RectangleLight>, dvec3>;
 
 AreaSource parse_area(const Document& document, const NodeTransform& transform, const Value& light,
-                          const std::string& title) {
+                      const std::string& title) {
     std::string type = text_in(light, "type");
     if (type.empty()) type = text_in(light, "shape"); // its name in the draft's first versions
     if (type != "rect" && type != "disk")
@@ -359,9 +362,9 @@ void LightTable::append(const NodeTransform& transform, Warnings& warnings) {
                 fmt::format("/nodes/{}/extras/steradian states {}", transform.node, key),
                 fmt::format("the light of this node has {}; leave it out", fmt::join(known, ", ")));
     if (known.empty())
-        document_.fail(
-            fmt::format("/nodes/{}/extras/steradian names no shape, and its node has no light", transform.node),
-            "give it a \"shape\", or put it on the node of a light");
+        document_.fail(fmt::format("/nodes/{}/extras/steradian names no shape, and its node has no light",
+                                   transform.node),
+                       "give it a \"shape\", or put it on the node of a light");
 }
 
 void LightTable::append_area(const NodeTransform& transform, Warnings& warnings) {

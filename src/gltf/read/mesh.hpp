@@ -40,7 +40,7 @@ struct PrimitivePlace {
 /// caller's.
 /// @throws Error if an index or an attribute's length contradicts the positions
 std::optional<SourcedMesh> build_mesh(const Document& document, const PrimitivePlace& place,
-                                   const scene::Material& material, Warnings& warnings);
+                                      const scene::Material& material, Warnings& warnings);
 
 /// The accessor of an attribute, checked to have an element for every vertex; absent where the attribute is.
 /// @throws Error if it has another number of elements

@@ -88,7 +88,7 @@ bool mirrors(const std::vector<dmat4>& joints) { return glm::determinant(glm::dm
 } // namespace
 
 MeshInstances::MeshInstances(const Document& document, const std::vector<NodeTransform>& nodes,
-                         std::optional<int> variant)
+                             std::optional<int> variant)
     : document_(document),
       nodes_(nodes),
       variant_(variant),
@@ -124,8 +124,8 @@ void MeshInstances::build(MaterialTable& materials, scene::Scene& scene, Warning
                      "there is nothing to see");
 }
 
-std::vector<MeshInstances::Primitive> MeshInstances::build_primitives(int mesh, MaterialTable& materials, scene::Scene& scene,
-                                                     Warnings& warnings) {
+std::vector<MeshInstances::Primitive>
+MeshInstances::build_primitives(int mesh, MaterialTable& materials, scene::Scene& scene, Warnings& warnings) {
     std::vector<Primitive> result;
     const auto& primitives = primitives_of(document_, mesh);
     for (int p = 0; p < static_cast<int>(primitives.size()); ++p) {
@@ -150,8 +150,7 @@ std::vector<MeshInstances::Primitive> MeshInstances::build_primitives(int mesh, 
     return result;
 }
 
-void MeshInstances::add(std::size_t index, Primitive& primitive, scene::Scene& scene,
-                      Warnings& warnings) {
+void MeshInstances::add(std::size_t index, Primitive& primitive, scene::Scene& scene, Warnings& warnings) {
     const NodeTransform& node = nodes_[index];
     const int skin = node_of(document_, node).skin;
     const bool has_influences = primitive.deformation && primitive.deformation->influences.per_vertex > 0;
@@ -176,7 +175,8 @@ void MeshInstances::add(std::size_t index, Primitive& primitive, scene::Scene& s
     instanced_.push_back(std::move(instanced));
 }
 
-void MeshInstances::count(const InstancedMesh& instanced, const NodeTransform& node, const scene::Mesh& mesh) {
+void MeshInstances::count(const InstancedMesh& instanced, const NodeTransform& node,
+                          const scene::Mesh& mesh) {
     const std::size_t instances = instanced.node_from_instance.size();
     const std::size_t shapes = 1 + (instanced.deformation ? instanced.deformation->targets.size() : 0);
     instance_count_.add(instances);
@@ -195,7 +195,7 @@ void MeshInstances::require_joints(int skin, const Deformation& deformation) con
 }
 
 std::map<int, std::vector<dmat4>> MeshInstances::joints(const std::vector<NodeTransform>& nodes,
-                                                      glm::dvec3 origin) const {
+                                                        glm::dvec3 origin) const {
     std::map<int, std::vector<dmat4>> result;
     if (skins_.empty()) return result;
     std::map<int, dmat4> world_from_joint;
@@ -213,13 +213,15 @@ std::map<int, std::vector<dmat4>> MeshInstances::joints(const std::vector<NodeTr
     return result;
 }
 
-void MeshInstances::append_instances(const InstancedMesh& instanced, const NodeTransform& node, scene::Scene& scene) const {
+void MeshInstances::append_instances(const InstancedMesh& instanced, const NodeTransform& node,
+                                     scene::Scene& scene) const {
     const std::string& name = node_of(document_, node).name;
     for (const dmat4& node_from_instance : instanced.node_from_instance)
         scene.instances.push_back({instanced.mesh, mat4(node.world_from_node * node_from_instance), name});
 }
 
-std::vector<bool> MeshInstances::evaluate(const std::vector<NodeTransform>& nodes, scene::Scene& scene) const {
+std::vector<bool> MeshInstances::evaluate(const std::vector<NodeTransform>& nodes,
+                                          scene::Scene& scene) const {
     std::map<int, std::vector<dmat4>> joints = this->joints(nodes, scene.origin);
     // A skeleton that mirrors turns triangles inside out, so the instance does the mirroring.
     std::map<int, mat4> world_from_skinned;

@@ -1,8 +1,8 @@
 #pragma once
 // Mesh instances of a scene's nodes: the meshes, their materials and places, and their shape at a time.
-#include "gltf/read/skin_morph.hpp"
 #include "gltf/document.hpp"
 #include "gltf/material.hpp"
+#include "gltf/read/skin_morph.hpp"
 
 #include <map>
 #include <memory>
@@ -26,7 +26,8 @@ class MeshInstances {
 public:
     /// @param nodes as flatten_nodes() returns them
     /// @param variant as find_variant() returns it. The document must outlive this.
-    MeshInstances(const Document& document, const std::vector<NodeTransform>& nodes, std::optional<int> variant);
+    MeshInstances(const Document& document, const std::vector<NodeTransform>& nodes,
+                  std::optional<int> variant);
 
     /// Requests every material that a primitive of the scene has, always in the same order.
     void request_materials(MaterialTable& materials) const;
@@ -58,7 +59,8 @@ private:
         std::vector<glm::dmat4> node_from_instance;
     };
 
-    std::vector<Primitive> build_primitives(int mesh, MaterialTable& materials, scene::Scene& scene, Warnings& warnings);
+    std::vector<Primitive> build_primitives(int mesh, MaterialTable& materials, scene::Scene& scene,
+                                            Warnings& warnings);
     void add(std::size_t node, Primitive& primitive, scene::Scene& scene, Warnings& warnings);
     /// @throws Error if this is more than a file may draw
     void count(const InstancedMesh& instanced, const NodeTransform& node, const scene::Mesh& mesh);
@@ -67,11 +69,12 @@ private:
     /// files have, stand where they would in a scene of their own.
     std::map<int, std::vector<glm::dmat4>> joints(const std::vector<NodeTransform>& nodes,
                                                   glm::dvec3 origin) const;
-    void append_instances(const InstancedMesh& instanced, const NodeTransform& node, scene::Scene& scene) const;
+    void append_instances(const InstancedMesh& instanced, const NodeTransform& node,
+                          scene::Scene& scene) const;
 
     const Document& document_;
     std::vector<NodeTransform> nodes_; // at rest
-    std::vector<int> meshes_;        // of the file, in the order in which nodes name them
+    std::vector<int> meshes_;          // of the file, in the order in which nodes name them
     std::optional<int> variant_;
     std::map<int, Skin> skins_;
     std::vector<InstancedMesh> instanced_;

@@ -32,7 +32,7 @@ bool moves(const std::vector<vec3>& displacements, std::uint32_t vertex) {
 } // namespace
 
 std::vector<MorphTarget> parse_targets(const Document& document, const PrimitivePlace& place,
-                                    std::span<const std::uint32_t> sources) {
+                                       std::span<const std::uint32_t> sources) {
     const auto& mesh = document.model.meshes[static_cast<std::size_t>(place.mesh)];
     const tinygltf::Primitive& primitive = mesh.primitives[static_cast<std::size_t>(place.primitive)];
     const std::size_t count = count_of(document, primitive.attributes.at("POSITION"));
@@ -134,7 +134,7 @@ std::uint32_t Influences::last_joint() const {
 }
 
 Influences parse_influences(const Document& document, const PrimitivePlace& place,
-                         std::span<const std::uint32_t> sources, Warnings& warnings) {
+                            std::span<const std::uint32_t> sources, Warnings& warnings) {
     const auto& mesh = document.model.meshes[static_cast<std::size_t>(place.mesh)];
     const tinygltf::Primitive& primitive = mesh.primitives[static_cast<std::size_t>(place.primitive)];
     std::vector<std::vector<vec4>> joints, weights; // a list a set
@@ -222,7 +222,7 @@ void straighten_tangents(scene::Mesh& mesh) {
 } // namespace
 
 Deformation build_deformation(const Document& document, const PrimitivePlace& place, const SourcedMesh& mesh,
-                           const scene::Material& material, Warnings& warnings) {
+                              const scene::Material& material, Warnings& warnings) {
     const auto& source = document.model.meshes[static_cast<std::size_t>(place.mesh)];
     const auto& attributes = source.primitives[static_cast<std::size_t>(place.primitive)].attributes;
     Deformation result;

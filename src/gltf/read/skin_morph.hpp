@@ -1,8 +1,8 @@
 #pragma once
 // A mesh whose shape moves: first its morph targets displace the vertices, then its skin carries them
 // (glTF 2.0 specification, sections 3.7.2.2 and 3.7.3.3).
-#include "gltf/read/nodes.hpp"
 #include "gltf/read/mesh.hpp"
+#include "gltf/read/nodes.hpp"
 #include "gltf/warnings.hpp"
 
 #include <cstdint>
@@ -25,7 +25,7 @@ struct MorphTarget {
 /// The targets of a primitive, for the vertices that `sources` names.
 /// @throws Error if a target has another number of vertices than the primitive, or is not finite
 std::vector<MorphTarget> parse_targets(const Document& document, const PrimitivePlace& place,
-                                    std::span<const std::uint32_t> sources);
+                                       std::span<const std::uint32_t> sources);
 
 struct Skin {
     std::vector<int> joints;                      // nodes
@@ -54,7 +54,7 @@ struct Influences {
 /// Reads JOINTS_n and WEIGHTS_n, for the vertices of the primitive that `sources` names; without a vertex
 /// if it has neither. @throws Error if there is one without the other, or a weight is negative or not finite
 Influences parse_influences(const Document& document, const PrimitivePlace& place,
-                         std::span<const std::uint32_t> sources, Warnings& warnings);
+                            std::span<const std::uint32_t> sources, Warnings& warnings);
 
 /// All that moves the vertices of a primitive, told for the vertices of the mesh that was made of it.
 struct Deformation {
@@ -71,7 +71,7 @@ struct Deformation {
 
 /// @param mesh what build_mesh() made of the primitive
 Deformation build_deformation(const Document& document, const PrimitivePlace& place, const SourcedMesh& mesh,
-                           const scene::Material& material, Warnings& warnings);
+                              const scene::Material& material, Warnings& warnings);
 
 /// Moves the vertices of `mesh`, which is the one that the deformation was told for, or a copy of it.
 /// @param weights of the targets; absent ones are 0

@@ -3,8 +3,8 @@
 #include "core/error.hpp"
 #include "core/limits.hpp"
 #include "gltf/extensions.hpp"
-#include "gltf/warnings.hpp"
 #include "gltf/uri.hpp"
+#include "gltf/warnings.hpp"
 #include "image/file.hpp"
 #include "image/webp.hpp"
 

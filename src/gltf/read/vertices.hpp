@@ -40,7 +40,8 @@ std::size_t repair_normals(scene::Mesh& mesh);
 /// arbitrary.
 void add_tangents(SourcedMesh& mesh, int texcoord_set);
 
-/// Computes them again for vertices that moved; none is split_container, since texture coordinates do not move.
+/// Computes them again for vertices that moved; none is split_container, since texture coordinates do not
+/// move.
 void renew_tangents(scene::Mesh& mesh, int texcoord_set);
 
 /// Makes the file's tangents unit and w = ±1. One that is zero, not finite or along the normal is replaced by

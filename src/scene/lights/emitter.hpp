@@ -12,8 +12,8 @@
 //   is_visible           false: it lights the scene but cameras do not see it
 //   map                  the texture that multiplies L
 // A static member `kind` names the emitter in files, in messages and in GLSL (`kind`_light).
-#include "scene/mesh.hpp"
 #include "scene/ies.hpp"
+#include "scene/mesh.hpp"
 #include "scene/units.hpp"
 
 #include <algorithm>

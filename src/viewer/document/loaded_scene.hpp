@@ -24,7 +24,7 @@ struct LoadedScene {
     BaseCounts base;
     gltf::Contents contents;
     std::optional<gltf::Asset> asset; // poses the scene; absent if it has no animations
-    gltf::AnimationTime moment;              // current time; the rest pose if it has no animations
+    gltf::AnimationTime moment;       // current time; the rest pose if it has no animations
     std::vector<int> animations;      // that Options::animation names
     std::string variant;              // current material variant; empty: none
     std::vector<int> light_nodes;     // of the file's lights at the current time
