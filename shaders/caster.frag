@@ -4,7 +4,7 @@
 #include "interface/frame.glsl"
 #include "interface/object.glsl"
 #include "surface/textures.glsl"
-#include "visibility/kept.glsl"
+#include "visibility/stochastic_alpha.glsl"
 
 layout(location = 0) out int triangle;
 

@@ -1,7 +1,7 @@
 #version 410 core
 // One expression over a table of inputs, which assignment/asked.glsl declares and evaluates.
 #include "assignment/not_implemented.glsl"
-#include "trial/table.glsl"
+#include "brdf_eval/table.glsl"
 #include "assignment/asked.glsl"
 
 void main() {

@@ -7,11 +7,11 @@
 // is constant and the result exact; elsewhere it converges with the points. Without points: Heitz et al. 2016. The
 // ratio: Heitz, Hill & McGuire 2018. Points where p is: Peters 2021, who draws them; these are a fixed fan.
 #include "surface/surface.glsl"
-#include "brdf/lobes.glsl"
+#include "brdf/brdf.glsl"
 #include "brdf/warp.glsl"
 #include "integrator/cosine.glsl"
 #include "interface/estimator.glsl"
-#include "light/fan.glsl"
+#include "light/quadrature.glsl"
 #include "light/outlined.glsl"
 
 // One lobe of the BRDF and its warp.
@@ -74,10 +74,10 @@ Sum sum_over_outline(WarpedLobe lobe, Light light, int part, int parts, Surface 
         Arc arc = arc_of(outline, v, k);
         int steps = steps_of(arc, v, points_of_a_lobe(parts) / points_a_step);
         for (int i = 0; i < steps; ++i) {
-            FanStep fan = fan_step(arc, float(i) + 0.5, steps, v.center);
+            QuadratureStep slice = quadrature_step(arc, float(i) + 0.5, steps, v.center);
             for (int j = 0; j < points_a_step; ++j) {
-                vec3 q = fan_point(fan, fan_distance(j), v.center);
-                float weight = fan.weight * q.z;
+                vec3 q = quadrature_point(slice, quadrature_distance(j), v.center);
+                float weight = slice.weight * q.z;
                 sum += weight * (analytic_points == 0 ? mean : ratio_at(q, lobe, light, part, x, wo));
                 weights += weight;
             }

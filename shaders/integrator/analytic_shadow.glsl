@@ -21,11 +21,11 @@ void choose_in_outline(WarpedLobe lobe, Light light, int part, int parts, Surfac
         Arc arc = arc_of(outline, v, k);
         int steps = steps_of(arc, v, points_of_a_lobe(parts) / points_a_step);
         for (int i = 0; i < steps; ++i) {
-            FanStep fan = fan_step(arc, float(i) + 0.5, steps, v.center);
+            QuadratureStep slice = quadrature_step(arc, float(i) + 0.5, steps, v.center);
             vec2 amounts; // of the step's two points
             for (int j = 0; j < points_a_step; ++j) {
-                vec3 q = fan_point(fan, fan_distance(j), v.center);
-                amounts[j] = fan.weight * q.z
+                vec3 q = quadrature_point(slice, quadrature_distance(j), v.center);
+                amounts[j] = slice.weight * q.z
                              * brightness(analytic_points == 0 ? mean : ratio_at(q, lobe, light, part, x, wo));
             }
             float amount = amounts.x + amounts.y;
@@ -34,9 +34,9 @@ void choose_in_outline(WarpedLobe lobe, Light light, int part, int parts, Surfac
                 float inner = amounts.x / amount;
                 bool is_inner = chosen.across < inner;
                 float across = is_inner ? chosen.across / inner : (chosen.across - inner) / (1.0 - inner);
-                FanStep moved = fan_step(arc, float(i) + along, steps, v.center);
+                QuadratureStep moved = quadrature_step(arc, float(i) + along, steps, v.center);
                 float distance = ((is_inner ? 0.0 : 1.0) + across) / float(points_a_step);
-                chosen.wi = lobe.warp.world_from_warped * fan_point(moved, distance, v.center);
+                chosen.wi = lobe.warp.world_from_warped * quadrature_point(moved, distance, v.center);
                 chosen.part = part;
                 chosen.is_found = chosen.left <= amount;
                 chosen.left -= amount;

@@ -6,8 +6,7 @@
 // power heuristic (Veach & Guibas 1995, section 5.2, β = 2); emitters without extent are known exactly and take one.
 // Frames add up to the integral. This is the only loop over lights and the only cosine.
 #include "surface/surface.glsl"
-#include "brdf/f_r.glsl"
-#include "brdf/sample_f_r.glsl"
+#include "brdf/brdf.glsl"
 #include "integrator/cosine.glsl"
 #include "integrator/mirrored.glsl"
 #include "integrator/power_heuristic.glsl"
@@ -28,13 +27,14 @@ vec3 reflected(Surface x, vec3 wo) {
     if (is_mirror) return mirrored(x, wo);
     bool samples_brdf = has_lights_to_meet && has_peak(x);
     vec3 w_brdf = samples_brdf ? sample_f_r(x, wo, random_point(0u)) : vec3(0.0);
-    float p_brdf = samples_brdf ? p_f_r(x, w_brdf, wo) : 0.0;
+    float p_brdf = samples_brdf ? pdf_f_r(x, w_brdf, wo) : 0.0;
 
     vec3 L_r = vec3(0.0);
     for (int k = first_light; k < end_light; ++k) {
         vec2 u = has_area_lights ? random_point(uint(k) + 1u) : vec2(0.0);
         LightSample from_light = sample_light(k, x.position, u);
-        float weight = from_light.p > 0.0 ? power_heuristic(from_light.p, p_f_r(x, from_light.wi, wo)) : 1.0;
+        bool shares = samples_brdf && from_light.p > 0.0;
+        float weight = shares ? power_heuristic(from_light.p, pdf_f_r(x, from_light.wi, wo)) : 1.0;
         vec3 L = weight * integrand_over_p(x, from_light, wo, k, towards_light);
 
         LightSample along = no_light;

@@ -1,7 +1,6 @@
 // One light by samples, where the analytic estimator has no outline to go by; as reflected.glsl has it.
 #include "surface/surface.glsl"
-#include "brdf/f_r.glsl"
-#include "brdf/sample_f_r.glsl"
+#include "brdf/brdf.glsl"
 #include "integrator/cosine.glsl"
 #include "integrator/power_heuristic.glsl"
 #include "integrator/random_point.glsl"
@@ -34,10 +33,10 @@ vec3 lambert_under_environment(int k, vec3 L_e, Surface x, vec3 wo) {
 vec3 reflected_from_environment(int k, Light light, Surface x, vec3 wo) {
     if (is_lambert && !has_picture(light)) return lambert_under_environment(k, light.quantity, x, wo);
     LightSample from_light = sample_light(k, x.position, random_point(uint(k) + 1u));
-    float weight = has_peak(x) ? power_heuristic(from_light.p, p_f_r(x, from_light.wi, wo)) : 1.0;
+    float weight = has_peak(x) ? power_heuristic(from_light.p, pdf_f_r(x, from_light.wi, wo)) : 1.0;
     vec3 L = weight * reflected_from(x, from_light, wo, k, towards_light);
     if (!has_peak(x)) return L;
     vec3 w_brdf = sample_f_r(x, wo, random_point(0u));
     LightSample along = environment_along(light, w_brdf);
-    return L + power_heuristic_over(p_f_r(x, w_brdf, wo), along.p) * reflected_from(x, along, wo, k, along_brdf);
+    return L + power_heuristic_over(pdf_f_r(x, w_brdf, wo), along.p) * reflected_from(x, along, wo, k, along_brdf);
 }

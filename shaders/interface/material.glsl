@@ -5,15 +5,14 @@ layout(std140) uniform Material {
     vec4 base_color_factor;
     vec4 emission_factor;       // rgb: L_e [cd/m²]
     vec4 specular_color_factor; // rgb: specular colour, a: specular
-    vec4 anisotropy_factor;     // strength, cos and sin of the rotation; w: roughness across the tangent, negative: no other
+    vec4 anisotropy_factor;     // strength, cos and sin of the rotation
     vec4 clearcoat_factor;      // clearcoat, roughness, normal scale
     vec4 sheen_factor;          // rgb: colour, a: roughness
     vec4 iridescence_factor;    // iridescence, ior of the film, its least and largest thickness [nm]
-    vec4 ior_factor;            // rgb: n of a conductor; w: Phong's exponent
-    vec4 extinction_factor;     // rgb: k of a conductor; w: GGX width near a measured lobe
-    vec4 transmission_factor;   // transmission, thickness [m] in the mesh's space; w: diffuse transmission
+    vec4 transmission_factor;   // transmission, thickness [m] in the mesh's space
     vec4 attenuation_factor;    // rgb: σ [1/m]
-    vec4 diffuse_transmission_color_factor; // rgb
+    vec4 diffuse_transmission_factor; // rgb: colour, a: share of the diffuse base
+    vec4 model_parameters[4];   // of the BRDF, which its file in brdf/models/ names
     float metallic_factor;
     float roughness_factor;
     float normal_scale;

@@ -3,7 +3,7 @@
 const int rays_a_pass = 7; // OpenGL 4.1 has eight colour attachments; the first is the receiver
 
 layout(std140) uniform Rays {
-    int first_ray;  // noting down: how many rays of every pixel earlier passes took; answered: the first number
+    int first_ray;  // noting down: how many rays of every pixel earlier passes took; resolving: the first number
     int plane_size; // answers a ray
     int row_size;   // answers a row
     int first_row;  // of the answers, counted from the picture's lower edge

@@ -25,11 +25,7 @@ struct Surface {
     float iridescence;    // weight of the thin film
     float film_ior;
     float film_thickness; // [nm]
-    vec3 ior;             // n + ik of a conductor, by channel
-    vec3 extinction;
-    float exponent;       // of Phong's lobes
-    vec3 specular_color;  // albedo of Phong's lobes
-    float measured_alpha; // GGX width near a measured lobe
+    vec3 specular_color;  // as the material states it: part of F0, or the colour of a lobe
 
     float transmission;   // share of the base that lets light straight through
     vec3 through;         // what of the light from behind goes on to the viewer, alpha included
@@ -37,3 +33,9 @@ struct Surface {
     float diffuse_transmission; // share of the diffuse base that scatters to the other side
     vec3 diffuse_transmission_color;
 };
+
+// alpha = roughness²: Burley 2012, section 5.4, and glTF 2.0 Appendix B. A perfect mirror (alpha = 0) has no density
+// that a point light could be seen in; below 1e-4 the square of alpha² leaves the range of floats in comfort.
+const float smallest_alpha = 1e-4;
+
+float alpha_of(float roughness) { return max(roughness * roughness, smallest_alpha); }

@@ -99,7 +99,7 @@ float thickness() {
 
 // (colour, share of the diffuse base)
 vec4 diffuse_transmission() {
-    vec4 factors = vec4(diffuse_transmission_color_factor.rgb, transmission_factor.w);
+    vec4 factors = diffuse_transmission_factor;
     if (has_diffuse_transmission_color_texture)
         factors.rgb *= texture(diffuse_transmission_color_texture, uv(diffuse_transmission_color_slot)).rgb;
     if (has_diffuse_transmission_texture)

@@ -7,7 +7,7 @@
 #include "surface/surface.glsl"
 #include "visibility/bvh.glsl"
 #include "visibility/caster_triangle.glsl"
-#include "visibility/kept.glsl"
+#include "visibility/stochastic_alpha.glsl"
 #include "visibility/map_depths.glsl"
 
 // Transmittance of the triangle in this frame: 0 or 1.

@@ -5,5 +5,5 @@
 //
 // `light` is the emitter's index, for emitters do not shadow themselves; `ray` counts the rays that x sends to one
 // light, from 0 up to rays_per_light. The renderer overlays this file with the way it finds V: ray.glsl walks a tree,
-// record.glsl notes the ray down for the CPU, answered.glsl reads what the CPU found.
+// record.glsl notes the ray down for the CPU, resolve.glsl reads what the CPU found.
 #include "visibility/none.glsl"

@@ -2,44 +2,25 @@
 
 #include "core/error.hpp"
 #include "core/file.hpp"
+#include "glsl/source.hpp"
+#include "render/gpu/shader_library.hpp"
 
-#include <array>
-#include <cctype>
-#include <fmt/format.h>
-#include <string_view>
+#include <utility>
 
 namespace sr::brdf {
-namespace {
-
-bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
-
-/// True if the text has `function(…) {`: not a call and no prototype, which a ';' follows.
-bool declares(std::string_view text, std::string_view function) {
-    constexpr std::string_view blank = " \t\r\n\v\f";
-    for (auto at = text.find(function); at != text.npos; at = text.find(function, at + 1)) {
-        const std::string_view after = text.substr(at + function.size());
-        const auto open = after.find_first_not_of(blank);
-        if ((at > 0 && is_word(text[at - 1])) || open == after.npos || after[open] != '(') continue;
-        const auto brace = after.find_first_of(";{", open);
-        if (brace == after.npos || after[brace] == ';') continue;
-        const auto last = after.find_last_not_of(blank, brace - 1);
-        if (after[last] == ')') return true;
-    }
-    return false;
-}
-
-} // namespace
 
 UserShader read_user_shader(const std::filesystem::path& file) {
     UserShader shader{read_text(file), file.string(), false};
-    if (!declares(shader.text, "f_r"))
-        throw Error({file.string()}, "does not declare f_r",
-                    "write vec3 f_r(Surface x, vec3 wi, vec3 wo) { … }, as shaders/brdf/f_r.glsl does");
+    if (!glsl::declares(shader.text, "f_r"))
+        throw Error(
+            {file.string()}, "does not declare f_r",
+            "write vec3 f_r(Surface x, vec3 wi, vec3 wo) { … }, as shaders/brdf/models/lambert.glsl does");
     int count = 0;
-    for (const char* name : {"has_peak", "sample_f_r", "p_f_r"}) count += declares(shader.text, name);
+    for (const char* name : {"has_peak", "sample_f_r", "pdf_f_r"}) count += glsl::declares(shader.text, name);
     if (count != 0 && count != 3)
-        throw Error({file.string()}, "declares a part of its sampling only",
-                    "declare has_peak, sample_f_r and p_f_r, as shaders/brdf/sample_f_r.glsl does, or none");
+        throw Error(
+            {file.string()}, "declares a part of its sampling only",
+            "declare has_peak, sample_f_r and pdf_f_r, as shaders/brdf/models/phong.glsl does, or none");
     shader.has_sampling = count == 3;
     return shader;
 }
@@ -56,16 +37,8 @@ render::Features features_of(const BrdfUnderTest& tested) {
 
 std::vector<glsl::Root> overlay_path(const BrdfUnderTest& tested) {
     std::vector<glsl::Root> path;
-    if (tested.user) {
+    if (tested.user)
         path.push_back(glsl::Root::single(tested.user->place, "brdf/f_r.glsl", tested.user->text));
-        if (tested.user->has_sampling)
-            path.push_back(glsl::Root::memory(
-                "its sampling",
-                {{"brdf/sample_f_r.glsl", "#include \"brdf/f_r.glsl\"\n"},
-                 {"trial/density.glsl",
-                  "#include \"brdf/f_r.glsl\"\n"
-                  "float density(Surface x, vec3 wi, vec3 wo) { return p_f_r(x, wi, wo); }\n"}}));
-    }
     path.push_back(glsl::embedded());
     return path;
 }
@@ -73,9 +46,10 @@ std::vector<glsl::Root> overlay_path(const BrdfUnderTest& tested) {
 std::vector<glsl::Root> shader_path(const BrdfUnderTest& tested) {
     const render::Features features = features_of(tested);
     std::vector<glsl::Root> path = overlay_path(tested);
-    path.insert(path.end() - 1,
-                glsl::Root::memory("specialised", {{"interface/features.glsl", features.glsl()},
-                                                   {"brdf/model.glsl", features.model_glsl()}}));
+    glsl::Files files = render::brdf_files(tested.material.model, path);
+    files["interface/features.glsl"] = features.glsl();
+    files["interface/fragment.glsl"] = "#include \"brdf_eval/fragment.glsl\"\n";
+    path.insert(path.end() - 1, glsl::Root::memory("specialised", std::move(files)));
     return path;
 }
 

@@ -20,7 +20,7 @@ struct UserShader {
 };
 
 /// Reads a user's shader. @throws Error if the file cannot be read or does not declare f_r, or declares only
-/// a part of its sampling (has_peak, sample_f_r, p_f_r)
+/// a part of its sampling (has_peak, sample_f_r, pdf_f_r)
 UserShader read_user_shader(const std::filesystem::path& file);
 
 struct BrdfUnderTest {
@@ -31,7 +31,7 @@ struct BrdfUnderTest {
     std::shared_ptr<gl::TrialCompiler> trial = nullptr; // of the user's shader; null: compiles directly
 
     /// True if f_r is a delta, which has no values.
-    bool is_delta() const { return !user && material.model == scene::Model::mirror; }
+    bool is_delta() const { return !user && scene::brdf_model(material.model).is_delta; }
     /// True if the model is reciprocal by its definition.
     bool is_reciprocal() const { return user || !(material.clearcoat > 0.0f); }
     /// True if the model conserves energy by its definition: glTF's coated dielectric does not

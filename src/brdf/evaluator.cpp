@@ -5,52 +5,10 @@
 #include "render/gpu/gpu_texture.hpp"
 #include "render/gpu/ltc_table.hpp"
 
-#include <algorithm>
-#include <array>
-
 namespace sr::brdf {
 namespace {
 
 using render::Row;
-using scene::Model;
-
-constexpr float min_alpha = 1e-4f; // shaders/surface/at_fragment.glsl
-float alpha_of(float roughness) { return std::max(roughness * roughness, min_alpha); }
-
-/// The GGX width by which the shaders sample directions: the model's own, or that of a GGX lobe of the same
-/// height.
-float lobe_width(const BrdfUnderTest& tested) {
-    const scene::Material& m = tested.material;
-    if (m.model == Model::phong || m.model == Model::blinn_phong)
-        return std::clamp(std::sqrt(2.0f / (m.exponent + 2.0f)), min_alpha, 1.0f);
-    if (m.model == Model::merl) return tested.measured[static_cast<std::size_t>(m.measured)].alpha;
-    return alpha_of(m.roughness);
-}
-
-/// The parameters of shaders/trial/subject.glsl, which makes a Surface of them as
-/// shaders/surface/at_fragment.glsl does of a Material.
-std::array<vec4, 12> parameters_of(const BrdfUnderTest& tested) {
-    const scene::Material& m = tested.material;
-    const float r = (m.ior - 1.0f) / (m.ior + 1.0f);
-    const vec3 F0 = glm::min((m.ior == 0.0f ? 1.0f : r * r) * m.specular_color, vec3(1.0f));
-    const float alpha = lobe_width(tested);
-    const bool is_stated = m.roughness_across >= 0.0f;
-    const vec2 alphas{is_stated ? alpha : glm::mix(alpha, 1.0f, m.anisotropy * m.anisotropy),
-                      is_stated ? alpha_of(m.roughness_across) : alpha};
-    return {
-        vec4(vec3(m.base_color), m.metallic),
-        vec4(F0, m.specular),
-        vec4(alpha, m.roughness, alphas),
-        vec4(m.clearcoat, alpha_of(m.clearcoat > 0.0f ? m.clearcoat_roughness : 0.15f), m.exponent, alpha),
-        vec4(m.sheen_color, alpha_of(m.sheen_roughness)),
-        vec4(m.iridescence, m.film_ior, m.largest_film_thickness, 0.0f),
-        vec4(m.conductor.n, 0.0f),
-        vec4(m.conductor.k, 0.0f),
-        vec4(m.specular_color, 0.0f),
-        vec4(m.anisotropy_rotation, 0.0f, 0.0f, 0.0f),
-        vec4(m.diffuse_transmission_color, m.diffuse_transmission),
-        vec4(m.transmission, 0.0f, 0.0f, 0.0f)};
-}
 
 std::vector<Row> numbered_rows(vec3 wo, int count) {
     std::vector<Row> rows;
@@ -74,10 +32,9 @@ void BrdfEvaluator::change(const scene::Material& material) {
 std::vector<vec4> BrdfEvaluator::evaluate(std::unique_ptr<render::ShaderEvaluator>& table, const char* shader,
                                           std::span<const Row> rows) {
     if (!table) table = std::make_unique<render::ShaderEvaluator>(path_, shader, tested_.trial.get());
-    const auto parameters = parameters_of(tested_);
-    const gl::Program& program = table->program();
-    glProgramUniform4fv(program.id(), program.uniform("parameters"), static_cast<GLsizei>(parameters.size()),
-                        &parameters[0].x);
+    const render::MaterialBlock block = render::packed_material(tested_.material, tested_.measured);
+    glBindBufferBase(GL_UNIFORM_BUFFER, render::material_block, material_.id());
+    glBufferData(GL_UNIFORM_BUFFER, sizeof block, &block, GL_STREAM_DRAW);
     ltc_texture_.bind(render::ltc_table_unit);
     glBindSampler(render::ltc_table_unit, 0);
     if (tested_.material.measured >= 0) {
@@ -91,7 +48,7 @@ std::vector<vec3> BrdfEvaluator::values(std::span<const DirectionPair> pairs) {
     std::vector<Row> rows;
     for (const DirectionPair& pair : pairs) rows.push_back({vec4(pair.wi, 0.0f), vec4(pair.wo, 0.0f)});
     std::vector<vec3> values;
-    for (const vec4 answer : evaluate(value_, "trial/value.frag", rows)) values.emplace_back(answer);
+    for (const vec4 answer : evaluate(value_, "brdf_eval/value.frag", rows)) values.emplace_back(answer);
     return values;
 }
 
@@ -101,7 +58,7 @@ std::vector<glm::dvec3> BrdfEvaluator::albedos(std::span<const vec3> wo, int cou
         const std::vector<Row> more = numbered_rows(w, count);
         rows.insert(rows.end(), more.begin(), more.end());
     }
-    const std::vector<vec4> answers = evaluate(reflected_, "trial/reflected.frag", rows);
+    const std::vector<vec4> answers = evaluate(reflected_, "brdf_eval/reflected.frag", rows);
     std::vector<glm::dvec3> albedos(wo.size(), glm::dvec3(0.0));
     for (std::size_t i = 0; i < answers.size(); ++i)
         albedos[i / static_cast<std::size_t>(count)] +=
@@ -111,7 +68,7 @@ std::vector<glm::dvec3> BrdfEvaluator::albedos(std::span<const vec3> wo, int cou
 
 std::vector<WeightedDirection> BrdfEvaluator::densities(vec3 wo, int count) {
     std::vector<WeightedDirection> densities;
-    for (const vec4 answer : evaluate(density_, "trial/density.frag", numbered_rows(wo, count)))
+    for (const vec4 answer : evaluate(density_, "brdf_eval/density.frag", numbered_rows(wo, count)))
         densities.push_back({vec3(answer), answer.w});
     return densities;
 }
@@ -120,7 +77,7 @@ std::vector<WeightedDirection> BrdfEvaluator::samples(vec3 wo, std::span<const v
     std::vector<Row> rows;
     for (const vec2 point : u) rows.push_back({vec4(wo, 0.0f), vec4(point, 0.0f, 0.0f)});
     std::vector<WeightedDirection> samples;
-    for (const vec4 answer : evaluate(sampled_, "trial/sampled.frag", rows))
+    for (const vec4 answer : evaluate(sampled_, "brdf_eval/sampled.frag", rows))
         samples.push_back({vec3(answer), answer.w});
     return samples;
 }

@@ -1,5 +1,5 @@
 #pragma once
-// Evaluation of a BRDF by the shaders of shaders/trial/. Directions are unit vectors in a frame with the
+// Evaluation of a BRDF by the shaders of shaders/brdf_eval/. Directions are unit vectors in a frame with the
 // normal along z and the tangent along x.
 #include "brdf/brdf_under_test.hpp"
 #include "render/gpu/shader_evaluator.hpp"
@@ -50,6 +50,7 @@ private:
     std::vector<glsl::Root> path_;
     gl::Texture ltc_texture_;
     std::vector<gl::Texture> measured_;
+    gl::Buffer material_{"the material of a BRDF"};
     std::unique_ptr<render::ShaderEvaluator> value_, reflected_, density_, sampled_;
 };
 

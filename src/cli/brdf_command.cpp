@@ -14,10 +14,12 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <utility>
+#include <variant>
 
 namespace sr::cli {
 namespace {
@@ -161,9 +163,24 @@ ExitStatus look_at(BrdfCommand& command) {
     return is_lawful ? done : failed_check;
 }
 
+/// "--roughness-across" of "roughness_across".
+std::string option_of(const scene::BrdfParameter& parameter) {
+    std::string flag = fmt::format("--{}", parameter.key);
+    std::ranges::replace(flag, '_', '-');
+    return flag;
+}
+
+/// The names of the BRDFs that need no file, between commas; glTF's own goes by "gltf".
+std::string model_names() {
+    std::vector<std::string_view> names{"gltf"};
+    for (const scene::BrdfModel& model : std::span(scene::brdf_models).subspan(1))
+        if (model.name != scene::name_of(Model::merl)) names.push_back(model.name);
+    return fmt::format("{}", fmt::join(names, ", "));
+}
+
 void declare_parameters(CLI::App& command, BrdfCommand& o) {
     scene::Material& m = o.tested.material;
-    const auto color = [&](const char* name, const char* help, auto take) {
+    const auto color = [&](const std::string& name, const std::string& help, auto take) {
         command
             .add_option_function<std::string>(
                 name,
@@ -192,6 +209,9 @@ void declare_parameters(CLI::App& command, BrdfCommand& o) {
         ->check(refusal_of_number)
         ->check(CLI::Range(1.0f, 100.0f))
         ->capture_default_str();
+    color("--specular-color",
+          "of gltf; of phong, blinn_phong: what their lobe reflects at normal incidence (default: 1)",
+          [&m](vec3 v) { m.specular_color = v; });
     fraction("--anisotropy", m.anisotropy, "of gltf");
     command.add_option("--rotation", m.anisotropy_rotation, "of the anisotropy [rad]")
         ->check(refusal_of_number)
@@ -209,16 +229,18 @@ void declare_parameters(CLI::App& command, BrdfCommand& o) {
         ->check(refusal_of_number)
         ->check(CLI::NonNegativeNumber)
         ->capture_default_str();
-    command.add_option("--roughness-across", m.roughness_across, "of ggx, conductor: across the tangent")
-        ->check(refusal_of_number)
-        ->check(CLI::Range(0.0f, 1.0f));
-    command.add_option("--exponent", m.exponent, "of phong, blinn_phong")
-        ->check(refusal_of_number)
-        ->check(CLI::Range(0.0f, 1e6f))
-        ->capture_default_str();
-    color("--specular-color",
-          "of phong, blinn_phong: albedo of the lobe; specular colour of gltf (default: 1)",
-          [&m](vec3 v) { m.specular_color = v; });
+    for (const scene::BrdfParameter& parameter : scene::brdf_parameters) {
+        const std::string flag = option_of(parameter);
+        if (command.get_option_no_throw(flag)) continue; // glTF's own
+        const std::string help = fmt::format("of {}: {}", scene::models_with(parameter), parameter.meaning);
+        if (const auto* number = std::get_if<float scene::Material::*>(&parameter.member)) {
+            CLI::Option* option = command.add_option(flag, m.*(*number), help);
+            option->check(refusal_of_number)->check(CLI::Range(parameter.min, parameter.max));
+            if (parameter.fallback) option->capture_default_str();
+        } else if (const auto* rgb = std::get_if<vec3 scene::Material::*>(&parameter.member)) {
+            color(flag, help + " (default: 1)", [&m, member = *rgb](vec3 v) { m.*member = v; });
+        }
+    }
     std::vector<std::string> metals;
     for (const std::string_view name : scene::metal_names()) metals.emplace_back(name);
     command.add_option("--metal", o.metal, "of conductor")
@@ -234,10 +256,10 @@ void add_brdf_command(CLI::App& app) {
     const auto options = std::make_shared<BrdfCommand>();
     CLI::App* command = app.add_subcommand("brdf", "one BRDF by itself: its lobe, its albedo, its laws");
     command
-        ->add_option("NAME", options->name,
-                     "gltf, lambert, oren_nayar, mirror, phong, blinn_phong, ggx, conductor; a .glsl file of "
-                     "your own that "
-                     "declares f_r; a .binary file of the MERL database")
+        ->add_option(
+            "NAME", options->name,
+            model_names()
+                + "; a .glsl file of your own that declares f_r; a .binary file of the MERL database")
         ->required();
     command
         ->add_option("-o,--output", options->outputs,

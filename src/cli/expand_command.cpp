@@ -2,10 +2,13 @@
 #include "cli/commands.hpp"
 #include "core/output.hpp"
 #include "glsl/source.hpp"
+#include "render/gpu/shader_library.hpp"
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace sr::cli {
 
@@ -27,7 +30,10 @@ void add_expand_command(CLI::App& app) {
     command->footer(
         "Examples:\n  steradian expand forward.frag\n  steradian expand brdf/f_r.glsl --shaders my_shaders");
     command->callback([arguments] {
-        const auto path = shader_path(arguments->shaders);
+        std::vector<glsl::Root> path = shader_path(arguments->shaders);
+        path.insert(path.end() - 1,
+                    glsl::Root::memory("glTF's own material",
+                                       render::brdf_files(scene::Model::metallic_roughness, path)));
         write_output(glsl::expand(path, arguments->file).text);
     });
 }

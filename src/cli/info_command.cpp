@@ -82,7 +82,7 @@ ordered_json brdfs_json(const scene::Scene& s) {
         scene::Scene alone;
         alone.materials.push_back(material);
         std::string text = scene::described(material);
-        if (material.model == scene::Model::mirror)
+        if (scene::brdf_model(material.model).is_delta)
             text += " (sees emitters that have an extent; points and parallel light have none)";
         else if (!material.is_unlit && !render::shading_features(alone, mesh, {}).is_analytic())
             text += " (sampled under --estimator analytic too)";

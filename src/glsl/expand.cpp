@@ -1,6 +1,7 @@
 #include "glsl/source.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <functional>
@@ -244,6 +245,21 @@ Source expand(std::span<const Root> path, std::string_view file) {
     Expansion expansion(path);
     expansion.add(file, {});
     return expansion.take();
+}
+
+bool declares(std::string_view text, std::string_view function) {
+    const auto is_word = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
+    constexpr std::string_view blanks = " \t\r\n\v\f";
+    for (auto at = text.find(function); at != text.npos; at = text.find(function, at + 1)) {
+        const std::string_view after = text.substr(at + function.size());
+        const auto open = after.find_first_not_of(blanks);
+        if ((at > 0 && is_word(text[at - 1])) || open == after.npos || after[open] != '(') continue;
+        const auto brace = after.find_first_of(";{", open);
+        if (brace == after.npos || after[brace] == ';') continue;
+        const auto last = after.find_last_not_of(blanks, brace - 1);
+        if (after[last] == ')') return true;
+    }
+    return false;
 }
 
 } // namespace sr::glsl

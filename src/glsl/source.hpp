@@ -38,4 +38,7 @@ struct Source {
 /// misplaced #version, and a comment that never ends.
 Source expand(std::span<const Root> path, std::string_view file);
 
+/// True if the text has `function(…) {`: not a call and no prototype, which a ';' follows.
+bool declares(std::string_view text, std::string_view function);
+
 } // namespace sr::glsl

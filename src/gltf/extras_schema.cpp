@@ -3,8 +3,11 @@
 
 #include "scene/conductor.hpp"
 #include "scene/lights/light.hpp"
+#include "scene/material.hpp"
 
 #include <algorithm>
+#include <span>
+#include <variant>
 
 namespace sr::gltf {
 namespace {
@@ -52,6 +55,15 @@ void add_extension_sizes(std::vector<PropertySchema>& to) {
     });
 }
 
+Schema parameter_schema(const scene::BrdfParameter& parameter) {
+    if (parameter.key == "metal") return string(scene::metal_names());
+    if (parameter.key == "ior_spectrum") return array(three_numbers());
+    if (std::holds_alternative<float scene::Material::*>(parameter.member)) return number();
+    if (std::holds_alternative<vec3 scene::Material::*>(parameter.member)) return three_numbers();
+    if (std::holds_alternative<int scene::Material::*>(parameter.member)) return string(); // a file
+    return closed({{"n", three_numbers(), true}, {"k", three_numbers(), true}});
+}
+
 void append(std::vector<PropertySchema>& to, std::vector<PropertySchema> more) {
     to.insert(to.end(), more.begin(), more.end());
 }
@@ -86,17 +98,13 @@ Schema light_extras_schema() {
 }
 
 Schema material_extras_schema() {
-    const Schema brdf =
-        string({"lambert", "oren_nayar", "mirror", "phong", "blinn_phong", "ggx", "conductor", "merl"});
+    std::vector<std::string_view> models;
+    for (const scene::BrdfModel& model : std::span(scene::brdf_models).subspan(1)) // the first is glTF's own
+        models.push_back(model.name);
     std::vector<PropertySchema> properties = emission_properties();
-    append(properties, {{"brdf", brdf},
-                        {"roughness_across", number()},
-                        {"exponent", number()},
-                        {"specular_color", three_numbers()},
-                        {"metal", string(scene::metal_names())},
-                        {"complex_ior", closed({{"n", three_numbers(), true}, {"k", three_numbers(), true}})},
-                        {"ior_spectrum", array(three_numbers())},
-                        {"file", string()}});
+    properties.emplace_back("brdf", string(std::move(models)));
+    for (const scene::BrdfParameter& parameter : scene::brdf_parameters)
+        properties.emplace_back(parameter.key, parameter_schema(parameter));
     return extras(std::move(properties));
 }
 

@@ -3,15 +3,21 @@
 #include "gltf/warnings.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
 #include <glm/gtc/constants.hpp>
 #include <limits>
+#include <optional>
 
 namespace sr::gltf {
 namespace {
 
 using tinygltf::Value;
+using TextureMember = scene::TextureSlot scene::Material::*;
+
+/// The steepest that a normal map is made by its scale: beyond, only the direction of its slope is left.
+constexpr double steepest_map = 1e6;
 
 vec2 two_in(const Value& object, const std::string& key, vec2 fallback) {
     if (!object.Has(key)) return fallback;
@@ -19,6 +25,9 @@ vec2 two_in(const Value& object, const std::string& key, vec2 fallback) {
     return {static_cast<float>(list.Get(0).GetNumberAsDouble()),
             static_cast<float>(list.Get(1).GetNumberAsDouble())};
 }
+
+/// The same angle [rad] within half a turn of 0, so that a float keeps its digits.
+double within_a_turn(double angle) { return std::remainder(angle, 2.0 * glm::pi<double>()); }
 
 // KHR_texture_transform: translation * rotation * scale. It turns from +u towards -v for a positive angle:
 // counter-clockwise as seen on the image, whose v goes down. (The extension's example, "the lower left
@@ -40,143 +49,336 @@ scene::AlphaMode alpha_mode_of(const std::string& name) {
     return scene::AlphaMode::opaque;
 }
 
+/// Reads one material of a file.
+class MaterialReader {
+public:
+    MaterialReader(const Document& document, const tinygltf::Material& from, MeasuredTable& measured,
+                   TextureTable& textures, Warnings& warnings)
+        : document_(document),
+          from_(from),
+          measured_(measured),
+          textures_(textures),
+          warnings_(warnings),
+          title_(fmt::format("material {}", in_quotes(from.name))),
+          stated_(steradian_in(from.extras)) {
+        to_.name = from.name;
+    }
+
+    /// @throws Error if a factor makes no sense
+    scene::Material read(int number) {
+        to_.is_unlit = extension(from_.extensions, "KHR_materials_unlit") != nullptr;
+        // Where a material has both, the extension asks to be preferred to metallic-roughness; unlit prefers
+        // the latter.
+        const Value* glossy = extension(from_.extensions, "KHR_materials_pbrSpecularGlossiness");
+        const bool names_brdf = stated_ && stated_->Has("brdf");
+        const bool is_core = !glossy || to_.is_unlit || names_brdf;
+        if (is_core)
+            read_metallic_roughness();
+        else
+            read_specular_glossiness(*glossy);
+        read_core_texture(from_.normalTexture, &scene::Material::normal_texture);
+        to_.normal_scale =
+            clamped(from_.normalTexture.scale, -steepest_map, steepest_map, "normalTexture/scale");
+        read_core_texture(from_.emissiveTexture, &scene::Material::emission_texture);
+
+        // Where the map is lost, nothing of it is emitted: a surface that glows all over would light the
+        // scene.
+        const bool has_map = from_.emissiveTexture.index >= 0
+                             || document_.is_lost(fmt::format("/materials/{}/emissiveTexture", number));
+        if (to_.emission_texture.is_present() || !has_map) read_emission();
+        read_anisotropy();
+        read_clearcoat();
+        read_sheen();
+        read_iridescence();
+        read_transmission();
+        read_volume();
+        read_diffuse_transmission();
+        if (stated_) read_brdf(document_, *stated_, title_, measured_, warnings_, to_);
+
+        to_.alpha_mode = alpha_mode_of(from_.alphaMode);
+        to_.alpha_cutoff = static_cast<float>(from_.alphaCutoff);
+        to_.is_double_sided = from_.doubleSided;
+        for (int set = 0; set < 2; ++set)
+            to_.texcoord_sets[static_cast<std::size_t>(set)] =
+                sets_[static_cast<std::size_t>(set)].value_or(set);
+        return to_;
+    }
+
+    /// The flux that the material states for all surfaces that have it, in the scene's units.
+    const std::optional<glm::dvec3>& flux() const { return flux_; }
+
+private:
+    float clamped(double value, double least, double most, std::string_view factor) {
+        return gltf::clamped(value, least, most, factor, title_, warnings_);
+    }
+
+    float fraction(double value, std::string_view factor) { return clamped(value, 0.0, 1.0, factor); }
+
+    /// @throws Error unless all components are zero or more, and floats
+    vec3 not_negative(vec3 value, std::string_view factor) {
+        return within(document_, value, std::numeric_limits<float>::max(), factor, title_,
+                      "give zero or more");
+    }
+
+    /// Returns the set of a mesh, 0 or 1, that is TEXCOORD_n for this material. It takes a free set if none
+    /// is yet; absent if both are taken.
+    std::optional<int> texcoord_set(int n) {
+        for (int set = 0; set < 2; ++set)
+            if (sets_[static_cast<std::size_t>(set)] == n) return set;
+        const int usual = n == 1 ? 1 : 0;
+        for (const int set : {usual, 1 - usual}) {
+            auto& taken = sets_[static_cast<std::size_t>(set)];
+            if (taken) continue;
+            taken = n;
+            return set;
+        }
+        return std::nullopt;
+    }
+
+    /// Returns the texture `index`, for the material's `texture`.
+    scene::TextureSlot slot(int index, int texcoord, const tinygltf::ExtensionMap& extensions,
+                            TextureMember texture) {
+        scene::TextureSlot slot;
+        if (index < 0) return slot;
+        if (const Value* transform = extension(extensions, "KHR_texture_transform")) {
+            slot.uv_transform = uv_transform(*transform);
+            texcoord = whole_in(*transform, "texCoord", texcoord);
+        }
+        const std::optional<int> set = texcoord_set(texcoord);
+        if (!set) {
+            warnings_.add(
+                fmt::format("a material reads three sets of texture coordinates, and two are supported: "
+                            "TEXCOORD_{}, TEXCOORD_{} and TEXCOORD_{}",
+                            *sets_[0], *sets_[1], texcoord),
+                "the material is shown without the texture of the third");
+            return {};
+        }
+        slot.texcoord = *set;
+        slot.texture =
+            textures_.texture(index, scene::texture_inputs[scene::texture_slot(texture)].color_space);
+        return slot;
+    }
+
+    template<class Info>
+    void read_core_texture(const Info& info, TextureMember texture) {
+        to_.*texture = slot(info.index, info.texCoord, info.extensions, texture);
+    }
+
+    /// Reads the textureInfo `key` of an extension, if it is there.
+    void read_texture(const Value& object, const char* key, TextureMember texture) {
+        if (!object.Has(key)) return;
+        const Value& info = object.Get(key);
+        tinygltf::ExtensionMap extensions;
+        if (info.Has("extensions"))
+            for (const std::string& name : info.Get("extensions").Keys())
+                extensions[name] = info.Get("extensions").Get(name);
+        to_.*texture = slot(whole_in(info, "index", -1), whole_in(info, "texCoord", 0), extensions, texture);
+    }
+
+    vec3 color(const Value& object, const char* factor) {
+        vec3 color = not_negative(three_in(object, factor, vec3(1.0f)), factor);
+        for (int i = 0; i < 3; ++i) color[i] = fraction(static_cast<double>(color[i]), factor);
+        return color;
+    }
+
+    void read_metallic_roughness() {
+        const auto& pbr = from_.pbrMetallicRoughness;
+        for (int i = 0; i < 4; ++i)
+            to_.base_color[i] = fraction(pbr.baseColorFactor[static_cast<std::size_t>(i)], "baseColorFactor");
+        to_.metallic = fraction(pbr.metallicFactor, "metallicFactor");
+        to_.roughness = fraction(pbr.roughnessFactor, "roughnessFactor");
+        read_core_texture(pbr.baseColorTexture, &scene::Material::base_color_texture);
+        read_core_texture(pbr.metallicRoughnessTexture, &scene::Material::metallic_roughness_texture);
+        if (const Value* ior = extension(from_.extensions, "KHR_materials_ior"))
+            to_.ior = static_cast<float>(number_in(*ior, "ior", 1.5));
+        if (to_.ior != 0.0f && !(to_.ior >= 1.0f && std::isfinite(to_.ior)))
+            document_.fail(fmt::format("{}: ior is {}", title_, to_.ior), "give 0, or 1 and more");
+        read_specular();
+    }
+
+    // A dielectric of infinite ior, whose F0 is the specular colour, as KHR_materials_ior has it; the
+    // glossiness and what F0 takes from the diffuse colour are shaders/surface/'s.
+    void read_specular_glossiness(const Value& glossy) {
+        to_.is_specular_glossiness = true;
+        to_.metallic = 0.0f;
+        to_.ior = 0.0f;
+        const vec3 specular = three_in(glossy, "specularFactor", vec3(1.0f));
+        for (int i = 0; i < 4; ++i) {
+            const double diffuse =
+                glossy.Has("diffuseFactor") ? glossy.Get("diffuseFactor").Get(i).GetNumberAsDouble() : 1.0;
+            to_.base_color[i] = fraction(diffuse, "diffuseFactor");
+            if (i < 3) to_.specular_color[i] = fraction(double{specular[i]}, "specularFactor");
+        }
+        to_.roughness = 1.0f - fraction(number_in(glossy, "glossinessFactor", 1.0), "glossinessFactor");
+        read_texture(glossy, "diffuseTexture", &scene::Material::base_color_texture);
+        read_texture(glossy, "specularGlossinessTexture", &scene::Material::specular_color_texture);
+    }
+
+    void read_specular() {
+        const Value* specular = extension(from_.extensions, "KHR_materials_specular");
+        if (!specular) return;
+        to_.specular = fraction(number_in(*specular, "specularFactor", 1.0), "specularFactor");
+        to_.specular_color =
+            not_negative(three_in(*specular, "specularColorFactor", vec3(1.0f)), "specularColorFactor");
+        read_texture(*specular, "specularTexture", &scene::Material::specular_texture);
+        read_texture(*specular, "specularColorTexture", &scene::Material::specular_color_texture);
+    }
+
+    void read_emission() {
+        const Value* strength = extension(from_.extensions, "KHR_materials_emissive_strength");
+        const auto factor =
+            static_cast<float>(strength ? number_in(*strength, "emissiveStrength", 1.0) : 1.0);
+        const auto& e = from_.emissiveFactor;
+        to_.emission = not_negative(vec3(e[0], e[1], e[2]) * factor, "emissive factor times strength");
+        if (!stated_) return;
+        bool is_flux = false;
+        const Conversion conversion = [&](scene::Quantity quantity, double value) {
+            is_flux = quantity == scene::Quantity::flux;
+            const bool is_determined = is_flux || quantity == scene::Quantity::radiance;
+            return is_determined ? std::optional(value) : std::nullopt;
+        };
+        const vec3 stated_emission =
+            emitted(document_, parse_emission(document_, stated_, title_), glm::dvec3(to_.emission),
+                    conversion, title_, "state what a material emits in cd/m^2 or lm, or in W/(m^2 sr) or W");
+        if (!is_flux) {
+            to_.emission = stated_emission;
+            return;
+        }
+        flux_ = glm::dvec3(stated_emission);
+        to_.emission = vec3(0.0f);
+    }
+
+    void read_anisotropy() {
+        const Value* anisotropy = extension(from_.extensions, "KHR_materials_anisotropy");
+        if (!anisotropy) return;
+        to_.anisotropy = fraction(number_in(*anisotropy, "anisotropyStrength", 0.0), "anisotropyStrength");
+        to_.anisotropy_rotation =
+            static_cast<float>(within_a_turn(number_in(*anisotropy, "anisotropyRotation", 0.0)));
+        read_texture(*anisotropy, "anisotropyTexture", &scene::Material::anisotropy_texture);
+    }
+
+    void read_clearcoat() {
+        const Value* coat = extension(from_.extensions, "KHR_materials_clearcoat");
+        if (!coat) return;
+        to_.clearcoat = fraction(number_in(*coat, "clearcoatFactor", 0.0), "clearcoatFactor");
+        to_.clearcoat_roughness =
+            fraction(number_in(*coat, "clearcoatRoughnessFactor", 0.0), "clearcoatRoughnessFactor");
+        read_texture(*coat, "clearcoatTexture", &scene::Material::clearcoat_texture);
+        read_texture(*coat, "clearcoatRoughnessTexture", &scene::Material::clearcoat_roughness_texture);
+        if (!coat->Has("clearcoatNormalTexture")) return;
+        read_texture(*coat, "clearcoatNormalTexture", &scene::Material::clearcoat_normal_texture);
+        to_.clearcoat_normal_scale = clamped(number_in(coat->Get("clearcoatNormalTexture"), "scale", 1.0),
+                                             -steepest_map, steepest_map, "clearcoatNormalTexture/scale");
+    }
+
+    void read_sheen() {
+        const Value* sheen = extension(from_.extensions, "KHR_materials_sheen");
+        if (!sheen) return;
+        const vec3 color = not_negative(three_in(*sheen, "sheenColorFactor", vec3(0.0f)), "sheenColorFactor");
+        for (int i = 0; i < 3; ++i)
+            to_.sheen_color[i] = fraction(static_cast<double>(color[i]), "sheenColorFactor");
+        to_.sheen_roughness =
+            fraction(number_in(*sheen, "sheenRoughnessFactor", 0.0), "sheenRoughnessFactor");
+        read_texture(*sheen, "sheenColorTexture", &scene::Material::sheen_color_texture);
+        read_texture(*sheen, "sheenRoughnessTexture", &scene::Material::sheen_roughness_texture);
+    }
+
+    void read_iridescence() {
+        const Value* film = extension(from_.extensions, "KHR_materials_iridescence");
+        if (!film) return;
+        to_.iridescence = fraction(number_in(*film, "iridescenceFactor", 0.0), "iridescenceFactor");
+        to_.film_ior = static_cast<float>(number_in(*film, "iridescenceIor", 1.3));
+        to_.least_film_thickness = static_cast<float>(number_in(*film, "iridescenceThicknessMinimum", 100.0));
+        to_.largest_film_thickness =
+            static_cast<float>(number_in(*film, "iridescenceThicknessMaximum", 400.0));
+        constexpr float largest_ior = 1000.0f,
+                        thickest = 1e9f; // [nm]: a metre is no film, and within, phases are floats
+        if (!(to_.film_ior >= 1.0f && to_.film_ior <= largest_ior))
+            document_.fail(fmt::format("{}: iridescenceIor is {}", title_, to_.film_ior),
+                           fmt::format("give 1 to {}", largest_ior));
+        for (const float thickness : {to_.least_film_thickness, to_.largest_film_thickness})
+            if (!(thickness >= 0.0f && thickness <= thickest))
+                document_.fail(fmt::format("{}: its film is {} to {} nm thick", title_,
+                                           to_.least_film_thickness, to_.largest_film_thickness),
+                               fmt::format("give 0 to {}", thickest));
+        read_texture(*film, "iridescenceTexture", &scene::Material::iridescence_texture);
+        read_texture(*film, "iridescenceThicknessTexture", &scene::Material::film_thickness_texture);
+    }
+
+    void read_transmission() {
+        const Value* transmission = extension(from_.extensions, "KHR_materials_transmission");
+        if (!transmission) return;
+        to_.transmission =
+            fraction(number_in(*transmission, "transmissionFactor", 0.0), "transmissionFactor");
+        read_texture(*transmission, "transmissionTexture", &scene::Material::transmission_texture);
+    }
+
+    void read_volume() {
+        const Value* volume = extension(from_.extensions, "KHR_materials_volume");
+        if (!volume) return;
+        to_.thickness = static_cast<float>(number_in(*volume, "thicknessFactor", 0.0));
+        if (!(to_.thickness >= 0.0f))
+            document_.fail(fmt::format("{}: thicknessFactor is {}", title_, to_.thickness),
+                           "give zero or more");
+        if (volume->Has("attenuationDistance")) {
+            const auto distance = static_cast<float>(number_in(*volume, "attenuationDistance", 0.0));
+            if (distance > 0.0f)
+                to_.attenuation_distance = distance;
+            else
+                warnings_.add(fmt::format("{}: attenuationDistance is {}, not more than 0", title_, distance),
+                              "nothing is attenuated");
+        }
+        to_.attenuation_color = color(*volume, "attenuationColor");
+        read_texture(*volume, "thicknessTexture", &scene::Material::thickness_texture);
+    }
+
+    void read_diffuse_transmission() {
+        const Value* diffuse = extension(from_.extensions, "KHR_materials_diffuse_transmission");
+        if (!diffuse) return;
+        to_.diffuse_transmission =
+            fraction(number_in(*diffuse, "diffuseTransmissionFactor", 0.0), "diffuseTransmissionFactor");
+        to_.diffuse_transmission_color = color(*diffuse, "diffuseTransmissionColorFactor");
+        read_texture(*diffuse, "diffuseTransmissionTexture", &scene::Material::diffuse_transmission_texture);
+        read_texture(*diffuse, "diffuseTransmissionColorTexture",
+                     &scene::Material::diffuse_transmission_color_texture);
+    }
+
+    const Document& document_;
+    const tinygltf::Material& from_;
+    MeasuredTable& measured_;
+    TextureTable& textures_;
+    Warnings& warnings_;
+    std::string title_;   // in messages
+    const Value* stated_; // extras.steradian, or null
+    scene::Material to_;
+    std::optional<glm::dvec3> flux_;
+    std::array<std::optional<int>, 2> sets_; // of texture coordinates that the material reads
+};
+
 } // namespace
-
-vec3 three_in(const Value& object, const std::string& key, vec3 fallback) {
-    if (!object.Has(key)) return fallback;
-    const Value& list = object.Get(key);
-    for (int i = 0; i < 3; ++i) fallback[i] = static_cast<float>(list.Get(i).GetNumberAsDouble());
-    return fallback;
-}
-
-double within_a_turn(double angle) { return std::remainder(angle, 2.0 * glm::pi<double>()); }
-
-vec3 within(const Document& document, vec3 value, float most, const char* factor, const std::string& material,
-            const char* remedy) {
-    for (int i = 0; i < 3; ++i)
-        if (!(value[i] >= 0.0f && value[i] <= most))
-            document.fail(fmt::format("material {}: {} is {} {} {}", in_quotes(material), factor, value.x,
-                                      value.y, value.z),
-                          remedy);
-    return value;
-}
-
-vec3 not_negative(const Document& document, vec3 value, const char* factor, const std::string& material) {
-    return within(document, value, std::numeric_limits<float>::max(), factor, material, "give zero or more");
-}
 
 MaterialTable::MaterialTable(const Document& document, MeasuredTable& measured, Warnings& warnings)
     : document_(document), measured_(measured), warnings_(warnings), textures_(document, warnings) {}
 
 int MaterialTable::material(int gltf_material) {
-    const auto [number, is_new] = number_of_.try_emplace(gltf_material, static_cast<int>(materials_.size()));
-    if (is_new)
-        materials_.push_back(
-            gltf_material < 0
-                ? scene::Material{}
-                : read(document_.model.materials[static_cast<std::size_t>(gltf_material)], gltf_material));
-    return number->second;
+    const auto [entry, is_new] = number_of_.try_emplace(gltf_material, static_cast<int>(materials_.size()));
+    const int number = entry->second;
+    if (!is_new) return number;
+    if (gltf_material < 0) {
+        materials_.emplace_back();
+        return number;
+    }
+    const tinygltf::Material& from = document_.model.materials[static_cast<std::size_t>(gltf_material)];
+    MaterialReader reader(document_, from, measured_, textures_, warnings_);
+    materials_.push_back(reader.read(gltf_material));
+    if (reader.flux()) fluxes_[number] = {*reader.flux(), fmt::format("material {}", in_quotes(from.name))};
+    return number;
 }
 
 std::vector<int> MaterialTable::numbers() const {
     std::vector<int> numbers(materials_.size(), -1);
     for (const auto& [in_file, here] : number_of_) numbers[static_cast<std::size_t>(here)] = in_file;
     return numbers;
-}
-
-float MaterialTable::clamped(double value, double least, double most, const char* factor,
-                             const std::string& material) {
-    if (value >= least && value <= most) return static_cast<float>(value);
-    warnings_.add(fmt::format("material {}: {} is {}, outside {} to {}", in_quotes(material), factor, value,
-                              least, most),
-                  "it is clamped");
-    return static_cast<float>(std::clamp(value, least, most));
-}
-
-float MaterialTable::fraction(double value, const char* factor, const std::string& material) {
-    return clamped(value, 0.0, 1.0, factor, material);
-}
-
-scene::TextureSlot MaterialTable::slot(int index, int texcoord, const tinygltf::ExtensionMap& extensions,
-                                       TextureMember texture) {
-    scene::TextureSlot slot;
-    if (index < 0) return slot;
-    if (const Value* transform = extension(extensions, "KHR_texture_transform")) {
-        slot.uv_transform = uv_transform(*transform);
-        texcoord = whole_in(*transform, "texCoord", texcoord);
-    }
-    const std::optional<int> set = texcoord_set(texcoord);
-    if (!set) {
-        warnings_.add(
-            fmt::format("a material reads three sets of texture coordinates, and two are supported: "
-                        "TEXCOORD_{}, TEXCOORD_{} and TEXCOORD_{}",
-                        *sets_[0], *sets_[1], texcoord),
-            "the material is shown without the texture of the third");
-        return {};
-    }
-    slot.texcoord = *set;
-    slot.texture = textures_.texture(index, scene::texture_inputs[scene::texture_slot(texture)].color_space);
-    return slot;
-}
-
-std::optional<int> MaterialTable::texcoord_set(int n) {
-    for (int set = 0; set < 2; ++set)
-        if (sets_[static_cast<std::size_t>(set)] == n) return set;
-    const int usual = n == 1 ? 1 : 0;
-    for (const int set : {usual, 1 - usual}) {
-        auto& taken = sets_[static_cast<std::size_t>(set)];
-        if (taken) continue;
-        taken = n;
-        return set;
-    }
-    return std::nullopt;
-}
-
-void MaterialTable::read_texture(const Value& from, const char* key, TextureMember texture,
-                                 scene::Material& to) {
-    if (!from.Has(key)) return;
-    const Value& info = from.Get(key);
-    tinygltf::ExtensionMap extensions;
-    if (info.Has("extensions"))
-        for (const std::string& name : info.Get("extensions").Keys())
-            extensions[name] = info.Get("extensions").Get(name);
-    to.*texture = slot(whole_in(info, "index", -1), whole_in(info, "texCoord", 0), extensions, texture);
-}
-
-void MaterialTable::read_specular(const tinygltf::Material& from, scene::Material& to) {
-    const Value* specular = extension(from.extensions, "KHR_materials_specular");
-    if (!specular) return;
-    to.specular = fraction(number_in(*specular, "specularFactor", 1.0), "specularFactor", from.name);
-    to.specular_color = not_negative(document_, three_in(*specular, "specularColorFactor", vec3(1.0f)),
-                                     "specularColorFactor", from.name);
-    read_texture(*specular, "specularTexture", &scene::Material::specular_texture, to);
-    read_texture(*specular, "specularColorTexture", &scene::Material::specular_color_texture, to);
-}
-
-void MaterialTable::read_emission(const tinygltf::Material& from, scene::Material& to) {
-    const Value* strength = extension(from.extensions, "KHR_materials_emissive_strength");
-    const auto factor = static_cast<float>(strength ? number_in(*strength, "emissiveStrength", 1.0) : 1.0);
-    const auto& e = from.emissiveFactor;
-    to.emission =
-        not_negative(document_, vec3(e[0], e[1], e[2]) * factor, "emissive factor times strength", from.name);
-    const Value* stated = steradian_in(from.extras);
-    if (!stated) return;
-    const std::string title = fmt::format("material {}", in_quotes(from.name));
-    bool is_flux = false;
-    const Conversion conversion = [&](scene::Quantity quantity, double value) {
-        is_flux = quantity == scene::Quantity::flux;
-        const bool is_determined = is_flux || quantity == scene::Quantity::radiance;
-        return is_determined ? std::optional(value) : std::nullopt;
-    };
-    const vec3 stated_emission =
-        emitted(document_, parse_emission(document_, stated, title), glm::dvec3(to.emission), conversion,
-                title, "state what a material emits in cd/m^2 or lm, or in W/(m^2 sr) or W");
-    if (!is_flux) {
-        to.emission = stated_emission;
-        return;
-    }
-    fluxes_[static_cast<int>(materials_.size())] = {glm::dvec3(stated_emission), title};
-    to.emission = vec3(0.0f);
 }
 
 void MaterialTable::share_fluxes(scene::Scene& scene) const {
@@ -200,89 +402,6 @@ void MaterialTable::share_fluxes(scene::Scene& scene) const {
                            "give it a surface, or state its radiance in cd/m^2");
         material.emission = as_floats(document_, flux.Phi / (glm::pi<double>() * emitting), flux.title);
     }
-}
-
-void MaterialTable::read_metallic_roughness(const tinygltf::Material& from, scene::Material& to) {
-    const auto& pbr = from.pbrMetallicRoughness;
-    for (int i = 0; i < 4; ++i)
-        to.base_color[i] =
-            fraction(pbr.baseColorFactor[static_cast<std::size_t>(i)], "baseColorFactor", from.name);
-    to.metallic = fraction(pbr.metallicFactor, "metallicFactor", from.name);
-    to.roughness = fraction(pbr.roughnessFactor, "roughnessFactor", from.name);
-    const auto read = [&](TextureMember texture, const auto& info) {
-        to.*texture = slot(info.index, info.texCoord, info.extensions, texture);
-    };
-    read(&scene::Material::base_color_texture, pbr.baseColorTexture);
-    read(&scene::Material::metallic_roughness_texture, pbr.metallicRoughnessTexture);
-    if (const Value* ior = extension(from.extensions, "KHR_materials_ior"))
-        to.ior = static_cast<float>(number_in(*ior, "ior", 1.5));
-    if (to.ior != 0.0f && !(to.ior >= 1.0f && std::isfinite(to.ior)))
-        document_.fail(fmt::format("material {}: ior is {}", in_quotes(from.name), to.ior),
-                       "give 0, or 1 and more");
-    read_specular(from, to);
-}
-
-// A dielectric of infinite ior, whose F0 is the specular colour, as KHR_materials_ior has it; the glossiness
-// and what F0 takes from the diffuse colour are shaders/surface/'s.
-void MaterialTable::read_specular_glossiness(const tinygltf::Material& from, const Value& stated,
-                                             scene::Material& to) {
-    to.is_specular_glossiness = true;
-    to.metallic = 0.0f;
-    to.ior = 0.0f;
-    const vec3 specular = three_in(stated, "specularFactor", vec3(1.0f));
-    for (int i = 0; i < 4; ++i) {
-        const double diffuse =
-            stated.Has("diffuseFactor") ? stated.Get("diffuseFactor").Get(i).GetNumberAsDouble() : 1.0;
-        to.base_color[i] = fraction(diffuse, "diffuseFactor", from.name);
-        if (i < 3) to.specular_color[i] = fraction(double{specular[i]}, "specularFactor", from.name);
-    }
-    to.roughness = 1.0f - fraction(number_in(stated, "glossinessFactor", 1.0), "glossinessFactor", from.name);
-    read_texture(stated, "diffuseTexture", &scene::Material::base_color_texture, to);
-    read_texture(stated, "specularGlossinessTexture", &scene::Material::specular_color_texture, to);
-}
-
-scene::Material MaterialTable::read(const tinygltf::Material& from, int number) {
-    scene::Material to;
-    to.name = from.name;
-    sets_ = {};
-    to.is_unlit = extension(from.extensions, "KHR_materials_unlit") != nullptr;
-    // Where a material has both, the extension asks to be preferred to metallic-roughness; unlit prefers the
-    // latter.
-    const Value* glossy = extension(from.extensions, "KHR_materials_pbrSpecularGlossiness");
-    const Value* stated = steradian_in(from.extras);
-    const bool names_brdf = stated && stated->Has("brdf");
-    const bool is_core = !glossy || to.is_unlit || names_brdf;
-    if (is_core)
-        read_metallic_roughness(from, to);
-    else
-        read_specular_glossiness(from, *glossy, to);
-    const auto read = [&](TextureMember texture, const auto& info) {
-        to.*texture = slot(info.index, info.texCoord, info.extensions, texture);
-    };
-    read(&scene::Material::normal_texture, from.normalTexture);
-    to.normal_scale =
-        clamped(from.normalTexture.scale, -steepest_map, steepest_map, "normalTexture/scale", from.name);
-    read(&scene::Material::emission_texture, from.emissiveTexture);
-
-    // Where the map is lost, nothing of it is emitted: a surface that glows all over would light the scene.
-    const bool has_map = from.emissiveTexture.index >= 0
-                         || document_.is_lost(fmt::format("/materials/{}/emissiveTexture", number));
-    if (to.emission_texture.is_present() || !has_map) read_emission(from, to);
-    read_anisotropy(from, to);
-    read_clearcoat(from, to);
-    read_sheen(from, to);
-    read_iridescence(from, to);
-    read_transmission(from, to);
-    read_volume(from, to);
-    read_diffuse_transmission(from, to);
-    read_brdf(from, to);
-
-    to.alpha_mode = alpha_mode_of(from.alphaMode);
-    to.alpha_cutoff = static_cast<float>(from.alphaCutoff);
-    to.is_double_sided = from.doubleSided;
-    for (int set = 0; set < 2; ++set)
-        to.texcoord_sets[static_cast<std::size_t>(set)] = sets_[static_cast<std::size_t>(set)].value_or(set);
-    return to;
 }
 
 } // namespace sr::gltf

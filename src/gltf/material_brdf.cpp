@@ -1,43 +1,19 @@
-// BRDFs of extras.steradian, in the place of glTF's own.
-#include "gltf/material.hpp"
-#include "gltf/warnings.hpp"
+#include "gltf/material_brdf.hpp"
+
+#include "gltf/uri.hpp"
 #include "scene/conductor.hpp"
 
 #include <algorithm>
-#include <array>
 #include <fmt/format.h>
+#include <optional>
+#include <span>
+#include <variant>
 
 namespace sr::gltf {
 namespace {
 
 using scene::Model;
 using tinygltf::Value;
-
-/// The BRDFs that a property belongs to.
-struct Owned {
-    const char* property;
-    std::vector<Model> owners;
-};
-
-void check_properties(const Document& document, const Value& stated, std::optional<Model> model,
-                      const std::string& title) {
-    static const std::array<Owned, 7> all{{{"roughness_across", {Model::ggx, Model::conductor}},
-                                           {"exponent", {Model::phong, Model::blinn_phong}},
-                                           {"specular_color", {Model::phong, Model::blinn_phong}},
-                                           {"metal", {Model::conductor}},
-                                           {"complex_ior", {Model::conductor}},
-                                           {"ior_spectrum", {Model::conductor}},
-                                           {"file", {Model::merl}}}};
-    for (const Owned& owned : all) {
-        if (!stated.Has(owned.property)) continue;
-        if (model && std::ranges::find(owned.owners, *model) != owned.owners.end()) continue;
-        std::vector<std::string_view> names;
-        for (const Model owner : owned.owners) names.push_back(scene::name_of(owner));
-        document.fail(
-            fmt::format("{} has {}", title, owned.property),
-            fmt::format("that belongs to the brdf {}: say so, or leave it out", fmt::join(names, " or ")));
-    }
-}
 
 /// Far around those of all materials; within, the fourth powers of Fresnel's equations are floats.
 bool is_index(double n, double k) { return n >= 0.999e-3 && n <= 1e3 && k >= 0.0 && k <= 1e3; }
@@ -79,38 +55,110 @@ scene::ComplexIor ior_in(const Document& document, const Value& stated, const st
     return ior;
 }
 
+void check_owners(const Document& document, const Value& stated, std::optional<Model> model,
+                  const std::string& title) {
+    for (const scene::BrdfParameter& parameter : scene::brdf_parameters)
+        if (stated.Has(std::string(parameter.key)) && !(model && parameter.is_of(*model)))
+            document.fail(fmt::format("{} has {}", title, parameter.key),
+                          fmt::format("that belongs to the brdf {}: say so, or leave it out",
+                                      scene::models_with(parameter, " or ")));
+}
+
+/// Reads one parameter of a BRDF into the member of a material that it is.
+struct ParameterReader {
+    const Document& document;
+    const Value& stated;
+    const std::string& title;
+    MeasuredTable& measured;
+    Warnings& warnings;
+    scene::Material& to;
+    const scene::BrdfParameter& parameter;
+
+    // A fraction is clamped, as glTF's own are.
+    void operator()(float scene::Material::*member) const {
+        const std::string key(parameter.key);
+        if (!stated.Has(key) && !parameter.fallback) return;
+        const double value = number_in(stated, key, parameter.fallback.value_or(0.0f));
+        const bool is_fraction = parameter.min == 0.0f && parameter.max == 1.0f;
+        to.*member = is_fraction ? clamped(value, 0.0, 1.0, key, title, warnings) : static_cast<float>(value);
+        if (!(to.*member >= parameter.min && to.*member <= parameter.max))
+            document.fail(fmt::format("{}: {} is {}", title, key, to.*member),
+                          fmt::format("give one from {} to {}", parameter.min, parameter.max));
+    }
+
+    void operator()(vec3 scene::Material::*member) const {
+        const std::string key(parameter.key);
+        if (!stated.Has(key) && !parameter.fallback) return;
+        const vec3 value = three_in(stated, key, vec3(parameter.fallback.value_or(0.0f)));
+        to.*member =
+            within(document, value, parameter.max, key, title, fmt::format("give 0 to {}", parameter.max));
+    }
+
+    void operator()(scene::ComplexIor scene::Material::*member) const {
+        to.*member = ior_in(document, stated, title);
+    }
+
+    void operator()(int scene::Material::*member) const {
+        const std::string key(parameter.key);
+        const auto read = [&] {
+            to.*member = measured.number(stated.Has(key) ? stated.Get(key).Get<std::string>() : "", title);
+        };
+        if (!warnings.attempt("it has glTF's own BRDF", read)) to.model = Model::metallic_roughness;
+    }
+};
+
 } // namespace
 
-void MaterialTable::read_brdf(const tinygltf::Material& from, scene::Material& to) {
-    const Value* stated = steradian_in(from.extras);
-    if (!stated) return;
-    const std::string title = fmt::format("material {}", in_quotes(from.name));
+int MeasuredTable::number(const std::string& uri, const std::string& title) {
+    if (const auto known = number_of_.find(uri); known != number_of_.end()) return known->second;
+    if (uri.empty() || is_data_uri(uri))
+        document_.fail(fmt::format("{} is measured, and its file is not named", title),
+                       R"(name one beside the glTF, as in "file": "gold-paint.binary")");
+    const std::vector<std::uint8_t> bytes = read_uri(uri, document_.folder, {document_.name, title});
+    brdfs_.push_back(scene::read_merl(std::as_bytes(std::span(bytes)), (document_.folder / uri).string()));
+    return number_of_[uri] = static_cast<int>(brdfs_.size()) - 1;
+}
+
+void read_brdf(const Document& document, const Value& stated, const std::string& title,
+               MeasuredTable& measured, Warnings& warnings, scene::Material& to) {
     std::optional<Model> model;
-    if (stated->Has("brdf")) model = scene::model_named(stated->Get("brdf").Get<std::string>());
-    check_properties(document_, *stated, model, title);
+    if (stated.Has("brdf")) model = scene::model_named(stated.Get("brdf").Get<std::string>());
+    check_owners(document, stated, model, title);
     if (!model) return;
     to.model = *model;
-    if (stated->Has("roughness_across"))
-        to.roughness_across =
-            fraction(number_in(*stated, "roughness_across", 0.0), "roughness_across", from.name);
-    if (to.model == Model::phong || to.model == Model::blinn_phong) {
-        to.exponent = static_cast<float>(number_in(*stated, "exponent", 32.0));
-        if (!(to.exponent >= 0.0f && to.exponent <= 1e6f))
-            document_.fail(fmt::format("{}: exponent is {}", title, to.exponent), "give one from 0 to 1e6");
-        to.specular_color = within(document_, three_in(*stated, "specular_color", vec3(0.04f)), 1.0f,
-                                   "specular_color", from.name, "give 0 to 1");
-        for (int i = 0; i < 3; ++i)
-            if (to.base_color[i] + to.specular_color[i] > 1.0f)
-                return warnings_.add(
-                    fmt::format("{}: its base colour and specular_color add up to more than 1", title),
-                    "it reflects more light than arrives");
-    }
-    if (to.model == Model::conductor) to.conductor = ior_in(document_, *stated, title);
-    if (to.model == Model::merl && !warnings_.attempt("it has glTF's own BRDF", [&] {
-            to.measured =
-                measured_.number(stated->Has("file") ? stated->Get("file").Get<std::string>() : "", title);
-        }))
-        to.model = Model::metallic_roughness;
+    for (const scene::BrdfParameter& parameter : scene::brdf_parameters)
+        if (parameter.is_of(*model) && !parameter.is_alternative)
+            std::visit(ParameterReader{document, stated, title, measured, warnings, to, parameter},
+                       parameter.member);
+    if (*model != Model::phong && *model != Model::blinn_phong) return;
+    const vec3 sum = vec3(to.base_color) + to.specular_color;
+    if (sum.x > 1.0f || sum.y > 1.0f || sum.z > 1.0f)
+        warnings.add(fmt::format("{}: its base colour and specular_color add up to more than 1", title),
+                     "it reflects more light than arrives");
+}
+
+vec3 three_in(const Value& object, const std::string& key, vec3 fallback) {
+    if (!object.Has(key)) return fallback;
+    const Value& list = object.Get(key);
+    for (int i = 0; i < 3; ++i) fallback[i] = static_cast<float>(list.Get(i).GetNumberAsDouble());
+    return fallback;
+}
+
+float clamped(double value, double least, double most, std::string_view factor, const std::string& title,
+              Warnings& warnings) {
+    if (value >= least && value <= most) return static_cast<float>(value);
+    warnings.add(fmt::format("{}: {} is {}, outside {} to {}", title, factor, value, least, most),
+                 "it is clamped");
+    return static_cast<float>(std::clamp(value, least, most));
+}
+
+vec3 within(const Document& document, vec3 value, float most, std::string_view factor,
+            const std::string& title, const std::string& remedy) {
+    for (int i = 0; i < 3; ++i)
+        if (!(value[i] >= 0.0f && value[i] <= most))
+            document.fail(fmt::format("{}: {} is {} {} {}", title, factor, value.x, value.y, value.z),
+                          remedy);
+    return value;
 }
 
 } // namespace sr::gltf

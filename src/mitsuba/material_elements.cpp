@@ -1,18 +1,12 @@
 #include "mitsuba/material_elements.hpp"
 
-#include "core/error.hpp"
+#include <fmt/format.h>
+#include <variant>
 
 namespace sr::mitsuba {
 namespace {
 
 using scene::Model;
-
-/// ((ior - 1) / (ior + 1))²; 0 stands for an infinite ior (KHR_materials_ior).
-float F0_from_ior(float ior) {
-    if (ior == 0.0f) return 1.0f;
-    const float r = (ior - 1.0f) / (ior + 1.0f);
-    return r * r;
-}
 
 void write_attribute(Xml& xml, std::string_view name) {
     xml.open("texture", "mesh_attribute", name);
@@ -40,20 +34,12 @@ public:
     }
 
     void write_model() {
-        switch (m_.model) {
-        case Model::metallic_roughness: return write_metallic_roughness();
-        case Model::lambert: return write_inner("diffuse");
-        case Model::mirror: return write_inner("conductor");
-        case Model::phong:
-        case Model::blinn_phong: return write_phong();
-        case Model::conductor:
-            xml_.vector("n", m_.conductor.n);
-            xml_.vector("k", m_.conductor.k);
-            return write_widths();
-        case Model::ggx: return write_widths();
-        case Model::oren_nayar:
-        case Model::merl: return;
-        }
+        if (m_.model == Model::metallic_roughness) return write_metallic_roughness();
+        if (const auto plugin = scene::brdf_model(m_.model).mitsuba_plugin; !plugin.empty())
+            write_inner(plugin);
+        for (const scene::BrdfParameter& parameter : scene::brdf_parameters)
+            if (parameter.is_of(m_.model) && !parameter.is_alternative)
+                std::visit([&](auto member) { write(parameter, member); }, parameter.member);
     }
 
 private:
@@ -71,10 +57,24 @@ private:
         xml_.close();
     }
 
-    void write_phong() {
-        xml_.number("exponent", m_.exponent);
-        write_specular_color();
+    void write(const scene::BrdfParameter& parameter, float scene::Material::*member) {
+        if (member != &scene::Material::roughness_across) return xml_.number(parameter.key, m_.*member);
+        if (!has_direction()) return;
+        xml_.number(parameter.key, m_.*member);
+        write_direction();
     }
+
+    void write(const scene::BrdfParameter& parameter, vec3 scene::Material::*member) {
+        if (member == &scene::Material::specular_color) return write_specular_color();
+        xml_.vector(parameter.key, m_.*member);
+    }
+
+    void write(const scene::BrdfParameter&, scene::ComplexIor scene::Material::*member) {
+        xml_.vector("n", (m_.*member).n);
+        xml_.vector("k", (m_.*member).k);
+    }
+
+    void write(const scene::BrdfParameter&, int scene::Material::*) {} // materials.cpp copies its file
 
     void write_specular_color() {
         xml_.vector("specular_color", m_.specular_color);
@@ -88,15 +88,9 @@ private:
         write_slot("anisotropy_texture", m_.anisotropy_texture);
     }
 
-    void write_widths() {
-        if (!has_direction()) return;
-        xml_.number("roughness_across", m_.roughness_across);
-        write_direction();
-    }
-
     void write_metallic_roughness() {
         xml_.number("metallic", m_.metallic);
-        xml_.number("F0", F0_from_ior(m_.ior));
+        xml_.number("F0", scene::F0_from_ior(m_.ior));
         xml_.number("specular", m_.specular);
         write_slot("specular_texture", m_.specular_texture, Part::alpha);
         write_specular_color();
@@ -147,20 +141,9 @@ private:
 
 } // namespace
 
-std::string_view plugin_for(Model model) {
-    switch (model) {
-    case Model::metallic_roughness: return "steradian_metallic_roughness";
-    case Model::lambert:
-    case Model::mirror: return "steradian_framed";
-    case Model::oren_nayar: return "steradian_oren_nayar";
-    case Model::phong: return "steradian_phong";
-    case Model::blinn_phong: return "steradian_blinn_phong";
-    case Model::ggx: return "steradian_ggx";
-    case Model::conductor: return "steradian_conductor";
-    case Model::merl: return "steradian_merl";
-    }
-    require(false, "the model is one of the list");
-    return {};
+std::string plugin_for(Model model) {
+    const scene::BrdfModel& brdf = scene::brdf_model(model);
+    return fmt::format("steradian_{}", brdf.mitsuba_plugin.empty() ? brdf.name : "framed");
 }
 
 void write_parameters(Xml& xml, Textures& textures, const scene::Material& material, const scene::Mesh& mesh,

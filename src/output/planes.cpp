@@ -34,7 +34,7 @@ std::vector<float> values_of(const image::Image& image, int channel) {
 constexpr int max_surface_samples = 64;
 constexpr int max_light_samples = 1024;
 
-/// Distance along the camera's axis [m] from what views/numbers.frag says.
+/// Distance along the camera's axis [m] from what views/ids_depth.frag says.
 float axial_distance(float depth, const scene::Camera& camera) {
     const auto* o = std::get_if<scene::Orthographic>(&camera.projection);
     return o ? o->znear + depth * (o->zfar - o->znear) : depth;
@@ -49,7 +49,7 @@ public:
     bool was_stopped() const { return was_stopped_; }
 
     const image::Image& numbers() {
-        if (!numbers_) numbers_ = picture("views/numbers.frag", 1, 0);
+        if (!numbers_) numbers_ = picture("views/ids_depth.frag", 1, 0);
         return *numbers_;
     }
 

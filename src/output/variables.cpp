@@ -12,8 +12,9 @@ namespace sr::output {
 namespace {
 
 constexpr std::array variables{
-    Variable{"depth", "views/numbers.frag", "distance from the camera's plane along its axis; 0: no surface",
-             "m", "Z", Source::ids, Finish::depth, Display::none},
+    Variable{"depth", "views/ids_depth.frag",
+             "distance from the camera's plane along its axis; 0: no surface", "m", "Z", Source::ids,
+             Finish::depth, Display::none},
     Variable{"normal", "views/normal.frag", "shading normal in world space, on the viewer's side", "1",
              "X Y Z", Source::surface, Finish::rgb, Display::none},
     Variable{"albedo", "views/albedo.frag", "the base colour", "1", "R G B", Source::surface, Finish::rgb,
@@ -24,10 +25,11 @@ constexpr std::array variables{
              Finish::quotient, Display::share},
     Variable{"irradiance", "views/irradiance.frag", "E, shadows included", "lx", "R G B", Source::lights,
              Finish::rgb, Display::exposed},
-    Variable{"object", "views/numbers.frag", "index into the attribute steradian:objects; -1: no surface",
+    Variable{"object", "views/ids_depth.frag", "index into the attribute steradian:objects; -1: no surface",
              "1", "id", Source::ids, Finish::object, Display::none},
-    Variable{"material", "views/numbers.frag", "index into the attribute steradian:materials; -1: no surface",
-             "1", "id", Source::ids, Finish::material, Display::none},
+    Variable{"material", "views/ids_depth.frag",
+             "index into the attribute steradian:materials; -1: no surface", "1", "id", Source::ids,
+             Finish::material, Display::none},
     Variable{"samples", nullptr, "number of the pixel's samples", "1", "N", Source::picture, Finish::samples,
              Display::none},
     Variable{"error", nullptr, "the pixel's estimated relative error", "1", "relative", Source::picture,

@@ -110,7 +110,7 @@ std::optional<PixelBrdf> brdf_at(const GpuScene& scene, const scene::Camera& cam
         scene.draw_triangle(*seen->draw, seen->triangle);
     }
     glDisable(GL_SCISSOR_TEST);
-    return PixelBrdf{seen->draw->features.model == scene::Model::mirror, answers.read(wi.size())};
+    return PixelBrdf{scene::brdf_model(seen->draw->features.model).is_delta, answers.read(wi.size())};
 }
 
 } // namespace sr::render

@@ -156,7 +156,7 @@ void seen_pass(const RenderTarget& frame, const GpuScene& scene, ShaderLibrary& 
     for (const auto* draws : {&scene.opaque_draws(), &scene.blended_draws()})
         for (const Draw& draw : *draws) {
             cull(draw.is_double_sided);
-            shaders.mesh_program("views/seen.frag", caster_features(draw.features)).use();
+            shaders.mesh_program("views/id_buffer.frag", caster_features(draw.features)).use();
             scene.draw(draw);
         }
 }

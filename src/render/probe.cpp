@@ -86,7 +86,7 @@ std::optional<PixelTerms> probe(const GpuScene& scene, const scene::Camera& came
         if (film.w > 0.0f) t.wi = vec3(film) / film.w;
         t.cos_i = glm::dot(t.wi, terms.n);
     });
-    for_each_light("views/extent.frag", [](LightTerms& t, vec4 film) {
+    for_each_light("views/solid_angle.frag", [](LightTerms& t, vec4 film) {
         t.solid_angle = film.x;
         t.V = film.z > 0.0f ? film.y / film.z : 1.0f;
     });

@@ -1,6 +1,7 @@
 #include "render/renderer.hpp"
 
 #include "core/error.hpp"
+#include "glsl/source.hpp"
 #include "render/sampling.hpp"
 
 #include <algorithm>
@@ -10,22 +11,21 @@ namespace sr::render {
 namespace {
 
 /// The analytic estimator evaluates f_r lobe by lobe.
-/// @throws Error if a user's folder changes f_r and not its lobes.
-void require_lobes(std::span<const glsl::Root> users) {
-    const auto has = [](std::string_view name) {
-        return [name](const glsl::Root& root) { return root.text_of(name).has_value(); };
-    };
-    const auto changed = std::find_if(users.begin(), users.end(), has("brdf/f_r.glsl"));
-    if (changed == users.end() || std::any_of(users.begin(), users.end(), has("brdf/lobes.glsl"))) return;
-    throw Error({changed->place_of("brdf/f_r.glsl")}, "the analytic estimator reads brdf/lobes.glsl instead",
-                "overlay that file too, or use --estimator sampled");
+/// @throws Error if a user's folder changes f_r without its lobes.
+void require_lobes(std::span<const glsl::Root> path) {
+    for (const glsl::Root& root : path.first(path.size() - 1)) {
+        if (!root.text_of("brdf/f_r.glsl")) continue;
+        if (glsl::declares(glsl::expand(path, "brdf/f_r.glsl").text, "lobes")) return;
+        throw Error({root.place_of("brdf/f_r.glsl")}, "declares no lobes, which the analytic estimator reads",
+                    "declare those of shaders/brdf/brdf.glsl, or use --estimator sampled");
+    }
 }
 
 /// Returns the files with which the analytic estimator overlays shaders/integrator/ and its constants; absent
 /// for the sampled one.
 std::optional<glsl::Root> estimator(const RenderOptions& options) {
     if (options.estimator == Estimator::sampled) return std::nullopt;
-    require_lobes(std::span(options.shader_path).first(options.shader_path.size() - 1));
+    require_lobes(options.shader_path);
     const std::string limits = fmt::format("const int analytic_points = {};\n"
                                            "const int most_outlined_triangles = {};\n",
                                            options.analytic_points, most_outlined_triangles);
@@ -200,7 +200,7 @@ View Renderer::begin_frame() {
 
 VisibilityTerm Renderer::opaque_visibility() const {
     if (!scene_.visibility_backend() || !options_.has_shadows) return VisibilityTerm::none;
-    return shadow_rays_ ? VisibilityTerm::answered : blended_visibility();
+    return shadow_rays_ ? VisibilityTerm::resolve : blended_visibility();
 }
 
 VisibilityTerm Renderer::blended_visibility() const {
@@ -220,7 +220,7 @@ void Renderer::shade_opaque(const PixelRect& window) {
     for (const RowRange& band : bands) {
         glScissor(window.column, band.first, window.width, band.count);
         shadow_rays_->find(band, first_light_, end_light_, frame_data_, *shaders_);
-        forward_pass(frame_, scene_, *shaders_, options_.shader, VisibilityTerm::answered);
+        forward_pass(frame_, scene_, *shaders_, options_.shader, VisibilityTerm::resolve);
     }
     glDisable(GL_SCISSOR_TEST);
 }

@@ -1,31 +1,26 @@
 #include "scene/material.hpp"
 
 #include <algorithm>
-#include <utility>
 
 namespace sr::scene {
-namespace {
-
-constexpr std::array<std::pair<std::string_view, Model>, 9> model_names{
-    {{"metallic_roughness", Model::metallic_roughness},
-     {"lambert", Model::lambert},
-     {"oren_nayar", Model::oren_nayar},
-     {"mirror", Model::mirror},
-     {"phong", Model::phong},
-     {"blinn_phong", Model::blinn_phong},
-     {"ggx", Model::ggx},
-     {"conductor", Model::conductor},
-     {"merl", Model::merl}}};
-
-} // namespace
-
-std::string_view name_of(Model model) {
-    return std::ranges::find(model_names, model, &decltype(model_names)::value_type::second)->first;
-}
 
 std::optional<Model> model_named(std::string_view name) {
-    const auto found = std::ranges::find(model_names, name, &decltype(model_names)::value_type::first);
-    return found == model_names.end() ? std::nullopt : std::optional(found->second);
+    const auto found = std::ranges::find(brdf_models, name, &BrdfModel::name);
+    if (found == brdf_models.end()) return std::nullopt;
+    return static_cast<Model>(found - brdf_models.begin());
+}
+
+std::string models_with(const BrdfParameter& parameter, std::string_view between) {
+    const auto [first, second] = parameter.models;
+    std::string text(name_of(first));
+    if (second != first) text.append(between).append(name_of(second));
+    return text;
+}
+
+float F0_from_ior(float ior) {
+    if (ior == 0.0f) return 1.0f;
+    const float r = (ior - 1.0f) / (ior + 1.0f);
+    return r * r;
 }
 
 vec3 attenuation_coefficient(const Material& m) {

@@ -1,5 +1,6 @@
 #pragma once
-// The material of a surface, and the images that it reads. Plain data, linear unless stated otherwise.
+// The material of a surface, the images that it reads, and the tables of its BRDF models and its textures.
+// Plain data, linear unless stated otherwise.
 #include "core/math.hpp"
 
 #include <array>
@@ -64,7 +65,7 @@ struct TextureSlot {
 
 enum class AlphaMode { opaque, mask, blend };
 
-/// The BRDF of a surface: glTF's own, or one that extras.steradian names (shaders/brdf/models/).
+/// The BRDF of a surface: glTF's own, or one that extras.steradian names. Each is a row of brdf_models.
 enum class Model {
     metallic_roughness,
     lambert,
@@ -76,10 +77,6 @@ enum class Model {
     conductor,
     merl
 };
-
-/// "oren_nayar", as extras.steradian and shaders/brdf/models/ have it.
-std::string_view name_of(Model model);
-std::optional<Model> model_named(std::string_view name);
 
 /// A conductor's index of refraction n + ik for red, green and blue. Source: conductor.hpp.
 struct ComplexIor {
@@ -147,8 +144,8 @@ struct Material {
     Model model = Model::metallic_roughness;
     float roughness_across = -1.0f; // ggx, conductor: across the tangent; negative: `roughness`
     float exponent = 32.0f;         // phong, blinn_phong
-    ComplexIor conductor;
-    int measured = -1; // merl: index into Scene::measured
+    ComplexIor conductor;           // conductor
+    int measured = -1;              // merl: index into Scene::measured
 
     /// KHR_materials_pbrSpecularGlossiness: the base colour is the diffuse one, `specular_color` is F0 with
     /// the glossiness (1 - roughness) in its texture's alpha, and F0 takes its largest channel from the
@@ -182,8 +179,96 @@ struct Material {
     bool is_emissive() const { return emission.x > 0.0f || emission.y > 0.0f || emission.z > 0.0f; }
 };
 
+/// The reflectance of a dielectric at normal incidence, ((ior - 1) / (ior + 1))²; 0 stands for an infinite
+/// ior (KHR_materials_ior).
+float F0_from_ior(float ior);
+
 /// σ of KHR_materials_volume [1/m]: what is left of light after d metres is exp(-σ d).
 vec3 attenuation_coefficient(const Material& material);
+
+/// A BRDF, and what the renderer may do with it. Its shader is shaders/brdf/models/NAME.glsl.
+struct BrdfModel {
+    std::string_view name;        // as extras.steradian has it
+    bool is_analytic = false;     // the analytic estimator integrates it, if it is isotropic and not layered
+    bool has_microfacets = false; // GGX, which loses energy and can be compensated for it
+    bool is_delta = false;        // f_r has no values
+    /// The plugin of Mitsuba's own that evaluates it within our `steradian_framed`; empty: our
+    /// `steradian_NAME` does.
+    std::string_view mitsuba_plugin{};
+};
+
+/// All of them, in the order of Model.
+inline constexpr std::array brdf_models{
+    BrdfModel{.name = "metallic_roughness", .is_analytic = true, .has_microfacets = true},
+    BrdfModel{.name = "lambert", .is_analytic = true, .mitsuba_plugin = "diffuse"},
+    BrdfModel{.name = "oren_nayar", .is_analytic = true},
+    BrdfModel{.name = "mirror", .is_delta = true, .mitsuba_plugin = "conductor"},
+    BrdfModel{.name = "phong"},
+    BrdfModel{.name = "blinn_phong"},
+    BrdfModel{.name = "ggx", .is_analytic = true, .has_microfacets = true},
+    BrdfModel{.name = "conductor", .is_analytic = true, .has_microfacets = true},
+    BrdfModel{.name = "merl"}};
+
+/// A parameter that some BRDFs have beside glTF's base colour and roughness. It is a property of
+/// extras.steradian, and an option of `steradian brdf`.
+struct BrdfParameter {
+    std::string_view key;
+    std::string_view meaning;    // with its unit
+    std::array<Model, 2> models; // that have it; one is named twice
+    std::variant<float Material::*, vec3 Material::*, ComplexIor Material::*, int Material::*> member;
+    float min = 0.0f;
+    float max = 1.0f;
+    std::optional<float> fallback{}; // of files that do not state it
+    bool is_alternative = false;     // another way to state the parameter before it
+
+    constexpr bool is_of(Model model) const { return models[0] == model || models[1] == model; }
+};
+
+/// All of them. Those of one model are its `model_parameters` in GLSL, in this order (render/gpu/blocks.hpp).
+inline constexpr std::array brdf_parameters{
+    BrdfParameter{.key = "roughness_across",
+                  .meaning = "the roughness across the tangent, where glTF's is the one along it",
+                  .models = {Model::ggx, Model::conductor},
+                  .member = &Material::roughness_across},
+    BrdfParameter{.key = "exponent",
+                  .meaning = "the power of the cosine that their lobe is",
+                  .models = {Model::phong, Model::blinn_phong},
+                  .member = &Material::exponent,
+                  .max = 1e6f,
+                  .fallback = 32.0f},
+    BrdfParameter{.key = "specular_color",
+                  .meaning =
+                      "what their lobe reflects at normal incidence; with the base colour no more than 1",
+                  .models = {Model::phong, Model::blinn_phong},
+                  .member = &Material::specular_color,
+                  .fallback = 0.04f},
+    BrdfParameter{.key = "metal",
+                  .meaning = "one whose index of refraction is known",
+                  .models = {Model::conductor, Model::conductor},
+                  .member = &Material::conductor},
+    BrdfParameter{.key = "complex_ior",
+                  .meaning = "n + ik for red, green and blue",
+                  .models = {Model::conductor, Model::conductor},
+                  .member = &Material::conductor,
+                  .is_alternative = true},
+    BrdfParameter{.key = "ior_spectrum",
+                  .meaning = "triples [wavelength in nm, n, k], ascending, linear between",
+                  .models = {Model::conductor, Model::conductor},
+                  .member = &Material::conductor,
+                  .is_alternative = true},
+    BrdfParameter{.key = "file",
+                  .meaning = "a measured BRDF in the MERL database's binary format, beside the glTF",
+                  .models = {Model::merl, Model::merl},
+                  .member = &Material::measured}};
+
+static_assert(brdf_models.size() == static_cast<std::size_t>(Model::merl) + 1);
+
+constexpr const BrdfModel& brdf_model(Model model) { return brdf_models[static_cast<std::size_t>(model)]; }
+constexpr std::string_view name_of(Model model) { return brdf_model(model).name; }
+std::optional<Model> model_named(std::string_view name);
+
+/// Names the models that have the parameter, between commas or `between`: "ggx, conductor".
+std::string models_with(const BrdfParameter& parameter, std::string_view between = ", ");
 
 /// A texture that a material can have.
 struct TextureInput {

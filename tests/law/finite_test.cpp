@@ -46,7 +46,7 @@ constexpr std::array other_ways{
     Way{"ray_glsl", render::Estimator::sampled, render::Visibility::ray_in_glsl},
     Way{"none", render::Estimator::sampled, render::Visibility::none},
     Way{"arrival", render::Estimator::sampled, render::Visibility::ray, "views/arrival.frag"},
-    Way{"extent", render::Estimator::sampled, render::Visibility::none, "views/extent.frag"},
+    Way{"extent", render::Estimator::sampled, render::Visibility::none, "views/solid_angle.frag"},
     Way{"cosine", render::Estimator::sampled, render::Visibility::ray, "views/cosine.frag"},
     Way{"normal", render::Estimator::sampled, render::Visibility::none, "views/normal.frag"},
 };

@@ -197,7 +197,7 @@ const Test aovs("law.line.is_in_every_picture_of_its_terms", [] {
         auto scene = lambert_plane(0.1f);
         add(scene, is_point ? point({0, 0.5f, 0}) : line({-0.5f, 0.5f, 0}, {0.5f, 0.5f, 0}),
             lambert({0.5f, 0.25f, 1.0f}));
-        const vec4 numbers = middle_by(scene, "views/numbers.frag");
+        const vec4 numbers = middle_by(scene, "views/ids_depth.frag");
         EXPECT_EQ(vec2(numbers), vec2(1, 1)) << "object and material";
         EXPECT_NEAR(middle_by(scene, "views/position.frag").y, 0.5f, 1e-6f);
         EXPECT_EQ(vec3(middle_by(scene, "views/albedo.frag")), vec3(0.5f, 0.25f, 1.0f));

@@ -8,7 +8,7 @@ std::vector<vec4> evaluate(const std::string& preamble, const std::string& body,
                            const render::GpuScene* scene, const glsl::Files& overlay) {
     context();
     const std::string fragment = "#version 410 core\n" + preamble
-                                 + "\n#include \"trial/table.glsl\"\n"
+                                 + "\n#include \"brdf_eval/table.glsl\"\n"
                                    "vec4 f(vec4 a, vec4 b, vec4 c) {\n"
                                  + body
                                  + "\n}\nvoid main() {\n"

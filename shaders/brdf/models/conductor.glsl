@@ -2,7 +2,11 @@
 #include "brdf/conductor.glsl"
 #include "brdf/models/microfacet_model.glsl"
 
-vec3 F_metal_of(Surface x, float cos_h) { return x.base_color * F_conductor(x.ior, x.extinction, cos_h); }
+float roughness_across() { return model_parameters[0].x; }
+vec3 ior() { return model_parameters[1].rgb; }        // n by channel
+vec3 extinction() { return model_parameters[2].rgb; } // k by channel
+
+vec3 F_metal_of(Surface x, float cos_h) { return x.base_color * F_conductor(ior(), extinction(), cos_h); }
 
 // 2 ∫ F cosθ dcosθ by three points of Gauss and Legendre.
 vec3 F_mean_of(Surface x) {

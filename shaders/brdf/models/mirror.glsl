@@ -5,7 +5,9 @@
 // so L_r = ρ L_i(m), which integrator/mirrored.glsl evaluates. A direction of density 1/0 stands for none: there is no sampling.
 #include "brdf/models/no_lobes.glsl"
 
-vec3 f_model(Surface x, vec3 wi, vec3 wo) { return vec3(0.0); }
-bool model_has_peak(Surface x) { return false; }
-vec3 sample_model(Surface x, vec3 wo, vec2 u) { return reflect(-wo, x.n); }
-float p_model(Surface x, vec3 wi, vec3 wo) { return 0.0; }
+vec3 f_r(Surface x, vec3 wi, vec3 wo) { return vec3(0.0); }
+
+bool has_peak(Surface x) { return false; }
+vec3 sample_f_r(Surface x, vec3 wo, vec2 u) { return reflect(-wo, x.n); }
+float pdf_f_r(Surface x, vec3 wi, vec3 wo) { return 0.0; }
+float peak_alpha(Surface x) { return smallest_alpha; }

@@ -1,6 +1,6 @@
-# What every exported folder gets.
-set(plugin_names README.md render.py)
-foreach(module __init__ framed measured metallic_roughness metals microfacets oren_nayar parameters phong punctual reflector
-        sheen thin_film)
-  list(APPEND plugin_names steradian_mitsuba/${module}.py)
-endforeach()
+# What every exported folder gets. A new or removed plugin makes CMake run again.
+if(NOT CMAKE_SCRIPT_MODE_FILE)
+  set(watched CONFIGURE_DEPENDS)
+endif()
+set(here ${CMAKE_CURRENT_LIST_DIR})
+file(GLOB plugin_names RELATIVE ${here} ${watched} ${here}/README.md ${here}/render.py ${here}/steradian_mitsuba/*.py)

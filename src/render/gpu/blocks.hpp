@@ -1,11 +1,15 @@
 #pragma once
 // The C++ twins of the uniform blocks in shaders/interface/ (std140; a test compares the layouts with the
-// linker's).
+// linker's), and the texture units.
 #include "core/math.hpp"
+#include "gl/program.hpp"
 #include "scene/material.hpp"
+#include "scene/measured_brdf.hpp"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 
 namespace sr::render {
 
@@ -46,14 +50,18 @@ struct RaysBlock {
 using scene::slot_count;
 inline constexpr unsigned light_table_unit = slot_count;
 inline constexpr unsigned emission_texels_unit = slot_count + 1;
-inline constexpr unsigned answers_unit = slot_count + 2;
+inline constexpr unsigned ray_visibility_unit = slot_count + 2;
 inline constexpr unsigned ltc_table_unit = slot_count + 3;
 inline constexpr unsigned last_rays_unit = slot_count + 4;
-inline constexpr unsigned map_triangles_unit = answers_unit; // depth maps answer where no rays do
+inline constexpr unsigned map_triangles_unit = ray_visibility_unit; // depth maps take the place of rays
 inline constexpr unsigned map_points_unit = last_rays_unit;
 inline constexpr unsigned first_caster_unit = slot_count + 5; // five of them, see gpu_casters.hpp
 inline constexpr unsigned measured_unit = slot_count + 10;
 inline constexpr unsigned environment_texels_unit = slot_count + 11;
+
+/// A number takes a vec4, and so does a colour; an index of refraction takes two, a measured BRDF one (its
+/// alpha).
+inline constexpr std::size_t max_model_parameters = 4;
 
 struct MaterialBlock {
     vec4 base_color_factor;
@@ -63,11 +71,10 @@ struct MaterialBlock {
     vec4 clearcoat_factor;
     vec4 sheen_factor;
     vec4 iridescence_factor;
-    vec4 ior_factor;
-    vec4 extinction_factor;
     vec4 transmission_factor;
     vec4 attenuation_factor;
-    vec4 diffuse_transmission_color_factor;
+    vec4 diffuse_transmission_factor;
+    std::array<vec4, max_model_parameters> model_parameters;
     float metallic_factor;
     float roughness_factor;
     float normal_scale;
@@ -77,5 +84,12 @@ struct MaterialBlock {
     std::array<vec4, slot_count> uv_row_u;
     std::array<vec4, slot_count> uv_row_v;
 };
+
+/// `measured`: the measured BRDFs of the scene, which Material::measured counts.
+MaterialBlock packed_material(const scene::Material& material, std::span<const scene::MeasuredBrdf> measured);
+
+/// Connects the blocks and samplers of shaders/interface/ and of the terms with their binding points and
+/// units.
+void connect(const gl::Program& program);
 
 } // namespace sr::render

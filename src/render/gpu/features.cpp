@@ -55,17 +55,11 @@ constexpr std::array other_flags{Flag{"has_vertex_colors", &Features::has_vertex
                                  Flag{"is_line", &Features::is_line},
                                  Flag{"is_point", &Features::is_point}};
 
-/// True if the model has GGX microfacets, which lose energy.
-bool takes_compensation(scene::Model model) {
-    return model == scene::Model::metallic_roughness || model == scene::Model::ggx
-           || model == scene::Model::conductor;
-}
-
 /// Sets the features that the layers of glTF's own model need for this mesh.
 void ask_for_layers(Features& f, const scene::Material& m, bool has_tangents) {
     f.has_anisotropy = m.is_anisotropic() && has_tangents;
     f.has_clearcoat = m.clearcoat > 0.0f;
-    f.has_energy_compensation &= takes_compensation(m.model);
+    f.has_energy_compensation &= scene::brdf_model(m.model).has_microfacets;
     f.has_sheen = m.has_sheen();
     f.has_iridescence = m.iridescence > 0.0f;
 }
@@ -124,29 +118,15 @@ std::string Features::glsl() const {
         text += fmt::format("const bool has_{}_texture = {};\n", scene::texture_inputs[slot].name,
                             has_texture[slot]);
     append(other_flags);
-    text += fmt::format("const bool is_mirror = {};\n", model == scene::Model::mirror);
+    text += fmt::format("const bool is_mirror = {};\n", scene::brdf_model(model).is_delta);
     text += fmt::format("const bool is_lambert = {};\n", model == scene::Model::lambert);
     return text + fmt::format("const int rays_per_light = {};\n", rays_per_light);
 }
 
-std::string Features::model_glsl() const {
-    return fmt::format("#include \"brdf/models/{}.glsl\"\n", scene::name_of(model));
-}
-
 bool Features::is_analytic() const {
-    switch (model) {
-    case scene::Model::metallic_roughness:
-    case scene::Model::ggx:
-    case scene::Model::conductor:
-        return !has_anisotropy && !has_clearcoat && !has_sheen && !has_diffuse_transmission;
-    case scene::Model::lambert:
-    case scene::Model::oren_nayar: return true;
-    case scene::Model::mirror:
-    case scene::Model::phong:
-    case scene::Model::blinn_phong:
-    case scene::Model::merl: return false;
-    }
-    return false;
+    const bool is_layered = has_anisotropy || has_clearcoat || has_sheen || has_diffuse_transmission;
+    const scene::BrdfModel& brdf = scene::brdf_model(model);
+    return brdf.is_analytic && !(brdf.has_microfacets && is_layered);
 }
 
 int Features::material_texture_count() const {

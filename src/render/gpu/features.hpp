@@ -63,9 +63,6 @@ struct Features {
     /// The text that stands for interface/features.glsl.
     std::string glsl() const;
 
-    /// The text that stands for brdf/model.glsl: the one BRDF that the material has.
-    std::string model_glsl() const;
-
     /// True if a texture can make parts of glass opaque. These hide what is behind like other surfaces.
     bool may_have_opaque_part() const {
         return is_transmissive && !is_blended

@@ -5,7 +5,6 @@
 #include "gl/context.hpp"
 #include "render/gpu/gpu_texture.hpp"
 #include "render/gpu/light_table.hpp"
-#include "scene/alpha.hpp"
 #include "scene/transform.hpp"
 
 #include <algorithm>
@@ -46,38 +45,6 @@ ObjectBlock packed_object(const scene::Instance& instance, std::size_t first_tri
             static_cast<std::int32_t>(first_triangle),
             static_cast<std::int32_t>(object),
             material};
-}
-
-MaterialBlock packed_material(const scene::Material& m, const scene::Scene& scene) {
-    MaterialBlock block{};
-    block.base_color_factor = m.base_color;
-    block.emission_factor = vec4(m.emission, 0.0f);
-    block.specular_color_factor = vec4(m.specular_color, m.specular);
-    block.anisotropy_factor = vec4(m.anisotropy, std::cos(m.anisotropy_rotation),
-                                   std::sin(m.anisotropy_rotation), m.roughness_across);
-    block.clearcoat_factor = vec4(m.clearcoat, m.clearcoat_roughness, m.clearcoat_normal_scale, 0.0f);
-    block.sheen_factor = vec4(m.sheen_color, m.sheen_roughness);
-    block.iridescence_factor =
-        vec4(m.iridescence, m.film_ior, m.least_film_thickness, m.largest_film_thickness);
-    block.ior_factor = vec4(m.conductor.n, m.exponent);
-    block.extinction_factor = vec4(m.conductor.k, m.measured < 0 ? 1.0f : scene.measured[m.measured].alpha);
-    block.transmission_factor = vec4(m.transmission, m.thickness, 0.0f, m.diffuse_transmission);
-    block.attenuation_factor = vec4(scene::attenuation_coefficient(m), 0.0f);
-    block.diffuse_transmission_color_factor = vec4(m.diffuse_transmission_color, 0.0f);
-    block.metallic_factor = m.metallic;
-    block.roughness_factor = m.roughness;
-    block.normal_scale = m.normal_scale;
-    block.alpha_cutoff = scene::least_opaque_alpha(m);
-    const float r = (m.ior - 1.0f) / (m.ior + 1.0f);
-    block.F0_from_ior = m.ior == 0.0f ? 1.0f : r * r; // KHR_materials_ior: 0 stands for infinity
-    for (std::size_t s = 0; s < slot_count; ++s) {
-        const scene::TextureSlot& texture = m.*scene::texture_inputs[s].member;
-        const mat3 rows = glm::transpose(texture.uv_transform);
-        const auto set = static_cast<float>(texture.texcoord);
-        block.uv_row_u[s] = vec4(rows[0], set);
-        block.uv_row_v[s] = vec4(rows[1], set);
-    }
-    return block;
 }
 
 /// An image as textures use it: the same picture may be colours to one and data to another.
@@ -206,7 +173,7 @@ void GpuScene::upload_materials(const scene::Scene& scene) {
     textures_of_material_.clear();
     measured_of_material_.clear();
     for (const scene::Material& material : scene.materials) {
-        blocks.push_back(packed_material(material, scene));
+        blocks.push_back(packed_material(material, scene.measured));
         measured_of_material_.push_back(material.measured);
         std::array<int, slot_count> textures{};
         std::ranges::transform(

@@ -26,11 +26,7 @@ ShaderEvaluator::ShaderEvaluator(std::span<const glsl::Root> path, const std::st
                                  gl::TrialCompiler* trial)
     : program_(compiled(path, fragment, trial)) {
     program_.bind_texture("rows", rows_unit);
-    program_.bind_texture("light_table", light_table_unit);
-    program_.bind_texture("emission_texels", emission_texels_unit);
-    program_.bind_texture("environment_texels", environment_texels_unit);
-    program_.bind_texture("ltc_table", ltc_table_unit);
-    program_.bind_texture("measured_brdf", measured_unit);
+    connect(program_);
 }
 
 std::vector<vec4> ShaderEvaluator::evaluate(std::span<const Row> rows) const {

@@ -18,7 +18,7 @@ using Row = std::array<vec4, 3>;
 
 /// A fragment shader that is evaluated once per row. It reads `uniform samplerBuffer rows`; the texels of a
 /// pixel start at 3 (256 gl_FragCoord.y + gl_FragCoord.x). It draws the rows below `uniform int row_count`
-/// and writes one vec4 each (shaders/trial/table.glsl does all that).
+/// and writes one vec4 each (shaders/brdf_eval/table.glsl does all that).
 class ShaderEvaluator {
 public:
     /// Compiles `fragment` of the shader path with fullscreen.vert. Needs a current context.

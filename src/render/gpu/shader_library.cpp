@@ -1,22 +1,28 @@
 #include "render/gpu/shader_library.hpp"
 
+#include "glsl/source.hpp"
 #include "render/gpu/blocks.hpp"
-#include "render/visibility/gpu_casters.hpp"
 
+#include <algorithm>
 #include <array>
 #include <fmt/format.h>
 
 namespace sr::render {
 namespace {
 
-/// Sampler names by texture unit, the order of scene::Slot.
-/// What stands for a file as long as the user's own roots do not have it.
-glsl::Root specialised(const Features& features, VisibilityTerm visibility) {
-    constexpr std::array files{"none", "ray", "record", "answered", "map"};
+/// The functions that a file of brdf/models/ declares (shaders/brdf/brdf.glsl).
+constexpr std::array<std::string_view, 9> brdf_functions{
+    "f_r",   "has_peak",         "sample_f_r",        "pdf_f_r",        "peak_alpha",
+    "lobes", "has_diffuse_lobe", "has_specular_lobe", "specular_albedo"};
+
+/// The files that are specialised, behind the user's own roots.
+glsl::Root specialised(const Features& features, VisibilityTerm visibility,
+                       std::span<const glsl::Root> path) {
+    constexpr std::array files{"none", "ray", "record", "resolve", "map"};
     const char* file = files[static_cast<std::size_t>(visibility)];
-    glsl::Files texts{{"interface/features.glsl", features.glsl()},
-                      {"brdf/model.glsl", features.model_glsl()},
-                      {"visibility/visibility.glsl", fmt::format("#include \"visibility/{}.glsl\"\n", file)}};
+    glsl::Files texts = brdf_files(features.model, path);
+    texts["interface/features.glsl"] = features.glsl();
+    texts["visibility/visibility.glsl"] = fmt::format("#include \"visibility/{}.glsl\"\n", file);
     if (visibility == VisibilityTerm::map) {
         texts["integrator/shadowed.glsl"] = "#include \"integrator/shadowed_by_maps.glsl\"\n";
         texts["integrator/point_on_light.glsl"] = "#include \"integrator/map_point_on_light.glsl\"\n";
@@ -24,28 +30,23 @@ glsl::Root specialised(const Features& features, VisibilityTerm visibility) {
     return glsl::Root::memory("specialised", std::move(texts));
 }
 
-void connect(const gl::Program& program) {
-    program.bind_block("Frame", frame_block);
-    program.bind_block("Object", object_block);
-    program.bind_block("Material", material_block);
-    program.bind_block("Rays", rays_block);
-    for (unsigned unit = 0; unit < slot_count; ++unit)
-        program.bind_texture(fmt::format("{}_texture", scene::texture_inputs[unit].name).c_str(),
-                             static_cast<GLint>(unit));
-    program.bind_texture("light_table", light_table_unit);
-    program.bind_texture("emission_texels", emission_texels_unit);
-    program.bind_texture("environment_texels", environment_texels_unit);
-    program.bind_texture("ltc_table", ltc_table_unit);
-    program.bind_texture("measured_brdf", measured_unit);
-    program.bind_texture("answers", answers_unit);
-    program.bind_texture("last_rays", last_rays_unit);
-    program.bind_texture("map_triangles", map_triangles_unit);
-    program.bind_texture("map_points", map_points_unit);
-    for (unsigned i = 0; i < caster_sampler_names.size(); ++i)
-        program.bind_texture(caster_sampler_names[i], static_cast<GLint>(first_caster_unit + i));
-}
-
 } // namespace
+
+glsl::Files brdf_files(scene::Model model, std::span<const glsl::Root> path) {
+    const std::string include = fmt::format("#include \"brdf/models/{}.glsl\"\n", scene::name_of(model));
+    glsl::Files files{{"brdf/f_r.glsl", include}};
+    const auto has_own = [](const glsl::Root& root) { return root.text_of("brdf/f_r.glsl").has_value(); };
+    if (std::ranges::none_of(path.first(path.size() - 1), has_own)) return files;
+    const std::string own = glsl::expand(path, "brdf/f_r.glsl").text;
+    std::string before = "#include \"brdf/f_r.glsl\"\n", after;
+    for (const std::string_view name : brdf_functions) {
+        if (name != "f_r" && !glsl::declares(own, name)) continue;
+        before += fmt::format("#define {0} model_{0}\n", name);
+        after += fmt::format("#undef {}\n", name);
+    }
+    files["brdf/brdf.glsl"] = before + include + after;
+    return files;
+}
 
 gl::Program ShaderLibrary::compiled(const std::string& vertex, const std::string& fragment,
                                     std::span<const glsl::Root> path) const {
@@ -64,7 +65,7 @@ const gl::Program& ShaderLibrary::mesh_program(const std::string& fragment, cons
     // Behind the user's own roots: a folder that brings its own features.glsl means it.
     std::vector<glsl::Root> path{shader_path_.begin(), shader_path_.end() - 1};
     if (estimator_ && features.is_analytic()) path.push_back(*estimator_);
-    path.push_back(specialised(features, visibility));
+    path.push_back(specialised(features, visibility, shader_path_));
     path.push_back(shader_path_.back());
     return mesh_programs_.emplace(key, compiled("mesh.vert", fragment, path)).first->second;
 }

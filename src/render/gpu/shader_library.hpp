@@ -16,7 +16,13 @@
 namespace sr::render {
 
 /// The file that is compiled as shaders/visibility/visibility.glsl.
-enum class VisibilityTerm { none, ray, record, answered, map };
+enum class VisibilityTerm { none, ray, record, resolve, map };
+
+/// The files that put a BRDF in the place of brdf/f_r.glsl, behind the user's own roots, which are all of
+/// `path` but the last. Where one of those has that file, brdf/brdf.glsl adds from the model what it does not
+/// declare.
+/// @throws Error if the user's file cannot be expanded
+glsl::Files brdf_files(scene::Model model, std::span<const glsl::Root> path);
 
 class ShaderLibrary {
 public:

@@ -177,7 +177,7 @@ std::size_t CpuShadowRays::answer_row(std::size_t first, std::size_t end) {
 void CpuShadowRays::upload_answers() {
     BufferTexture& answers = channels() == 1 ? answers_ : tinted_answers_;
     answers.upload(values_, "choose a smaller --size");
-    answers.bind(answers_unit);
+    answers.bind(ray_visibility_unit);
 }
 
 std::size_t CpuShadowRays::channels() const {

@@ -25,7 +25,7 @@ public:
     std::vector<RowRange> bands(RowRange rows, int light_count) const;
 
     /// Finds V for every ray of the band to the lights [first, end), and leaves it where
-    /// visibility/answered.glsl reads it. Leaves frame_data at these lights.
+    /// visibility/resolve.glsl reads it. Leaves frame_data at these lights.
     void find(RowRange band, int first_light, int end_light, FrameData& frame_data, ShaderLibrary& shaders);
 
     std::size_t ray_count() const { return ray_count_; } // answered so far

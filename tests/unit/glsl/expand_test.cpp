@@ -46,6 +46,13 @@ const Test line_table("unit.glsl.expand.line_table", [] {
     EXPECT_FALSE(contains(source.text, "\r"));
 });
 
+const Test declarations("unit.glsl.expand.declares", [] {
+    EXPECT_TRUE(declares("vec3 f_r(Surface x)\n{ return vec3(1.0); }", "f_r"));
+    EXPECT_FALSE(declares("vec3 f_r(Surface x);\nvoid main() {}", "f_r")) << "a prototype";
+    EXPECT_FALSE(declares("vec3 y = 2.0 * f_r(x); if (is_lit) {}", "f_r")) << "a call";
+    EXPECT_FALSE(declares("float pdf_f_r(Surface x) { return 0.0; }", "f_r")) << "another name";
+});
+
 const Test once("unit.glsl.expand.once", [] {
     const Source source =
         expanded({{"main.frag", "#include \"a.glsl\"\n#include \"b.glsl\"\n#include \"a.glsl\"\n"},

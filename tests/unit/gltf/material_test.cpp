@@ -1,6 +1,9 @@
 #include "loading.hpp"
 
 #include <cmath>
+#include <fmt/format.h>
+#include <fstream>
+#include <variant>
 
 using namespace sr;
 using namespace sr::testing;
@@ -409,6 +412,38 @@ const Test brdfs("unit.gltf.material.brdfs_of_extras", [] {
               "metal, complex_ior and "
               "ior_spectrum");
     EXPECT_NE(error_with(R"({"brdf": "plastic"})").find("brdf"), std::string::npos);
+});
+
+/// The schema's entry of a parameter; for values with a form of their own, its description alone.
+json schema_entry(const scene::BrdfParameter& parameter) {
+    const auto exact = [](float value) { return json::parse(fmt::format("{}", value)); };
+    json entry{{"description",
+                fmt::format("Of {}: {}.", scene::models_with(parameter, " and "), parameter.meaning)}};
+    json number{{"type", "number"}, {"minimum", exact(parameter.min)}, {"maximum", exact(parameter.max)}};
+    if (std::holds_alternative<float scene::Material::*>(parameter.member)) {
+        entry.update(number);
+        if (parameter.fallback) entry["default"] = exact(*parameter.fallback);
+    } else if (std::holds_alternative<vec3 scene::Material::*>(parameter.member)) {
+        entry.update({{"type", "array"}, {"minItems", 3}, {"maxItems", 3}, {"items", number}});
+        if (parameter.fallback) entry["default"] = json::array_t(3, exact(*parameter.fallback));
+    }
+    return entry;
+}
+
+// The schema says of each parameter of a BRDF what the table says.
+const Test published("unit.gltf.material.the_schema_has_the_brdf_parameters", [] {
+    std::ifstream stream(assets_folder() / "extras.schema.json");
+    const json properties = json::parse(stream).at("$defs").at("material").at("properties");
+    json names = properties.at("brdf").at("enum");
+    names.insert(names.begin(), "metallic_roughness");
+    ASSERT_EQ(names.size(), scene::brdf_models.size());
+    for (std::size_t i = 0; i < names.size(); ++i) EXPECT_EQ(names[i], scene::brdf_models[i].name);
+    for (const scene::BrdfParameter& parameter : scene::brdf_parameters) {
+        json stated = properties.value(std::string(parameter.key), json::object());
+        if (parameter.member.index() > 1) stated = {{"description", stated.value("description", "")}};
+        const json expected = schema_entry(parameter);
+        EXPECT_EQ(stated, expected) << parameter.key << ": write " << expected.dump();
+    }
 });
 
 const Test lost_measurement("unit.gltf.material.without_its_file_a_measured_brdf_is_that_of_gltf", [] {

@@ -58,7 +58,7 @@ const Test layout("unit.render.blocks.match_the_shaders", [] {
     EXPECT_EQ(offset_of(program, "world_from_normal"), offsetof(ObjectBlock, world_from_normal));
     EXPECT_EQ(offset_of(program, "handedness"), offsetof(ObjectBlock, handedness));
     EXPECT_EQ(offset_of(program, "first_triangle"), offsetof(ObjectBlock, first_triangle));
-    const gl::Program& numbers = shaders.mesh_program("views/numbers.frag", everything());
+    const gl::Program& numbers = shaders.mesh_program("views/ids_depth.frag", everything());
     EXPECT_EQ(offset_of(numbers, "object"), offsetof(ObjectBlock, object));
     EXPECT_EQ(offset_of(numbers, "material"), offsetof(ObjectBlock, material));
     EXPECT_LE(size_of(program, "Object"), static_cast<GLint>(sizeof(ObjectBlock)));
@@ -70,12 +70,14 @@ const Test layout("unit.render.blocks.match_the_shaders", [] {
     EXPECT_EQ(offset_of(program, "clearcoat_factor"), offsetof(MaterialBlock, clearcoat_factor));
     EXPECT_EQ(offset_of(program, "sheen_factor"), offsetof(MaterialBlock, sheen_factor));
     EXPECT_EQ(offset_of(program, "iridescence_factor"), offsetof(MaterialBlock, iridescence_factor));
-    EXPECT_EQ(offset_of(program, "ior_factor"), offsetof(MaterialBlock, ior_factor));
-    EXPECT_EQ(offset_of(program, "extinction_factor"), offsetof(MaterialBlock, extinction_factor));
     EXPECT_EQ(offset_of(program, "transmission_factor"), offsetof(MaterialBlock, transmission_factor));
     EXPECT_EQ(offset_of(program, "attenuation_factor"), offsetof(MaterialBlock, attenuation_factor));
-    EXPECT_EQ(offset_of(program, "diffuse_transmission_color_factor"),
-              offsetof(MaterialBlock, diffuse_transmission_color_factor));
+    EXPECT_EQ(offset_of(program, "diffuse_transmission_factor"),
+              offsetof(MaterialBlock, diffuse_transmission_factor));
+    Features metal = everything();
+    metal.model = scene::Model::conductor;
+    EXPECT_EQ(offset_of(shaders.mesh_program("forward.frag", metal), "model_parameters[0]"),
+              offsetof(MaterialBlock, model_parameters));
     EXPECT_EQ(offset_of(program, "metallic_factor"), offsetof(MaterialBlock, metallic_factor));
     EXPECT_EQ(offset_of(program, "roughness_factor"), offsetof(MaterialBlock, roughness_factor));
     EXPECT_EQ(offset_of(program, "normal_scale"), offsetof(MaterialBlock, normal_scale));
@@ -89,7 +91,7 @@ const Test layout("unit.render.blocks.match_the_shaders", [] {
 const Test rays("unit.render.blocks.rays_match_the_shader", [] {
     sr::testing::context();
     ShaderLibrary shaders({glsl::embedded()});
-    const gl::Program& program = shaders.mesh_program("forward.frag", everything(), VisibilityTerm::answered);
+    const gl::Program& program = shaders.mesh_program("forward.frag", everything(), VisibilityTerm::resolve);
     EXPECT_EQ(offset_of(program, "first_ray"), offsetof(RaysBlock, first_ray));
     EXPECT_EQ(offset_of(program, "plane_size"), offsetof(RaysBlock, plane_size));
     EXPECT_EQ(offset_of(program, "row_size"), offsetof(RaysBlock, row_size));

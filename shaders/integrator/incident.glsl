@@ -5,18 +5,18 @@
 #include "integrator/point_on_light.glsl"
 #include "surface/surface.glsl"
 
-struct Arriving {
+struct Incident {
     LightSample light;
     vec3 E;            // [lx]
     vec3 E_unshadowed; // [lx]
 };
 
-Arriving arriving_from(int k, Surface x) {
+Incident incident_from(int k, Surface x) {
     LightSample light = point_on_light(k, x);
     float cos_i = cosine(x, light.wi);
-    if (!(cos_i > 0.0)) return Arriving(light, vec3(0.0), vec3(0.0));
+    if (!(cos_i > 0.0)) return Incident(light, vec3(0.0), vec3(0.0));
     vec3 E = light.Li_over_p * cos_i;
-    return Arriving(light, E * V_of_point(k, x, light), E);
+    return Incident(light, E * V_of_point(k, x, light), E);
 }
 
 // 1/p, whose mean is the solid angle of an area light [sr]; 0 for emitters without extent.

@@ -16,7 +16,7 @@ def read_merl(file):
     return np.moveaxis(np.maximum(scaled, 0), 0, -1)
 
 
-class Measured(Reflector):
+class Merl(Reflector):
     """A measured isotropic BRDF, tinted by the base colour, linear between the middles of its cells.
 
     The angles: Rusinkiewicz 1998, "A new change of variables for efficient BRDF representation", section 3.

@@ -16,14 +16,14 @@ int steps_of(Arc arc, VisibleOutline v, int wanted) {
 const int points_a_step = 2;
 
 // A step of the fan: what its points have in common.
-struct FanStep {
+struct QuadratureStep {
     vec3 outwards; // unit, from the centre along the fan
     float reach;   // 1 - cosψ of the outline
     float weight;  // solid angle of one of its points [sr]
 };
 
 // At step `at` of `steps`, whose middle is 0.5 further.
-FanStep fan_step(Arc arc, float at, int steps, vec3 center) {
+QuadratureStep quadrature_step(Arc arc, float at, int steps, vec3 center) {
     float width = (arc.to - arc.from) / float(steps);
     vec3 b, turn;
     arc_at(arc, arc.from + at * width, b, turn);
@@ -31,14 +31,14 @@ FanStep fan_step(Arc arc, float at, int steps, vec3 center) {
     vec3 outwards = b - cosine * center;
     float l = length(outwards);
     vec3 chord = b - center;
-    return FanStep(l > 0.0 ? outwards / l : vec3(0.0), 0.5 * dot(chord, chord),
+    return QuadratureStep(l > 0.0 ? outwards / l : vec3(0.0), 0.5 * dot(chord, chord),
                    max(dot(center, turn), 0.0) * width / (float(points_a_step) * (1.0 + cosine)));
 }
 
 // The place of point i of points_a_step between centre and outline: Gauss's rule on [0, 1].
-float fan_distance(int i) { return 0.5 + (i == 0 ? -0.5 : 0.5) / sqrt(3.0); }
+float quadrature_distance(int i) { return 0.5 + (i == 0 ? -0.5 : 0.5) / sqrt(3.0); }
 
-vec3 fan_point(FanStep fan, float distance, vec3 center) {
-    float rise = fan.reach * distance; // 1 - cosψ
-    return (1.0 - rise) * center + sqrt(rise * (2.0 - rise)) * fan.outwards;
+vec3 quadrature_point(QuadratureStep slice, float distance, vec3 center) {
+    float rise = slice.reach * distance; // 1 - cosψ
+    return (1.0 - rise) * center + sqrt(rise * (2.0 - rise)) * slice.outwards;
 }

@@ -1,11 +1,15 @@
 // Directions over the hemisphere in which any BRDF's lobes are found: even numbers as the cosine, odd ones as a GGX lobe of one of four
 // widths, two of them the material's own, all under the density of the whole mixture (Veach & Guibas 1995, balance heuristic).
 #include "base/sampling.glsl"
+#include "brdf/brdf.glsl"
 #include "brdf/cosine_sampling.glsl"
 #include "brdf/ggx_sampling.glsl"
+#include "interface/features.glsl"
 #include "surface/surface.glsl"
 
-float[4] widths_for(Surface x) { return float[4](x.alpha, x.clearcoat_alpha, 0.12, 0.5); }
+float[4] widths_for(Surface x) {
+    return float[4](peak_alpha(x), has_clearcoat ? x.clearcoat_alpha : alpha_of(0.15), 0.12, 0.5);
+}
 
 vec3 direction_of(int number, Surface x, vec3 wo) {
     float[4] widths = widths_for(x);
