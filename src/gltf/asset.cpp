@@ -31,7 +31,7 @@ public:
           measured_(document_),
           materials_(document_, measured_, warnings_),
           lights_(document_, materials_.textures()) {
-        warn_of_unsupported(document_.model.extensionsUsed, warnings_);
+        warn_of_unsupported(document_.extensions_used, warnings_);
         mesh_instances_.request_materials(materials_);
         scene_.materials = materials_.materials();
         scene_.measured = measured_.brdfs();
@@ -95,7 +95,7 @@ private:
         scene.cameras.clear();
         int number = 0;
         for (const NodeTransform& node : nodes) {
-            const int camera = document_.model.nodes[static_cast<std::size_t>(node.node)].camera;
+            const int camera = integer_in(document_.entry("nodes", node.node), "camera", -1);
             if (camera < 0) continue;
             const int own_number = number++; // a camera that is left out keeps its number
             if (document_.is_lost(fmt::format("/cameras/{}", camera))) continue;
@@ -145,10 +145,10 @@ private:
                 {animation.name, animation.duration, animation.channels.size(), animation.is_whole});
         contents_.variants = variant_names(document_);
         contents_.skins = document_.skins.size();
-        for (const tinygltf::Mesh& mesh : document_.model.meshes)
-            for (const tinygltf::Primitive& primitive : mesh.primitives)
-                contents_.morph_targets += primitive.targets.size();
-        contents_.extensions_used = document_.model.extensionsUsed;
+        for (int mesh = 0; mesh < static_cast<int>(document_.count("meshes")); ++mesh)
+            for (const json& primitive : document_.entry("meshes", mesh).at("primitives"))
+                if (primitive.contains("targets")) contents_.morph_targets += primitive.at("targets").size();
+        contents_.extensions_used = document_.extensions_used;
         contents_.extensions_required = document_.extensions_required;
     }
 

@@ -13,17 +13,14 @@
 namespace sr::gltf {
 namespace {
 
-using tinygltf::Value;
 using TextureMember = scene::TextureSlot scene::Material::*;
 
 /// The steepest that a normal map is made by its scale: beyond, only the direction of its slope is left.
 constexpr double steepest_map = 1e6;
 
-vec2 two_in(const Value& object, const std::string& key, vec2 fallback) {
-    if (!object.Has(key)) return fallback;
-    const Value& list = object.Get(key);
-    return {static_cast<float>(list.Get(0).GetNumberAsDouble()),
-            static_cast<float>(list.Get(1).GetNumberAsDouble())};
+vec2 two_in(const json& object, std::string_view key, vec2 fallback) {
+    const std::vector<double> two = numbers_in(object, key);
+    return two.empty() ? fallback : vec2(two[0], two[1]);
 }
 
 /// The same angle [rad] within half a turn of 0, so that a float keeps its digits.
@@ -32,7 +29,7 @@ double within_a_turn(double angle) { return std::remainder(angle, 2.0 * glm::pi<
 // KHR_texture_transform: translation * rotation * scale. It turns from +u towards -v for a positive angle:
 // counter-clockwise as seen on the image, whose v goes down. (The extension's example, "the lower left
 // quadrant rotated clockwise by 90°", holds for this sign only.)
-mat3 uv_transform(const Value& transform) {
+mat3 uv_transform(const json& transform) {
     constexpr float far =
         1e9f; // beyond, nothing is left of a coordinate's fraction; within, no product overflows
     const vec2 offset = glm::clamp(two_in(transform, "offset", vec2(0.0f)), -far, far);
@@ -52,38 +49,36 @@ scene::AlphaMode alpha_mode_of(const std::string& name) {
 /// Reads one material of a file.
 class MaterialReader {
 public:
-    MaterialReader(const Document& document, const tinygltf::Material& from, MeasuredTable& measured,
+    MaterialReader(const Document& document, const json& from, MeasuredTable& measured,
                    TextureTable& textures, Warnings& warnings)
         : document_(document),
           from_(from),
           measured_(measured),
           textures_(textures),
           warnings_(warnings),
-          title_(fmt::format("material {}", in_quotes(from.name))),
-          stated_(steradian_in(from.extras)) {
-        to_.name = from.name;
+          title_(fmt::format("material {}", in_quotes(text_in(from, "name")))),
+          stated_(steradian_in(from)) {
+        to_.name = text_in(from, "name");
     }
 
     /// @throws Error if a factor makes no sense
     scene::Material read(int number) {
-        to_.is_unlit = extension(from_.extensions, "KHR_materials_unlit") != nullptr;
+        to_.is_unlit = extension(from_, "KHR_materials_unlit") != nullptr;
         // Where a material has both, the extension asks to be preferred to metallic-roughness; unlit prefers
         // the latter.
-        const Value* glossy = extension(from_.extensions, "KHR_materials_pbrSpecularGlossiness");
-        const bool names_brdf = stated_ && stated_->Has("brdf");
+        const json* glossy = extension(from_, "KHR_materials_pbrSpecularGlossiness");
+        const bool names_brdf = stated_ && stated_->contains("brdf");
         const bool is_core = !glossy || to_.is_unlit || names_brdf;
         if (is_core)
             read_metallic_roughness();
         else
             read_specular_glossiness(*glossy);
-        read_core_texture(from_.normalTexture, &scene::Material::normal_texture);
-        to_.normal_scale =
-            clamped(from_.normalTexture.scale, -steepest_map, steepest_map, "normalTexture/scale");
-        read_core_texture(from_.emissiveTexture, &scene::Material::emission_texture);
+        to_.normal_scale = read_normal_map(from_, "normalTexture", &scene::Material::normal_texture);
+        read_texture(from_, "emissiveTexture", &scene::Material::emission_texture);
 
         // Where the map is lost, nothing of it is emitted: a surface that glows all over would light the
         // scene.
-        const bool has_map = from_.emissiveTexture.index >= 0
+        const bool has_map = from_.contains("emissiveTexture")
                              || document_.is_lost(fmt::format("/materials/{}/emissiveTexture", number));
         if (to_.emission_texture.is_present() || !has_map) read_emission();
         read_anisotropy();
@@ -95,9 +90,9 @@ public:
         read_diffuse_transmission();
         if (stated_) read_brdf(document_, *stated_, title_, measured_, warnings_, to_);
 
-        to_.alpha_mode = alpha_mode_of(from_.alphaMode);
-        to_.alpha_cutoff = static_cast<float>(from_.alphaCutoff);
-        to_.is_double_sided = from_.doubleSided;
+        to_.alpha_mode = alpha_mode_of(text_in(from_, "alphaMode"));
+        to_.alpha_cutoff = static_cast<float>(number_in(from_, "alphaCutoff", 0.5));
+        to_.is_double_sided = flag_in(from_, "doubleSided", false);
         for (int set = 0; set < 2; ++set)
             to_.texcoord_sets[static_cast<std::size_t>(set)] =
                 sets_[static_cast<std::size_t>(set)].value_or(set);
@@ -135,61 +130,60 @@ private:
         return std::nullopt;
     }
 
-    /// Returns the texture `index`, for the material's `texture`.
-    scene::TextureSlot slot(int index, int texcoord, const tinygltf::ExtensionMap& extensions,
-                            TextureMember texture) {
+    /// Reads the textureInfo `key` of an object, if it is there.
+    void read_texture(const json& object, const char* key, TextureMember texture) {
+        const auto info = object.find(key);
+        if (info == object.end()) return;
         scene::TextureSlot slot;
-        if (index < 0) return slot;
-        if (const Value* transform = extension(extensions, "KHR_texture_transform")) {
+        int texcoord = integer_in(*info, "texCoord", 0);
+        if (const json* transform = extension(*info, "KHR_texture_transform")) {
             slot.uv_transform = uv_transform(*transform);
-            texcoord = whole_in(*transform, "texCoord", texcoord);
+            texcoord = integer_in(*transform, "texCoord", texcoord);
         }
         const std::optional<int> set = texcoord_set(texcoord);
-        if (!set) {
-            warnings_.add(
+        if (!set)
+            return warnings_.add(
                 fmt::format("a material reads three sets of texture coordinates, and two are supported: "
                             "TEXCOORD_{}, TEXCOORD_{} and TEXCOORD_{}",
                             *sets_[0], *sets_[1], texcoord),
                 "the material is shown without the texture of the third");
-            return {};
-        }
         slot.texcoord = *set;
-        slot.texture =
-            textures_.texture(index, scene::texture_inputs[scene::texture_slot(texture)].color_space);
-        return slot;
+        slot.texture = textures_.texture(info->at("index").get<int>(),
+                                         scene::texture_inputs[scene::texture_slot(texture)].color_space);
+        to_.*texture = slot;
     }
 
-    template<class Info>
-    void read_core_texture(const Info& info, TextureMember texture) {
-        to_.*texture = slot(info.index, info.texCoord, info.extensions, texture);
+    /// The same, of a normal map. @return its scale
+    float read_normal_map(const json& object, const char* key, TextureMember texture) {
+        const auto info = object.find(key);
+        if (info == object.end()) return 1.0f;
+        read_texture(object, key, texture);
+        return clamped(number_in(*info, "scale", 1.0), -steepest_map, steepest_map,
+                       fmt::format("{}/scale", key));
     }
 
-    /// Reads the textureInfo `key` of an extension, if it is there.
-    void read_texture(const Value& object, const char* key, TextureMember texture) {
-        if (!object.Has(key)) return;
-        const Value& info = object.Get(key);
-        tinygltf::ExtensionMap extensions;
-        if (info.Has("extensions"))
-            for (const std::string& name : info.Get("extensions").Keys())
-                extensions[name] = info.Get("extensions").Get(name);
-        to_.*texture = slot(whole_in(info, "index", -1), whole_in(info, "texCoord", 0), extensions, texture);
-    }
-
-    vec3 color(const Value& object, const char* factor) {
+    vec3 color(const json& object, const char* factor) {
         vec3 color = not_negative(three_in(object, factor, vec3(1.0f)), factor);
         for (int i = 0; i < 3; ++i) color[i] = fraction(static_cast<double>(color[i]), factor);
         return color;
     }
 
-    void read_metallic_roughness() {
-        const auto& pbr = from_.pbrMetallicRoughness;
+    void read_base_color(const json& object, const char* factor) {
+        const std::vector<double> color = numbers_in(object, factor);
         for (int i = 0; i < 4; ++i)
-            to_.base_color[i] = fraction(pbr.baseColorFactor[static_cast<std::size_t>(i)], "baseColorFactor");
-        to_.metallic = fraction(pbr.metallicFactor, "metallicFactor");
-        to_.roughness = fraction(pbr.roughnessFactor, "roughnessFactor");
-        read_core_texture(pbr.baseColorTexture, &scene::Material::base_color_texture);
-        read_core_texture(pbr.metallicRoughnessTexture, &scene::Material::metallic_roughness_texture);
-        if (const Value* ior = extension(from_.extensions, "KHR_materials_ior"))
+            to_.base_color[i] = fraction(color.empty() ? 1.0 : color[static_cast<std::size_t>(i)], factor);
+    }
+
+    void read_metallic_roughness() {
+        static const json defaults = json::object();
+        const auto found = from_.find("pbrMetallicRoughness");
+        const json& pbr = found == from_.end() ? defaults : *found;
+        read_base_color(pbr, "baseColorFactor");
+        to_.metallic = fraction(number_in(pbr, "metallicFactor", 1.0), "metallicFactor");
+        to_.roughness = fraction(number_in(pbr, "roughnessFactor", 1.0), "roughnessFactor");
+        read_texture(pbr, "baseColorTexture", &scene::Material::base_color_texture);
+        read_texture(pbr, "metallicRoughnessTexture", &scene::Material::metallic_roughness_texture);
+        if (const json* ior = extension(from_, "KHR_materials_ior"))
             to_.ior = static_cast<float>(number_in(*ior, "ior", 1.5));
         if (to_.ior != 0.0f && !(to_.ior >= 1.0f && std::isfinite(to_.ior)))
             document_.fail(fmt::format("{}: ior is {}", title_, to_.ior), "give 0, or 1 and more");
@@ -198,24 +192,20 @@ private:
 
     // A dielectric of infinite ior, whose F0 is the specular colour, as KHR_materials_ior has it; the
     // glossiness and what F0 takes from the diffuse colour are shaders/surface/'s.
-    void read_specular_glossiness(const Value& glossy) {
+    void read_specular_glossiness(const json& glossy) {
         to_.is_specular_glossiness = true;
         to_.metallic = 0.0f;
         to_.ior = 0.0f;
-        const vec3 specular = three_in(glossy, "specularFactor", vec3(1.0f));
-        for (int i = 0; i < 4; ++i) {
-            const double diffuse =
-                glossy.Has("diffuseFactor") ? glossy.Get("diffuseFactor").Get(i).GetNumberAsDouble() : 1.0;
-            to_.base_color[i] = fraction(diffuse, "diffuseFactor");
-            if (i < 3) to_.specular_color[i] = fraction(double{specular[i]}, "specularFactor");
-        }
+        const vec3 specular = three_in(glossy, "specularFactor", glm::dvec3(1.0));
+        read_base_color(glossy, "diffuseFactor");
+        for (int i = 0; i < 3; ++i) to_.specular_color[i] = fraction(double{specular[i]}, "specularFactor");
         to_.roughness = 1.0f - fraction(number_in(glossy, "glossinessFactor", 1.0), "glossinessFactor");
         read_texture(glossy, "diffuseTexture", &scene::Material::base_color_texture);
         read_texture(glossy, "specularGlossinessTexture", &scene::Material::specular_color_texture);
     }
 
     void read_specular() {
-        const Value* specular = extension(from_.extensions, "KHR_materials_specular");
+        const json* specular = extension(from_, "KHR_materials_specular");
         if (!specular) return;
         to_.specular = fraction(number_in(*specular, "specularFactor", 1.0), "specularFactor");
         to_.specular_color =
@@ -225,11 +215,11 @@ private:
     }
 
     void read_emission() {
-        const Value* strength = extension(from_.extensions, "KHR_materials_emissive_strength");
+        const json* strength = extension(from_, "KHR_materials_emissive_strength");
         const auto factor =
             static_cast<float>(strength ? number_in(*strength, "emissiveStrength", 1.0) : 1.0);
-        const auto& e = from_.emissiveFactor;
-        to_.emission = not_negative(vec3(e[0], e[1], e[2]) * factor, "emissive factor times strength");
+        const vec3 emission = three_in(from_, "emissiveFactor", glm::dvec3(0.0));
+        to_.emission = not_negative(emission * factor, "emissive factor times strength");
         if (!stated_) return;
         bool is_flux = false;
         const Conversion conversion = [&](scene::Quantity quantity, double value) {
@@ -249,7 +239,7 @@ private:
     }
 
     void read_anisotropy() {
-        const Value* anisotropy = extension(from_.extensions, "KHR_materials_anisotropy");
+        const json* anisotropy = extension(from_, "KHR_materials_anisotropy");
         if (!anisotropy) return;
         to_.anisotropy = fraction(number_in(*anisotropy, "anisotropyStrength", 0.0), "anisotropyStrength");
         to_.anisotropy_rotation =
@@ -258,21 +248,19 @@ private:
     }
 
     void read_clearcoat() {
-        const Value* coat = extension(from_.extensions, "KHR_materials_clearcoat");
+        const json* coat = extension(from_, "KHR_materials_clearcoat");
         if (!coat) return;
         to_.clearcoat = fraction(number_in(*coat, "clearcoatFactor", 0.0), "clearcoatFactor");
         to_.clearcoat_roughness =
             fraction(number_in(*coat, "clearcoatRoughnessFactor", 0.0), "clearcoatRoughnessFactor");
         read_texture(*coat, "clearcoatTexture", &scene::Material::clearcoat_texture);
         read_texture(*coat, "clearcoatRoughnessTexture", &scene::Material::clearcoat_roughness_texture);
-        if (!coat->Has("clearcoatNormalTexture")) return;
-        read_texture(*coat, "clearcoatNormalTexture", &scene::Material::clearcoat_normal_texture);
-        to_.clearcoat_normal_scale = clamped(number_in(coat->Get("clearcoatNormalTexture"), "scale", 1.0),
-                                             -steepest_map, steepest_map, "clearcoatNormalTexture/scale");
+        to_.clearcoat_normal_scale =
+            read_normal_map(*coat, "clearcoatNormalTexture", &scene::Material::clearcoat_normal_texture);
     }
 
     void read_sheen() {
-        const Value* sheen = extension(from_.extensions, "KHR_materials_sheen");
+        const json* sheen = extension(from_, "KHR_materials_sheen");
         if (!sheen) return;
         const vec3 color = not_negative(three_in(*sheen, "sheenColorFactor", vec3(0.0f)), "sheenColorFactor");
         for (int i = 0; i < 3; ++i)
@@ -284,7 +272,7 @@ private:
     }
 
     void read_iridescence() {
-        const Value* film = extension(from_.extensions, "KHR_materials_iridescence");
+        const json* film = extension(from_, "KHR_materials_iridescence");
         if (!film) return;
         to_.iridescence = fraction(number_in(*film, "iridescenceFactor", 0.0), "iridescenceFactor");
         to_.film_ior = static_cast<float>(number_in(*film, "iridescenceIor", 1.3));
@@ -306,7 +294,7 @@ private:
     }
 
     void read_transmission() {
-        const Value* transmission = extension(from_.extensions, "KHR_materials_transmission");
+        const json* transmission = extension(from_, "KHR_materials_transmission");
         if (!transmission) return;
         to_.transmission =
             fraction(number_in(*transmission, "transmissionFactor", 0.0), "transmissionFactor");
@@ -314,13 +302,13 @@ private:
     }
 
     void read_volume() {
-        const Value* volume = extension(from_.extensions, "KHR_materials_volume");
+        const json* volume = extension(from_, "KHR_materials_volume");
         if (!volume) return;
         to_.thickness = static_cast<float>(number_in(*volume, "thicknessFactor", 0.0));
         if (!(to_.thickness >= 0.0f))
             document_.fail(fmt::format("{}: thicknessFactor is {}", title_, to_.thickness),
                            "give zero or more");
-        if (volume->Has("attenuationDistance")) {
+        if (volume->contains("attenuationDistance")) {
             const auto distance = static_cast<float>(number_in(*volume, "attenuationDistance", 0.0));
             if (distance > 0.0f)
                 to_.attenuation_distance = distance;
@@ -333,7 +321,7 @@ private:
     }
 
     void read_diffuse_transmission() {
-        const Value* diffuse = extension(from_.extensions, "KHR_materials_diffuse_transmission");
+        const json* diffuse = extension(from_, "KHR_materials_diffuse_transmission");
         if (!diffuse) return;
         to_.diffuse_transmission =
             fraction(number_in(*diffuse, "diffuseTransmissionFactor", 0.0), "diffuseTransmissionFactor");
@@ -344,12 +332,12 @@ private:
     }
 
     const Document& document_;
-    const tinygltf::Material& from_;
+    const json& from_;
     MeasuredTable& measured_;
     TextureTable& textures_;
     Warnings& warnings_;
-    std::string title_;   // in messages
-    const Value* stated_; // extras.steradian, or null
+    std::string title_;  // in messages
+    const json* stated_; // extras.steradian, or null
     scene::Material to_;
     std::optional<glm::dvec3> flux_;
     std::array<std::optional<int>, 2> sets_; // of texture coordinates that the material reads
@@ -368,10 +356,11 @@ int MaterialTable::material(int gltf_material) {
         materials_.emplace_back();
         return number;
     }
-    const tinygltf::Material& from = document_.model.materials[static_cast<std::size_t>(gltf_material)];
+    const json& from = document_.entry("materials", gltf_material);
     MaterialReader reader(document_, from, measured_, textures_, warnings_);
     materials_.push_back(reader.read(gltf_material));
-    if (reader.flux()) fluxes_[number] = {*reader.flux(), fmt::format("material {}", in_quotes(from.name))};
+    if (reader.flux())
+        fluxes_[number] = {*reader.flux(), fmt::format("material {}", in_quotes(text_in(from, "name")))};
     return number;
 }
 

@@ -13,23 +13,20 @@ namespace sr::gltf {
 namespace {
 
 using scene::Model;
-using tinygltf::Value;
 
 /// Far around those of all materials; within, the fourth powers of Fresnel's equations are floats.
 bool is_index(double n, double k) { return n >= 0.999e-3 && n <= 1e3 && k >= 0.0 && k <= 1e3; }
 constexpr const char* index_remedy = "give n from 0.001 to 1000 and k from 0 to 1000";
 
-scene::IorSpectrum spectrum_in(const Document& document, const Value& list, const std::string& title) {
+scene::IorSpectrum spectrum_in(const Document& document, const json& list, const std::string& title) {
     scene::IorSpectrum spectrum;
-    for (int i = 0; i < static_cast<int>(list.ArrayLen()); ++i) {
-        const Value& point = list.Get(i);
-        spectrum.push_back({point.Get(0).GetNumberAsDouble(), point.Get(1).GetNumberAsDouble(),
-                            point.Get(2).GetNumberAsDouble()});
+    for (const json& point : list) {
+        spectrum.push_back({point[0].get<double>(), point[1].get<double>(), point[2].get<double>()});
         if (!is_index(spectrum.back().n, spectrum.back().k))
             document.fail(fmt::format("{}: ior_spectrum has n = {} and k = {}", title, spectrum.back().n,
                                       spectrum.back().k),
                           index_remedy);
-        if (i > 0 && !(spectrum.back().wavelength > spectrum[spectrum.size() - 2].wavelength))
+        if (spectrum.size() > 1 && !(spectrum.back().wavelength > spectrum[spectrum.size() - 2].wavelength))
             document.fail(fmt::format("{}: the wavelengths of ior_spectrum do not ascend", title),
                           "sort its points [nm, n, k]");
     }
@@ -38,15 +35,14 @@ scene::IorSpectrum spectrum_in(const Document& document, const Value& list, cons
     return spectrum;
 }
 
-scene::ComplexIor ior_in(const Document& document, const Value& stated, const std::string& title) {
-    if (stated.Has("metal") + stated.Has("complex_ior") + stated.Has("ior_spectrum") != 1)
+scene::ComplexIor ior_in(const Document& document, const json& stated, const std::string& title) {
+    if (stated.contains("metal") + stated.contains("complex_ior") + stated.contains("ior_spectrum") != 1)
         document.fail(fmt::format("{} is a conductor that does not say of what once", title),
                       "give it one of metal, complex_ior and ior_spectrum");
-    if (stated.Has("metal"))
-        return scene::fitted_ior(*scene::measured_metal(stated.Get("metal").Get<std::string>()));
-    if (stated.Has("ior_spectrum"))
-        return scene::fitted_ior(spectrum_in(document, stated.Get("ior_spectrum"), title));
-    const Value& complex = stated.Get("complex_ior");
+    if (stated.contains("metal")) return scene::fitted_ior(*scene::measured_metal(text_in(stated, "metal")));
+    if (stated.contains("ior_spectrum"))
+        return scene::fitted_ior(spectrum_in(document, stated.at("ior_spectrum"), title));
+    const json& complex = stated.at("complex_ior");
     const scene::ComplexIor ior{three_in(complex, "n", vec3(1.0f)), three_in(complex, "k", vec3(0.0f))};
     for (int i = 0; i < 3; ++i)
         if (!is_index(ior.n[i], ior.k[i]))
@@ -55,10 +51,10 @@ scene::ComplexIor ior_in(const Document& document, const Value& stated, const st
     return ior;
 }
 
-void check_owners(const Document& document, const Value& stated, std::optional<Model> model,
+void check_owners(const Document& document, const json& stated, std::optional<Model> model,
                   const std::string& title) {
     for (const scene::BrdfParameter& parameter : scene::brdf_parameters)
-        if (stated.Has(std::string(parameter.key)) && !(model && parameter.is_of(*model)))
+        if (stated.contains(parameter.key) && !(model && parameter.is_of(*model)))
             document.fail(fmt::format("{} has {}", title, parameter.key),
                           fmt::format("that belongs to the brdf {}: say so, or leave it out",
                                       scene::models_with(parameter, " or ")));
@@ -67,7 +63,7 @@ void check_owners(const Document& document, const Value& stated, std::optional<M
 /// Reads one parameter of a BRDF into the member of a material that it is.
 struct ParameterReader {
     const Document& document;
-    const Value& stated;
+    const json& stated;
     const std::string& title;
     MeasuredTable& measured;
     Warnings& warnings;
@@ -77,7 +73,7 @@ struct ParameterReader {
     // A fraction is clamped, as glTF's own are.
     void operator()(float scene::Material::*member) const {
         const std::string key(parameter.key);
-        if (!stated.Has(key) && !parameter.fallback) return;
+        if (!stated.contains(key) && !parameter.fallback) return;
         const double value = number_in(stated, key, parameter.fallback.value_or(0.0f));
         const bool is_fraction = parameter.min == 0.0f && parameter.max == 1.0f;
         to.*member = is_fraction ? clamped(value, 0.0, 1.0, key, title, warnings) : static_cast<float>(value);
@@ -88,7 +84,7 @@ struct ParameterReader {
 
     void operator()(vec3 scene::Material::*member) const {
         const std::string key(parameter.key);
-        if (!stated.Has(key) && !parameter.fallback) return;
+        if (!stated.contains(key) && !parameter.fallback) return;
         const vec3 value = three_in(stated, key, vec3(parameter.fallback.value_or(0.0f)));
         to.*member =
             within(document, value, parameter.max, key, title, fmt::format("give 0 to {}", parameter.max));
@@ -100,9 +96,7 @@ struct ParameterReader {
 
     void operator()(int scene::Material::*member) const {
         const std::string key(parameter.key);
-        const auto read = [&] {
-            to.*member = measured.number(stated.Has(key) ? stated.Get(key).Get<std::string>() : "", title);
-        };
+        const auto read = [&] { to.*member = measured.number(text_in(stated, key), title); };
         if (!warnings.attempt("it has glTF's own BRDF", read)) to.model = Model::metallic_roughness;
     }
 };
@@ -119,10 +113,10 @@ int MeasuredTable::number(const std::string& uri, const std::string& title) {
     return number_of_[uri] = static_cast<int>(brdfs_.size()) - 1;
 }
 
-void read_brdf(const Document& document, const Value& stated, const std::string& title,
+void read_brdf(const Document& document, const json& stated, const std::string& title,
                MeasuredTable& measured, Warnings& warnings, scene::Material& to) {
     std::optional<Model> model;
-    if (stated.Has("brdf")) model = scene::model_named(stated.Get("brdf").Get<std::string>());
+    if (stated.contains("brdf")) model = scene::model_named(text_in(stated, "brdf"));
     check_owners(document, stated, model, title);
     if (!model) return;
     to.model = *model;
@@ -135,13 +129,6 @@ void read_brdf(const Document& document, const Value& stated, const std::string&
     if (sum.x > 1.0f || sum.y > 1.0f || sum.z > 1.0f)
         warnings.add(fmt::format("{}: its base colour and specular_color add up to more than 1", title),
                      "it reflects more light than arrives");
-}
-
-vec3 three_in(const Value& object, const std::string& key, vec3 fallback) {
-    if (!object.Has(key)) return fallback;
-    const Value& list = object.Get(key);
-    for (int i = 0; i < 3; ++i) fallback[i] = static_cast<float>(list.Get(i).GetNumberAsDouble());
-    return fallback;
 }
 
 float clamped(double value, double least, double most, std::string_view factor, const std::string& title,

@@ -31,11 +31,8 @@ private:
 
 /// Reads the BRDF that extras.steradian names, and its parameters, which scene::brdf_parameters lists.
 /// `title` names the material in messages. @throws Error if a parameter is another BRDF's or makes no sense
-void read_brdf(const Document& document, const tinygltf::Value& stated, const std::string& title,
+void read_brdf(const Document& document, const json& stated, const std::string& title,
                MeasuredTable& measured, Warnings& warnings, scene::Material& to);
-
-/// Reads three numbers, which the rules have counted; `fallback` if the object does not have the key.
-vec3 three_in(const tinygltf::Value& object, const std::string& key, vec3 fallback);
 
 /// Returns the value; beyond [least, most] the nearest in it, with a warning.
 float clamped(double value, double least, double most, std::string_view factor, const std::string& title,

@@ -1,62 +1,44 @@
 #pragma once
-// The properties of a glTF file that may move, by their JSON pointers: those of the glTF 2.0 Asset Object
-// Model (KHR_animation_pointer) that this program reads.
+// The properties of a glTF file that animations set, by their JSON pointers (glTF 2.0 Asset Object Model,
+// KHR_animation_pointer).
 #include "gltf/document.hpp"
 
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
-#include <variant>
-#include <vector>
 
 namespace sr::gltf {
 
-/// The number of a property's values, and their meaning.
-struct PropertyForm {
+/// A property of the document's JSON: it can be set, and reset to the file's value.
+class AnimatedProperty {
+public:
     enum class Kind { numbers, rotation, flag };
 
-    std::size_t width = 1;
-    Kind kind = Kind::numbers;
-};
+    /// @param parent the object or array that has the property; it must outlive this, at its address
+    /// @param key of an object
+    /// @param index of an array
+    AnimatedProperty(json& parent, std::string key, std::size_t index, std::size_t width, Kind kind);
 
-/// One property of a model: it can be set, and set back to what the file says.
-class Property {
-public:
-    /// One number of an array that the model may have left out.
-    struct Element {
-        std::vector<double>* array = nullptr;
-        std::size_t index = 0;
-    };
-    /// A member of an extension's object.
-    struct Member {
-        tinygltf::Value* object = nullptr;
-        std::string key;
-    };
-    using Place = std::variant<double*, std::vector<double>*, Element, Member>;
+    /// The number of values.
+    std::size_t width() const { return width_; }
+    Kind kind() const { return kind_; }
 
-    /// The model that `place` points into must outlive this and keep its shape.
-    Property(PropertyForm form, Place place);
-
-    const PropertyForm& form() const { return form_; }
-
-    /// @param numbers form().width of them
+    /// @param numbers width() of them
     void set(std::span<const double> numbers);
     void reset();
 
 private:
-    using Rest = std::variant<double, std::vector<double>, std::optional<tinygltf::Value>>;
-
-    PropertyForm form_;
-    Place place_;
-    Rest rest_;
+    json* parent_;
+    std::string key_;
+    std::size_t index_;
+    std::size_t width_;
+    Kind kind_;
+    std::optional<json> rest_; // absent: the file does not have the property
 };
 
-/// The property at a JSON pointer such as "/nodes/3/translation"; absent where there is none that can move.
-/// Weights of nodes and meshes that the file leaves out come to be, as zeros.
-std::optional<Property> property_at(Document& document, std::string_view pointer);
-
-/// Returns the largest number of morph targets of a mesh's primitives.
-std::size_t target_count(const Document& document, int mesh);
+/// Returns the property at a JSON pointer such as "/nodes/3/translation"; absent if it is not there or cannot
+/// be animated. Weights of nodes and meshes that the file leaves out are created, as zeros.
+std::optional<AnimatedProperty> property_at(Document& document, std::string_view pointer);
 
 } // namespace sr::gltf

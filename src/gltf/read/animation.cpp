@@ -79,13 +79,14 @@ std::vector<float> parse_times(const Document& document, int accessor, const std
 }
 
 /// @param sampler where it stands, for errors
-Track parse_track(const Document& document, const AnimationSource::Sampler& source, const PropertyForm& form,
-                  const std::string& sampler) {
+Track parse_track(const Document& document, const AnimationSource::Sampler& source,
+                  const AnimatedProperty& property, const std::string& sampler) {
     Track track;
-    track.width = form.width;
-    track.is_rotation = form.kind == PropertyForm::Kind::rotation;
-    track.interpolation = form.kind == PropertyForm::Kind::flag ? Interpolation::step
-                                                                : parse_interpolation(source.interpolation);
+    track.width = property.width();
+    track.is_rotation = property.kind() == AnimatedProperty::Kind::rotation;
+    track.interpolation = property.kind() == AnimatedProperty::Kind::flag
+                              ? Interpolation::step
+                              : parse_interpolation(source.interpolation);
     track.times = parse_times(document, source.input, sampler);
     track.values = numbers(document, source.output);
     const std::size_t parts = track.interpolation == Interpolation::cubic_spline ? 3 : 1;
@@ -122,12 +123,11 @@ void read_channel(Document& document, const ChannelPlace& place, Animation& to, 
     to.duration = std::max(to.duration, end);
     if (channel.pointer.empty())
         return warnings.add(fmt::format("{}/target names no node", pointer), "that channel moves nothing");
-    std::optional<Property> property = property_at(document, channel.pointer);
+    std::optional<AnimatedProperty> property = property_at(document, channel.pointer);
     if (!property)
         return warnings.add(fmt::format("{} moves {}", pointer, in_quotes(channel.pointer)),
                             "that stays as it is: it is not supported, or is not there");
-    to.channels.push_back(
-        {parse_track(document, sampler, property->form(), sampler_pointer), *std::move(property)});
+    to.channels.push_back({parse_track(document, sampler, *property, sampler_pointer), *std::move(property)});
 }
 
 } // namespace

@@ -28,7 +28,7 @@ struct Track {
 
 struct Channel {
     Track track;
-    Property property;
+    AnimatedProperty property;
 };
 
 struct Animation {

@@ -41,42 +41,48 @@ private:
     int camera_ = 0;
 };
 
-// tinygltf gives 0 where aspectRatio or zfar is absent.
-scene::Perspective perspective(const tinygltf::PerspectiveCamera& from, const Claims& claim) {
-    claim(from.yfov > 0.0 && from.yfov < glm::pi<double>(), "yfov", from.yfov, "between 0 and pi");
-    claim(from.znear > 0.0, "znear", from.znear, "positive");
-    claim(from.aspectRatio >= 0.0, "aspectRatio", from.aspectRatio, "positive");
-    claim(from.zfar == 0.0 || from.zfar > from.znear, "zfar", from.zfar, "beyond znear");
+// 0 stands for an aspectRatio or a zfar that is absent.
+scene::Perspective perspective(const json& from, const Claims& claim) {
+    const double yfov = number_in(from, "yfov", 0.0), znear = number_in(from, "znear", 0.0);
+    const double aspect_ratio = number_in(from, "aspectRatio", 0.0), zfar = number_in(from, "zfar", 0.0);
+    claim(yfov > 0.0 && yfov < glm::pi<double>(), "yfov", yfov, "between 0 and pi");
+    claim(znear > 0.0, "znear", znear, "positive");
+    claim(aspect_ratio >= 0.0, "aspectRatio", aspect_ratio, "positive");
+    claim(zfar == 0.0 || zfar > znear, "zfar", zfar, "beyond znear");
     scene::Perspective to;
-    to.yfov = std::min(static_cast<float>(from.yfov), max_yfov);
-    to.znear = static_cast<float>(from.znear);
-    if (from.aspectRatio > 0.0) to.aspect_ratio = static_cast<float>(from.aspectRatio);
-    if (from.zfar > 0.0) to.zfar = static_cast<float>(from.zfar);
+    to.yfov = std::min(static_cast<float>(yfov), max_yfov);
+    to.znear = static_cast<float>(znear);
+    if (aspect_ratio > 0.0) to.aspect_ratio = static_cast<float>(aspect_ratio);
+    if (zfar > 0.0) to.zfar = static_cast<float>(zfar);
     return to;
 }
 
-scene::Orthographic orthographic(const tinygltf::OrthographicCamera& from, const Claims& claim) {
-    claim(from.xmag > 0.0, "xmag", from.xmag, "positive");
-    claim(from.ymag > 0.0, "ymag", from.ymag, "positive");
-    claim(from.znear >= 0.0, "znear", from.znear, "zero or positive");
-    claim(from.zfar > from.znear, "zfar", from.zfar, "beyond znear");
-    return {static_cast<float>(from.xmag), static_cast<float>(from.ymag), static_cast<float>(from.znear),
-            static_cast<float>(from.zfar)};
+scene::Orthographic orthographic(const json& from, const Claims& claim) {
+    const double xmag = number_in(from, "xmag", 0.0), ymag = number_in(from, "ymag", 0.0);
+    const double znear = number_in(from, "znear", 0.0), zfar = number_in(from, "zfar", 0.0);
+    claim(xmag > 0.0, "xmag", xmag, "positive");
+    claim(ymag > 0.0, "ymag", ymag, "positive");
+    claim(znear >= 0.0, "znear", znear, "zero or positive");
+    claim(zfar > znear, "zfar", zfar, "beyond znear");
+    return {static_cast<float>(xmag), static_cast<float>(ymag), static_cast<float>(znear),
+            static_cast<float>(zfar)};
 }
 
 } // namespace
 
 scene::Camera parse_camera(const Document& document, const NodeTransform& transform) {
-    const tinygltf::Node& node = document.model.nodes[static_cast<std::size_t>(transform.node)];
-    const tinygltf::Camera& from = document.model.cameras[static_cast<std::size_t>(node.camera)];
-    const Claims claim(document, node.camera);
+    const json& node = document.entry("nodes", transform.node);
+    const int number = node.at("camera").get<int>();
+    const json& from = document.entry("cameras", number);
+    const Claims claim(document, number);
     scene::Camera camera;
-    camera.name = from.name.empty() ? node.name : from.name;
+    camera.name = text_in(from, "name");
+    if (camera.name.empty()) camera.name = text_in(node, "name");
     camera.world_from_camera = orthonormalised(document, transform);
-    if (from.type == "perspective")
-        camera.projection = perspective(from.perspective, claim);
+    if (text_in(from, "type") == "perspective")
+        camera.projection = perspective(from.at("perspective"), claim);
     else
-        camera.projection = orthographic(from.orthographic, claim);
+        camera.projection = orthographic(from.at("orthographic"), claim);
     return camera;
 }
 

@@ -206,23 +206,22 @@ int unpack_indices(Document& document, const draco::Mesh& mesh) {
     return add_accessor(document, std::move(accessor), indices.size(), std::move(bytes));
 }
 
-void unpack(Document& document, const PrimitivePlace& place, const tinygltf::Value& packed) {
+void unpack(Document& document, const PrimitivePlace& place, const json& packed) {
     const auto primitive = [&]() -> tinygltf::Primitive& {
         return document.model.meshes[static_cast<std::size_t>(place.mesh)]
             .primitives[static_cast<std::size_t>(place.primitive)];
     };
     if (!is_surface(primitive().mode))
         document.fail(fmt::format("{} has Draco data and no triangles", place.pointer()), export_draco_again);
-    const Bytes stream = document.view(whole_in(packed, "bufferView", 0), place.pointer());
+    const Bytes stream = document.view(integer_in(packed, "bufferView", 0), place.pointer());
     const std::unique_ptr<draco::Mesh> mesh = decoded(document, place, stream);
-    const tinygltf::Value& ids = packed.Get("attributes");
-    for (const std::string& name : ids.Keys()) {
+    const json& ids = packed.at("attributes");
+    for (const auto& [name, id] : ids.items()) {
         const auto found = primitive().attributes.find(name);
         if (found == primitive().attributes.end())
             document.fail(fmt::format("{} has {} in its Draco data alone", place.pointer(), in_quotes(name)),
                           export_draco_again);
-        unpack_attribute(document, place, *mesh, name, static_cast<std::uint32_t>(whole_in(ids, name, 0)),
-                         found->second);
+        unpack_attribute(document, place, *mesh, name, id.get<std::uint32_t>(), found->second);
     }
     primitive().indices = unpack_indices(document, *mesh);
     primitive().mode = TINYGLTF_MODE_TRIANGLES;
@@ -236,9 +235,9 @@ void unpack_draco(Document& document) {
     for (int m = 0; m < static_cast<int>(document.model.meshes.size()); ++m) {
         const std::size_t count = document.model.meshes[static_cast<std::size_t>(m)].primitives.size();
         for (int p = 0; p < static_cast<int>(count); ++p) {
-            const auto& primitive =
-                document.model.meshes[static_cast<std::size_t>(m)].primitives[static_cast<std::size_t>(p)];
-            if (const tinygltf::Value* packed = extension(primitive.extensions, "KHR_draco_mesh_compression"))
+            const json& primitive =
+                document.entry("meshes", m).at("primitives").at(static_cast<std::size_t>(p));
+            if (const json* packed = extension(primitive, "KHR_draco_mesh_compression"))
                 unpack(document, {m, p}, *packed);
         }
     }

@@ -9,10 +9,9 @@ namespace sr::gltf {
 namespace {
 
 using glm::dvec3;
-using tinygltf::Value;
 
-PhotometricValue parse_quantity(const Document& document, const Value& authored, const std::string& title) {
-    const std::string unit = authored.Get("unit").Get<std::string>(); // the rules know all units
+PhotometricValue parse_quantity(const Document& document, const json& authored, const std::string& title) {
+    const std::string unit = text_in(authored, "unit"); // the schema has all units
     const PhotometricValue quantity{number_in(authored, "value", 0.0), *scene::unit_named(unit)};
     if (!(quantity.value >= 0.0))
         document.fail(fmt::format("{} has the quantity {} {}", title, quantity.value, unit),
@@ -20,9 +19,8 @@ PhotometricValue parse_quantity(const Document& document, const Value& authored,
     return quantity;
 }
 
-scene::LightColor parse_color(const Document& document, const Value& list, const std::string& title) {
-    const dvec3 rgb(list.Get(0).GetNumberAsDouble(), list.Get(1).GetNumberAsDouble(),
-                    list.Get(2).GetNumberAsDouble());
+scene::LightColor parse_color(const Document& document, const json& object, const std::string& title) {
+    const dvec3 rgb = three_in(object, "color", dvec3(1.0));
     if (!(rgb.x >= 0.0 && rgb.y >= 0.0 && rgb.z >= 0.0 && rgb.x + rgb.y + rgb.z > 0.0))
         document.fail(fmt::format("{} has the colour {} {} {}", title, rgb.x, rgb.y, rgb.z),
                       "give zero or more, and one above zero");
@@ -38,18 +36,15 @@ scene::LightColor blackbody(const Document& document, double temperature, const 
     return scene::color_of_blackbody(temperature);
 }
 
-scene::LightColor spectral(const Document& document, const Value& list, const std::string& title) {
+scene::LightColor spectral(const Document& document, const json& list, const std::string& title) {
     const auto fail = [&](std::string_view problem, std::string_view remedy) {
         document.fail(fmt::format("the spectrum of {} {}", title, problem), remedy);
     };
     scene::Spectrum spectrum;
-    for (int i = 0; i < static_cast<int>(list.ArrayLen()); ++i) {
-        const Value& pair = list.Get(i);
-        spectrum.push_back({pair.Get(0).GetNumberAsDouble(), pair.Get(1).GetNumberAsDouble()});
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        spectrum.push_back({list[i][0].get<double>(), list[i][1].get<double>()});
         if (!(spectrum.back().value >= 0.0)) fail("has a negative value", "give zero or more");
-        if (i > 0
-            && !(spectrum[static_cast<std::size_t>(i)].wavelength
-                 > spectrum[static_cast<std::size_t>(i) - 1].wavelength))
+        if (i > 0 && !(spectrum[i].wavelength > spectrum[i - 1].wavelength))
             fail("has wavelengths that do not ascend", "sort its pairs [nm, value]");
     }
     if (spectrum.size() < 2) fail("has fewer than two points", "give pairs [nm, value] that span the light");
@@ -60,28 +55,23 @@ scene::LightColor spectral(const Document& document, const Value& list, const st
 
 } // namespace
 
-const Value* steradian_in(const Value& extras) {
-    if (!extras.IsObject() || !extras.Has("steradian")) return nullptr;
-    return &extras.Get("steradian");
-}
-
 scene::UnitSystem unit_system_of(const Document& document) {
-    const Value* asset = steradian_in(document.model.asset.extras);
-    const bool is_radiometric =
-        asset && asset->Has("units") && asset->Get("units").Get<std::string>() == "radiometric";
+    const json* asset = steradian_in(document.root.at("asset"));
+    const bool is_radiometric = asset && text_in(*asset, "units") == "radiometric";
     return is_radiometric ? scene::UnitSystem::radiometric : scene::UnitSystem::photometric;
 }
 
-EmissionSpec parse_emission(const Document& document, const Value* object, const std::string& title) {
+EmissionSpec parse_emission(const Document& document, const json* object, const std::string& title) {
     EmissionSpec emission;
     if (!object) return emission;
-    if (object->Has("quantity")) emission.quantity = parse_quantity(document, object->Get("quantity"), title);
-    if (object->Has("color") + object->Has("temperature") + object->Has("spectrum") > 1)
+    if (object->contains("quantity"))
+        emission.quantity = parse_quantity(document, object->at("quantity"), title);
+    if (object->contains("color") + object->contains("temperature") + object->contains("spectrum") > 1)
         document.fail(fmt::format("{} has two of color, temperature and spectrum", title), "leave one");
-    if (object->Has("color")) emission.color = parse_color(document, object->Get("color"), title);
-    if (object->Has("temperature"))
+    if (object->contains("color")) emission.color = parse_color(document, *object, title);
+    if (object->contains("temperature"))
         emission.color = blackbody(document, number_in(*object, "temperature", 0.0), title);
-    if (object->Has("spectrum")) emission.color = spectral(document, object->Get("spectrum"), title);
+    if (object->contains("spectrum")) emission.color = spectral(document, object->at("spectrum"), title);
     return emission;
 }
 
@@ -118,21 +108,6 @@ dvec3 emitted_color(const Document& document, dvec3 color, double quantity, cons
         document.fail(fmt::format("{} has the colour {} {} {}", title, color.x, color.y, color.z),
                       "give zero or more");
     return color * quantity;
-}
-
-std::string text_in(const Value& object, const std::string& key) {
-    return object.Has(key) && object.Get(key).IsString() ? object.Get(key).Get<std::string>() : std::string();
-}
-
-bool flag_in(const Value* object, const std::string& key, bool fallback) {
-    return object && object->Has(key) ? object->Get(key).Get<bool>() : fallback;
-}
-
-dvec3 color_in(const Value& object) {
-    if (!object.Has("color")) return dvec3(1.0);
-    const Value& color = object.Get("color");
-    return {color.Get(0).GetNumberAsDouble(), color.Get(1).GetNumberAsDouble(),
-            color.Get(2).GetNumberAsDouble()};
 }
 
 } // namespace sr::gltf

@@ -10,9 +10,6 @@
 
 namespace sr::gltf {
 
-/// The object `steradian` in a glTF object's extras; null where there is none.
-const tinygltf::Value* steradian_in(const tinygltf::Value& extras);
-
 /// Returns the system that asset.extras.steradian.units states: photometric unless it is "radiometric".
 scene::UnitSystem unit_system_of(const Document& document);
 
@@ -33,8 +30,7 @@ struct EmissionSpec {
 
 /// The "quantity" and the "color", "temperature" or "spectrum" of an object; nothing for a null.
 /// @throws Error calling its owner `title`, for a negative quantity, a temperature or a spectrum that is none
-EmissionSpec parse_emission(const Document& document, const tinygltf::Value* object,
-                            const std::string& title);
+EmissionSpec parse_emission(const Document& document, const json* object, const std::string& title);
 
 /// A light's own quantity (I, E or L) from a stated one in the scene's units; absent where that is not
 /// determined.
@@ -56,11 +52,5 @@ std::string light_title(std::string_view extension, int index, std::string_view 
 /// Returns colour times quantity. @throws Error if either is negative
 glm::dvec3 emitted_color(const Document& document, glm::dvec3 color, double quantity,
                          const std::string& title);
-
-/// The text, the flag and the three numbers of an object's property, or what stands for them where it is
-/// absent.
-std::string text_in(const tinygltf::Value& object, const std::string& key);
-bool flag_in(const tinygltf::Value* object, const std::string& key, bool fallback);
-glm::dvec3 color_in(const tinygltf::Value& object);
 
 } // namespace sr::gltf

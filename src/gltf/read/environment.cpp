@@ -65,34 +65,26 @@ std::shared_ptr<const scene::EnvironmentMap> read_environment(const std::filesys
 
 std::optional<scene::EnvironmentLight> parse_environment(const Document& document, std::optional<int> scene,
                                                          Warnings& warnings) {
-    const int index = scene.value_or(std::max(document.model.defaultScene, 0));
-    if (index < 0 || static_cast<std::size_t>(index) >= document.model.scenes.size()) return std::nullopt;
-    const tinygltf::Value* own = steradian_in(document.model.scenes[static_cast<std::size_t>(index)].extras);
-    if (!own || !own->Has("environment")) return std::nullopt;
-    const tinygltf::Value& stated = own->Get("environment");
-    const auto number = [&](const char* name, double otherwise) {
-        const double value = stated.Has(name) ? stated.Get(name).GetNumberAsDouble() : otherwise;
-        return static_cast<float>(value);
-    };
+    const int index = scene.value_or(integer_in(document.root, "scene", 0));
+    if (index < 0 || static_cast<std::size_t>(index) >= document.count("scenes")) return std::nullopt;
+    const json* own = steradian_in(document.entry("scenes", index));
+    if (!own || !own->contains("environment")) return std::nullopt;
+    const json& stated = own->at("environment");
     scene::EnvironmentLight light;
     light.name = "environment";
-    if (stated.Has("file") == stated.Has("radiance"))
+    if (stated.contains("file") == stated.contains("radiance"))
         document.fail("the scene's environment has no file and no radiance, or both",
                       R"(state one, as in "file": "sky.hdr" or "radiance": [1, 1, 1])");
-    if (stated.Has("radiance"))
-        for (int c = 0; c < 3; ++c)
-            light.L[c] = static_cast<float>(
-                stated.Get("radiance").Get(static_cast<std::size_t>(c)).GetNumberAsDouble());
-    const float strength = number("strength", 1.0);
-    light.L *= strength;
+    light.L = vec3(three_in(stated, "radiance", glm::dvec3(1.0)));
+    light.L *= static_cast<float>(number_in(stated, "strength", 1.0));
     if (!(light.L.r >= 0.0f && light.L.g >= 0.0f && light.L.b >= 0.0f)
         || !std::isfinite(light.L.r + light.L.g + light.L.b))
         document.fail("the scene's environment has a radiance or a strength that is negative or too large",
                       "use numbers from 0 up");
-    light.rotation = number("rotation", 0.0);
-    light.is_visible = !stated.Has("visible") || stated.Get("visible").Get<bool>();
-    if (stated.Has("file")) {
-        const std::string uri = stated.Get("file").Get<std::string>();
+    light.rotation = static_cast<float>(number_in(stated, "rotation", 0.0));
+    light.is_visible = flag_in(stated, "visible", true);
+    if (stated.contains("file")) {
+        const std::string uri = text_in(stated, "file");
         if (uri.empty() || uri.starts_with("data:"))
             document.fail("the scene's environment does not name its file",
                           R"(name one beside the glTF, as in "file": "sky.hdr")");

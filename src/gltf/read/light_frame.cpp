@@ -51,13 +51,11 @@ float scaled_size(const Document& document, double size, const LightFrame& frame
     return scaled;
 }
 
-std::vector<vec3> parse_corners(const Document& document, const tinygltf::Value& list,
-                                const glm::dmat4& world_from_node, const std::string& title) {
+std::vector<vec3> parse_corners(const Document& document, const json& list, const glm::dmat4& world_from_node,
+                                const std::string& title) {
     std::vector<dvec3> corners;
-    for (int i = 0; i < static_cast<int>(list.ArrayLen()); ++i) {
-        const tinygltf::Value& point = list.Get(i);
-        const glm::dvec4 local(point.Get(0).GetNumberAsDouble(), point.Get(1).GetNumberAsDouble(),
-                               point.Get(2).GetNumberAsDouble(), 1.0);
+    for (const json& point : list) {
+        const glm::dvec4 local(point[0].get<double>(), point[1].get<double>(), point[2].get<double>(), 1.0);
         corners.emplace_back(world_from_node * local);
     }
     if (glm::determinant(glm::dmat3(world_from_node)) < 0.0) std::reverse(corners.begin(), corners.end());

@@ -40,7 +40,7 @@ mat3 world_from_profile(const Document& document, const NodeTransform& transform
 /// A list of [x, y, z] [m] in a node's space, in the world, with the front (from where they go
 /// counter-clockwise) kept in front where the node mirrors.
 /// @throws Error calling the light `title`, unless they are the corners of a flat convex polygon
-std::vector<vec3> parse_corners(const Document& document, const tinygltf::Value& list,
-                                const glm::dmat4& world_from_node, const std::string& title);
+std::vector<vec3> parse_corners(const Document& document, const json& list, const glm::dmat4& world_from_node,
+                                const std::string& title);
 
 } // namespace sr::gltf

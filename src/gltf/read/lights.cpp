@@ -15,7 +15,17 @@ namespace sr::gltf {
 namespace {
 
 using glm::dvec3;
-using tinygltf::Value;
+
+/// An entry of the lights of an extension.
+const json& light_at(const Document& document, const char* extension, int index) {
+    return document.root.at("extensions").at(extension).at("lights").at(static_cast<std::size_t>(index));
+}
+
+/// Returns the name of a light, or else of its node.
+std::string name_of(const json& light, const json& node) {
+    const std::string own = text_in(light, "name");
+    return own.empty() ? text_in(node, "name") : own;
+}
 
 /// The consequence of a lost lamp, as warnings state it.
 constexpr std::string_view without_lamp = "until then that lamp is off";
@@ -25,9 +35,9 @@ constexpr std::array common_keys{"quantity", "color", "temperature", "spectrum",
 
 /// Returns a node's extras.steradian for the lights that extensions put on the node. Null: there is none, or
 /// it names a shape, which is a light of its own.
-const Value* extras_of_extension(const tinygltf::Node& node) {
-    const Value* authored = steradian_in(node.extras);
-    return authored && authored->Has("shape") ? nullptr : authored;
+const json* extras_of_extension(const json& node) {
+    const json* authored = steradian_in(node);
+    return authored && authored->contains("shape") ? nullptr : authored;
 }
 
 template<class L>
@@ -47,7 +57,7 @@ constexpr std::string_view sun_takes = "state a directional light in lx or W/m^2
 /// The extras of a light of KHR_lights_punctual. Those of its node override its own.
 class PunctualExtras {
 public:
-    PunctualExtras(const Document& document, const Value* node, const Value* light, const std::string& title)
+    PunctualExtras(const Document& document, const json* node, const json* light, const std::string& title)
         : document_(document), node_(node), light_(light), title_(title) {}
 
     EmissionSpec emission() const {
@@ -56,8 +66,8 @@ public:
 
     /// A length or an angle; absent where neither states it.
     std::optional<double> number(const std::string& key) const {
-        for (const Value* extras : {node_, light_})
-            if (extras && extras->Has(key)) return number_in(*extras, key, 0.0);
+        for (const json* extras : {node_, light_})
+            if (extras && extras->contains(key)) return number_in(*extras, key, 0.0);
         return std::nullopt;
     }
 
@@ -71,16 +81,16 @@ public:
 
 private:
     const Document& document_;
-    const Value* node_;
-    const Value* light_;
+    const json* node_;
+    const json* light_;
     std::string title_;
 };
 
-float parse_range(const Document& document, const tinygltf::Light& light, const std::string& title) {
-    if (light.range < 0.0)
-        document.fail(fmt::format("{} has the range {}", title, light.range),
-                      "give a positive range, or none");
-    return light.range > 0.0 ? static_cast<float>(light.range) : std::numeric_limits<float>::infinity();
+float parse_range(const Document& document, const json& light, const std::string& title) {
+    const double range = number_in(light, "range", 0.0);
+    if (range < 0.0)
+        document.fail(fmt::format("{} has the range {}", title, range), "give a positive range, or none");
+    return range > 0.0 ? static_cast<float>(range) : std::numeric_limits<float>::infinity();
 }
 
 struct Cone {
@@ -90,11 +100,11 @@ struct Cone {
 
 // KHR_lights_punctual: 0 <= inner < outer <= pi/2. Exporters write inner = outer for a hard edge (Blender's
 // spot_blend 0); beyond that each angle is brought into its range, the outer one first.
-Cone parse_cone(const Document& document, const tinygltf::SpotLight& spot, const std::string& title,
-                Warnings& warnings) {
+Cone parse_cone(const Document& document, const json& spot, const std::string& title, Warnings& warnings) {
     constexpr double right_angle = glm::half_pi<double>();
     constexpr double rounding = 1e-6; // of a pi/2 that was printed
-    const double inner = spot.innerConeAngle, outer = spot.outerConeAngle;
+    const double inner = number_in(spot, "innerConeAngle", 0.0);
+    const double outer = number_in(spot, "outerConeAngle", glm::quarter_pi<double>());
     if (!(outer > 0.0))
         document.fail(fmt::format("{} has the outerConeAngle {}", title, outer),
                       "give one above 0, up to pi/2");
@@ -113,7 +123,7 @@ Cone parse_cone(const Document& document, const tinygltf::SpotLight& spot, const
 
 /// The properties of a light that KHR_lights_punctual itself states.
 struct PunctualSource {
-    const tinygltf::Light& from;
+    std::string type;
     dvec3 own{0.0};                // colour times intensity
     float range = 0.0f;            // [m]
     std::optional<Cone> cone;      // of a spot
@@ -121,16 +131,16 @@ struct PunctualSource {
 };
 
 /// @throws Error if what the extension says makes no sense, or the light has no direction
-PunctualSource parse_punctual(const Document& document, const NodeTransform& transform,
-                              const tinygltf::Light& from, const std::string& title, Warnings& warnings) {
-    const dvec3 color = from.color.empty() ? dvec3(1.0) : dvec3(from.color[0], from.color[1], from.color[2]);
-    PunctualSource source{from,
-                          emitted_color(document, color, from.intensity, title),
+PunctualSource parse_punctual(const Document& document, const NodeTransform& transform, const json& from,
+                              const std::string& title, Warnings& warnings) {
+    const dvec3 color = three_in(from, "color", dvec3(1.0));
+    PunctualSource source{text_in(from, "type"),
+                          emitted_color(document, color, number_in(from, "intensity", 1.0), title),
                           parse_range(document, from, title),
                           {},
                           {}};
-    if (from.type == "spot") source.cone = parse_cone(document, from.spot, title, warnings);
-    if (from.type != "point") source.aim = build_frame(document, transform, title);
+    if (source.type == "spot") source.cone = parse_cone(document, from.at("spot"), title, warnings);
+    if (source.type != "point") source.aim = build_frame(document, transform, title);
     return source;
 }
 
@@ -155,7 +165,7 @@ scene::Light directional(const Document& document, const PunctualSource& source,
 template<class Punctual>
 Punctual placed_light(const Document& document, const NodeTransform& transform, const PunctualSource& source,
                       const PunctualExtras& extras, const std::string& title) {
-    extras.forbid("angular_diameter", source.from.type);
+    extras.forbid("angular_diameter", source.type);
     Punctual light;
     light.position = vec3(transform.world_from_node[3]);
     light.range = source.range;
@@ -169,8 +179,8 @@ Punctual placed_light(const Document& document, const NodeTransform& transform, 
 
 scene::Light punctual(const Document& document, const NodeTransform& transform, const PunctualSource& source,
                       const PunctualExtras& extras, const std::string& title) {
-    if (source.from.type == "directional") return directional(document, source, extras, title);
-    if (source.from.type == "point") {
+    if (source.type == "directional") return directional(document, source, extras, title);
+    if (source.type == "point") {
         auto light = placed_light<scene::PointLight>(document, transform, source, extras, title);
         light.I = emitted(document, extras.emission(), source.own, conversion_for(light), title, point_takes);
         return light;
@@ -185,10 +195,10 @@ scene::Light punctual(const Document& document, const NodeTransform& transform, 
 
 /// Returns the properties that extras without a shape can state of the lights that a node has by extensions;
 /// empty if it has no such light.
-std::vector<std::string> properties_without_shape(const tinygltf::Node& node) {
+std::vector<std::string> properties_without_shape(const json& node) {
     std::vector<std::string> known;
     const auto take = [&](const char* name, std::initializer_list<std::string> properties) {
-        if (extension(node.extensions, name)) known.insert(known.end(), properties);
+        if (extension(node, name)) known.insert(known.end(), properties);
     };
     take("KHR_lights_punctual", {"radius", "angular_diameter"});
     take("EXT_lights_area", {"texture", "two_sided"});
@@ -204,7 +214,7 @@ constexpr std::string_view area_takes =
 
 /// Sets L of an area light, and what else extras.steradian says of one. @throws Error
 template<class Area>
-void set_emission(const Document& document, Area& light, const Value* authored, dvec3 own,
+void set_emission(const Document& document, Area& light, const json* authored, dvec3 own,
                   const std::string& title) {
     light.is_visible = flag_in(authored, "visible", true);
     if constexpr (requires { light.is_two_sided; })
@@ -236,7 +246,7 @@ Flat flat_light(const Document& document, const LightFrame& frame, double size, 
 /// The properties of a light that EXT_lights_area itself states: place and size, and colour times intensity.
 using AreaSource = std::pair<std::variant<scene::DiskLight, scene::RectangleLight>, dvec3>;
 
-AreaSource parse_area(const Document& document, const NodeTransform& transform, const Value& light,
+AreaSource parse_area(const Document& document, const NodeTransform& transform, const json& light,
                       const std::string& title) {
     std::string type = text_in(light, "type");
     if (type.empty()) type = text_in(light, "shape"); // its name in the draft's first versions
@@ -244,9 +254,10 @@ AreaSource parse_area(const Document& document, const NodeTransform& transform, 
         document.fail(fmt::format("{} has the type {}", title, in_quotes(type)), "give \"rect\" or \"disk\"");
     const LightFrame frame = build_sided_frame(document, transform, title);
     const double size = number_in(light, "size", 1.0);
-    const dvec3 own = emitted_color(document, color_in(light), number_in(light, "intensity", 1000.0), title);
+    const dvec3 own = emitted_color(document, three_in(light, "color", dvec3(1.0)),
+                                    number_in(light, "intensity", 1000.0), title);
     if (type == "disk") return {flat_light<scene::DiskLight>(document, frame, size, 1.0, title), own};
-    const double aspect = light.Has("rect") ? number_in(light.Get("rect"), "aspect", 1.0) : 1.0;
+    const double aspect = light.contains("rect") ? number_in(light.at("rect"), "aspect", 1.0) : 1.0;
     return {flat_light<scene::RectangleLight>(document, frame, size, aspect, title), own};
 }
 
@@ -263,13 +274,13 @@ std::vector<std::string> keys_of(const scene::NamedShape<L>& shape) {
 
 /// @throws Error if the object lacks what the shape needs, or has what the shape has not
 template<class L>
-void check_properties(const Document& document, const Value& authored, const scene::NamedShape<L>& shape,
+void check_properties(const Document& document, const json& authored, const scene::NamedShape<L>& shape,
                       const std::string& title) {
     const std::vector<std::string> needs = keys_of(shape);
     for (const std::string& key : needs)
-        if (!authored.Has(key))
+        if (!authored.contains(key))
             document.fail(fmt::format("{} is a {} without {}", title, shape.name, key), "give it one");
-    for (const std::string& key : authored.Keys()) {
+    for (const auto& [key, value] : authored.items()) {
         bool is_known = key == "shape" || std::ranges::find(common_keys, key) != common_keys.end()
                         || std::ranges::find(needs, key) != needs.end();
         if constexpr (requires(L light) { light.map; }) is_known |= key == "texture";
@@ -279,14 +290,14 @@ void check_properties(const Document& document, const Value& authored, const sce
                 fmt::format("{} is a {} with {}", title, shape.name, key),
                 fmt::format("a {} has {}: leave {} out", shape.name, fmt::join(needs, " and "), key));
     }
-    if (!authored.Has("quantity"))
+    if (!authored.contains("quantity"))
         document.fail(fmt::format("{} states no quantity", title),
                       R"(give one, as in "quantity": {"value": 800, "unit": "lm"})");
 }
 
 /// A light of that shape at the frame, all but what it emits.
 template<class L>
-L shaped(const Document& document, const Value& authored, const scene::NamedShape<L>& shape,
+L shaped(const Document& document, const json& authored, const scene::NamedShape<L>& shape,
          const NodeTransform& transform, const LightFrame& frame, const std::string& title) {
     L light;
     if constexpr (requires { light.center = vec3(0.0f); }) light.center = vec3(frame.position);
@@ -302,7 +313,7 @@ L shaped(const Document& document, const Value& authored, const scene::NamedShap
         size.scale(light, scaled / size.per_member);
     }
     if constexpr (requires { light.corners; })
-        light.corners = parse_corners(document, authored.Get("corners"), transform.world_from_node, title);
+        light.corners = parse_corners(document, authored.at("corners"), transform.world_from_node, title);
     return light;
 }
 
@@ -314,8 +325,8 @@ constexpr std::string_view ies_takes =
     "an IES light has the intensities of its file: state its flux in lm or W";
 
 // The extension clamps colours to 0..1.
-dvec3 parse_tint(const Document& document, const Value& instance, const std::string& title) {
-    const dvec3 color = glm::min(color_in(instance), dvec3(1.0));
+dvec3 parse_tint(const Document& document, const json& instance, const std::string& title) {
+    const dvec3 color = glm::min(three_in(instance, "color", dvec3(1.0)), dvec3(1.0));
     const double multiplier = number_in(instance, "multiplier", 1.0);
     return emitted_color(document, color, multiplier, title);
 }
@@ -323,27 +334,27 @@ dvec3 parse_tint(const Document& document, const Value& instance, const std::str
 } // namespace
 
 void LightTable::append_punctual(const NodeTransform& transform, Warnings& warnings) {
-    const tinygltf::Node& node = document_.model.nodes[static_cast<std::size_t>(transform.node)];
-    const Value* reference = extension(node.extensions, "KHR_lights_punctual");
+    const json& node = document_.entry("nodes", transform.node);
+    const json* reference = extension(node, "KHR_lights_punctual");
     if (!reference) return;
-    const int index = whole_in(*reference, "light", 0);
+    const int index = integer_in(*reference, "light", 0);
     if (document_.is_lost(fmt::format("/extensions/KHR_lights_punctual/lights/{}", index))) return;
-    const tinygltf::Light& from = document_.model.lights[static_cast<std::size_t>(index)];
-    const std::string title = light_title("KHR_lights_punctual", index, from.name);
+    const json& from = light_at(document_, "KHR_lights_punctual", index);
+    const std::string title = light_title("KHR_lights_punctual", index, text_in(from, "name"));
     std::optional<PunctualSource> source;
     const bool is_read = warnings.attempt(
         without_lamp, [&] { source.emplace(parse_punctual(document_, transform, from, title, warnings)); });
     if (!is_read) return;
-    const Value* authored = extras_of_extension(node);
-    const PunctualExtras extras(document_, authored, steradian_in(from.extras), title);
+    const json* authored = extras_of_extension(node);
+    const PunctualExtras extras(document_, authored, steradian_in(from), title);
     scene::Light light = punctual(document_, transform, *source, extras, title);
-    scene::set_name(light, from.name.empty() ? node.name : from.name);
+    scene::set_name(light, name_of(from, node));
     lights_.push_back(std::move(light));
 }
 
 void LightTable::append(const NodeTransform& transform, Warnings& warnings) {
-    const tinygltf::Node& node = document_.model.nodes[static_cast<std::size_t>(transform.node)];
-    const Value* authored = steradian_in(node.extras);
+    const json& node = document_.entry("nodes", transform.node);
+    const json* authored = steradian_in(node);
     // glTF's way to animate visibility (section 3.5.3, "Implementation Note").
     if (!(largest_axis(transform) > 0.0)) {
         if (!properties_without_shape(node).empty() || authored)
@@ -354,9 +365,9 @@ void LightTable::append(const NodeTransform& transform, Warnings& warnings) {
     append_area(transform, warnings);
     append_ies(transform, warnings);
     append_shape(transform, warnings);
-    if (!authored || authored->Has("shape")) return;
+    if (!authored || authored->contains("shape")) return;
     const std::vector<std::string> known = properties_without_shape(node);
-    for (const std::string& key : authored->Keys())
+    for (const auto& [key, value] : authored->items())
         if (!known.empty() && std::find(known.begin(), known.end(), key) == known.end())
             document_.fail(
                 fmt::format("/nodes/{}/extras/steradian states {}", transform.node, key),
@@ -368,22 +379,21 @@ void LightTable::append(const NodeTransform& transform, Warnings& warnings) {
 }
 
 void LightTable::append_area(const NodeTransform& transform, Warnings& warnings) {
-    const tinygltf::Node& node = document_.model.nodes[static_cast<std::size_t>(transform.node)];
-    const Value* reference = extension(node.extensions, "EXT_lights_area");
+    const json& node = document_.entry("nodes", transform.node);
+    const json* reference = extension(node, "EXT_lights_area");
     if (!reference) return;
-    const int index = whole_in(*reference, "light", 0);
+    const int index = integer_in(*reference, "light", 0);
     if (document_.is_lost(fmt::format("/extensions/EXT_lights_area/lights/{}", index))) return;
-    const Value& light = extension(document_.model.extensions, "EXT_lights_area")->Get("lights").Get(index);
-    const std::string name = text_in(light, "name");
-    const std::string title = light_title("EXT_lights_area", index, name);
+    const json& light = light_at(document_, "EXT_lights_area", index);
+    const std::string title = light_title("EXT_lights_area", index, text_in(light, "name"));
     std::optional<AreaSource> source;
     warnings.attempt(without_lamp, [&] { source = parse_area(document_, transform, light, title); });
     if (!source) return;
 
-    const Value* authored = extras_of_extension(node);
+    const json* authored = extras_of_extension(node);
     std::visit(
         [&](auto& result) {
-            result.name = name.empty() ? node.name : name;
+            result.name = name_of(light, node);
             result.map = map_of(authored, transform);
             set_emission(document_, result, authored, source->second, title);
             lights_.emplace_back(std::move(result));
@@ -393,10 +403,10 @@ void LightTable::append_area(const NodeTransform& transform, Warnings& warnings)
 
 const std::pair<int, scene::IesLuminaire>& LightTable::luminaire(int index, const std::string& title) {
     if (const auto known = luminaires_.find(index); known != luminaires_.end()) return known->second;
-    const Value& light = extension(document_.model.extensions, "EXT_lights_ies")->Get("lights").Get(index);
+    const json& light = light_at(document_, "EXT_lights_ies", index);
     const std::string pointer = fmt::format("/extensions/EXT_lights_ies/lights/{}", index);
     const std::string uri = text_in(light, "uri");
-    const int view = whole_in(light, "bufferView", -1);
+    const int view = integer_in(light, "bufferView", -1);
     if (uri.empty() == (view < 0))
         document_.fail(fmt::format("{} has not one of uri and bufferView", title),
                        "name where its IES file is");
@@ -418,15 +428,14 @@ const std::pair<int, scene::IesLuminaire>& LightTable::luminaire(int index, cons
 }
 
 void LightTable::append_ies(const NodeTransform& transform, Warnings& warnings) {
-    const tinygltf::Node& node = document_.model.nodes[static_cast<std::size_t>(transform.node)];
-    const Value* instance = extension(node.extensions, "EXT_lights_ies");
+    const json& node = document_.entry("nodes", transform.node);
+    const json* instance = extension(node, "EXT_lights_ies");
     if (!instance) return;
-    const int index = whole_in(*instance, "light", 0);
+    const int index = integer_in(*instance, "light", 0);
     if (document_.is_lost(fmt::format("/extensions/EXT_lights_ies/lights/{}", index))) return;
-    const Value& from = extension(document_.model.extensions, "EXT_lights_ies")->Get("lights").Get(index);
-    const std::string name = text_in(from, "name");
-    const std::string title = light_title("EXT_lights_ies", index, name);
-    const Value* authored = extras_of_extension(node);
+    const json& from = light_at(document_, "EXT_lights_ies", index);
+    const std::string title = light_title("EXT_lights_ies", index, text_in(from, "name"));
+    const json* authored = extras_of_extension(node);
 
     LightFrame frame;
     scene::PointLight light;
@@ -439,10 +448,10 @@ void LightTable::append_ies(const NodeTransform& transform, Warnings& warnings) 
     });
     if (!is_read) return;
     const scene::IesLuminaire& luminaire = luminaires_.at(index).second;
-    light.name = name.empty() ? node.name : name;
+    light.name = name_of(from, node);
     light.position = vec3(frame.position);
     light.is_visible = flag_in(authored, "visible", true);
-    if (authored && authored->Has("radius"))
+    if (authored && authored->contains("radius"))
         light.radius = scaled_size(document_, number_in(*authored, "radius", 0.0), frame, "radius", title);
 
     const double from_nadir = std::acos(glm::clamp(-frame.front.y, -1.0, 1.0));
@@ -460,21 +469,21 @@ void LightTable::append_ies(const NodeTransform& transform, Warnings& warnings) 
     lights_.emplace_back(std::move(light));
 }
 
-scene::EmissionMap LightTable::map_of(const Value* authored, const NodeTransform& transform) {
+scene::EmissionMap LightTable::map_of(const json* authored, const NodeTransform& transform) {
     scene::EmissionMap map;
-    if (authored && authored->Has("texture"))
-        map.texture = textures_.texture(whole_in(*authored, "texture", 0), scene::ColorSpace::srgb);
+    if (authored && authored->contains("texture"))
+        map.texture = textures_.texture(integer_in(*authored, "texture", 0), scene::ColorSpace::srgb);
     if (glm::determinant(glm::dmat3(transform.world_from_node)) < 0.0)
         map.along_u = -map.along_u; // the frame's u does not follow the node's X there
     return map;
 }
 
 void LightTable::append_shape(const NodeTransform& transform, Warnings& warnings) {
-    const tinygltf::Node& node = document_.model.nodes[static_cast<std::size_t>(transform.node)];
-    const Value* authored = steradian_in(node.extras);
-    if (!authored || !authored->Has("shape")) return;
-    const std::string title =
-        fmt::format("light {} (/nodes/{}/extras/steradian)", in_quotes(node.name), transform.node);
+    const json& node = document_.entry("nodes", transform.node);
+    const json* authored = steradian_in(node);
+    if (!authored || !authored->contains("shape")) return;
+    const std::string title = fmt::format("light {} (/nodes/{}/extras/steradian)",
+                                          in_quotes(text_in(node, "name")), transform.node);
     const std::string name = text_in(*authored, "shape");
     const auto append = [&](const auto& shape) {
         check_properties(document_, *authored, shape, title);
@@ -482,7 +491,7 @@ void LightTable::append_shape(const NodeTransform& transform, Warnings& warnings
         warnings.attempt(without_lamp, [&] { frame = build_sided_frame(document_, transform, title); });
         if (!frame) return;
         auto light = shaped(document_, *authored, shape, transform, *frame, title);
-        light.name = node.name;
+        light.name = text_in(node, "name");
         if constexpr (requires { light.map; }) light.map = map_of(authored, transform);
         set_emission(document_, light, authored, dvec3(1.0), title);
         lights_.emplace_back(std::move(light));

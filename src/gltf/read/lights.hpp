@@ -38,7 +38,7 @@ private:
 
     /// The emission map of extras.steradian.texture; none where there is no texture. A node that mirrors
     /// mirrors the picture, too.
-    scene::EmissionMap map_of(const tinygltf::Value* authored, const NodeTransform& transform);
+    scene::EmissionMap map_of(const json* authored, const NodeTransform& transform);
     /// An IES file of the glTF, read once; with the index of its profile.
     const std::pair<int, scene::IesLuminaire>& luminaire(int index, const std::string& title);
 

@@ -9,14 +9,10 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 namespace sr::gltf {
-
-using tinygltf::Value;
-
 std::vector<std::string> variant_names(const Document& document) {
     std::vector<std::string> names;
-    if (const Value* extension = gltf::extension(document.model.extensions, "KHR_materials_variants"))
-        for (const Value& variant : extension->Get("variants").Get<Value::Array>())
-            names.push_back(variant.Get("name").Get<std::string>());
+    if (const json* variants = extension(document.root, "KHR_materials_variants"))
+        for (const json& variant : variants->at("variants")) names.push_back(text_in(variant, "name"));
     return names;
 }
 
@@ -31,35 +27,43 @@ std::optional<int> find_variant(const Document& document, std::string_view name)
                                 : fmt::format("choose one of {}", fmt::join(names, ", ")));
 }
 
-int material_of(const tinygltf::Primitive& primitive, std::optional<int> variant) {
-    const Value* extension = gltf::extension(primitive.extensions, "KHR_materials_variants");
-    if (!variant || !extension) return primitive.material;
-    for (const Value& mapping : extension->Get("mappings").Get<Value::Array>())
-        for (const Value& chosen : mapping.Get("variants").Get<Value::Array>())
-            if (chosen.GetNumberAsInt() == *variant) return mapping.Get("material").GetNumberAsInt();
-    return primitive.material;
-}
-
 namespace {
 
 using glm::dmat4;
 
-const tinygltf::Node& node_of(const Document& document, const NodeTransform& transform) {
-    return document.model.nodes[static_cast<std::size_t>(transform.node)];
+const json& node_of(const Document& document, const NodeTransform& transform) {
+    return document.entry("nodes", transform.node);
 }
 
-const std::vector<tinygltf::Primitive>& primitives_of(const Document& document, int mesh) {
-    return document.model.meshes[static_cast<std::size_t>(mesh)].primitives;
+int mesh_number(const json& node) { return integer_in(node, "mesh", -1); }
+
+std::size_t primitive_count(const Document& document, int mesh) {
+    return document.model.meshes[static_cast<std::size_t>(mesh)].primitives.size();
 }
 
-/// The specification, section 3.7.2.2: a node's weights go before its mesh's.
-const std::vector<double>& weights_of(const Document& document, const tinygltf::Node& node) {
-    return node.weights.empty() ? document.model.meshes[static_cast<std::size_t>(node.mesh)].weights
-                                : node.weights;
+/// The material of a primitive in a variant, or without one: an index into the file's materials, negative for
+/// glTF's default material.
+int material_of(const Document& document, const PrimitivePlace& place, std::optional<int> variant) {
+    const json& primitive =
+        document.entry("meshes", place.mesh).at("primitives").at(static_cast<std::size_t>(place.primitive));
+    const json* extension = variant ? gltf::extension(primitive, "KHR_materials_variants") : nullptr;
+    if (extension)
+        for (const json& mapping : extension->at("mappings"))
+            for (const json& chosen : mapping.at("variants"))
+                if (chosen.get<int>() == *variant) return mapping.at("material").get<int>();
+    return integer_in(primitive, "material", -1);
+}
+
+/// The specification, section 3.7.2.2: a node's weights override its mesh's.
+std::vector<double> weights_of(const Document& document, const json& node) {
+    return numbers_in(node.contains("weights") ? node : document.entry("meshes", mesh_number(node)),
+                      "weights");
 }
 
 /// Returns the number of vertices that a primitive states: primitives may share their accessors.
-std::uint64_t vertices_at_least(const Document& document, const tinygltf::Primitive& primitive) {
+std::uint64_t vertices_at_least(const Document& document, const PrimitivePlace& place) {
+    const auto& mesh = document.model.meshes[static_cast<std::size_t>(place.mesh)];
+    const auto& primitive = mesh.primitives[static_cast<std::size_t>(place.primitive)];
     const auto positions = primitive.attributes.find("POSITION");
     const std::uint64_t stated =
         positions == primitive.attributes.end() ? 0 : count_of(document, positions->second);
@@ -97,26 +101,26 @@ MeshInstances::MeshInstances(const Document& document, const std::vector<NodeTra
       vertex_count_(Limit::vertices, document.name),
       name_size_(Limit::names, document.name) {
     for (const NodeTransform& node : nodes) {
-        const int mesh = node_of(document, node).mesh;
+        const int mesh = mesh_number(node_of(document, node));
         if (mesh >= 0 && std::ranges::find(meshes_, mesh) == meshes_.end()) meshes_.push_back(mesh);
     }
 }
 
 void MeshInstances::request_materials(MaterialTable& materials) const {
     for (const int mesh : meshes_)
-        for (const tinygltf::Primitive& primitive : primitives_of(document_, mesh))
-            materials.material(material_of(primitive, variant_));
+        for (int p = 0; p < static_cast<int>(primitive_count(document_, mesh)); ++p)
+            materials.material(material_of(document_, {mesh, p}, variant_));
 }
 
 void MeshInstances::build(MaterialTable& materials, scene::Scene& scene, Warnings& warnings) {
     std::map<int, std::vector<Primitive>> primitives;
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
-        const tinygltf::Node& node = node_of(document_, nodes_[i]);
-        if (node.mesh < 0) continue;
-        const auto [found, is_new] = primitives.try_emplace(node.mesh);
-        if (is_new) found->second = build_primitives(node.mesh, materials, scene, warnings);
-        if (node.skin >= 0 && !skins_.contains(node.skin))
-            skins_.emplace(node.skin, parse_skin(document_, node.skin));
+        const json& node = node_of(document_, nodes_[i]);
+        const int mesh = mesh_number(node), skin = integer_in(node, "skin", -1);
+        if (mesh < 0) continue;
+        const auto [found, is_new] = primitives.try_emplace(mesh);
+        if (is_new) found->second = build_primitives(mesh, materials, scene, warnings);
+        if (skin >= 0 && !skins_.contains(skin)) skins_.emplace(skin, parse_skin(document_, skin));
         for (Primitive& primitive : found->second) add(i, primitive, scene, warnings);
     }
     if (instanced_.empty())
@@ -127,13 +131,11 @@ void MeshInstances::build(MaterialTable& materials, scene::Scene& scene, Warning
 std::vector<MeshInstances::Primitive>
 MeshInstances::build_primitives(int mesh, MaterialTable& materials, scene::Scene& scene, Warnings& warnings) {
     std::vector<Primitive> result;
-    const auto& primitives = primitives_of(document_, mesh);
-    for (int p = 0; p < static_cast<int>(primitives.size()); ++p) {
-        const tinygltf::Primitive& primitive = primitives[static_cast<std::size_t>(p)];
-        const int number = materials.material(material_of(primitive, variant_));
-        const scene::Material& material = scene.materials[static_cast<std::size_t>(number)];
+    for (int p = 0; p < static_cast<int>(primitive_count(document_, mesh)); ++p) {
         const PrimitivePlace place{mesh, p};
-        made_count_.add(vertices_at_least(document_, primitive));
+        const int number = materials.material(material_of(document_, place, variant_));
+        const scene::Material& material = scene.materials[static_cast<std::size_t>(number)];
+        made_count_.add(vertices_at_least(document_, place));
         auto made = build_mesh(document_, place, material, warnings);
         if (!made || made->is_empty()) continue;
         made->material = number;
@@ -152,7 +154,7 @@ MeshInstances::build_primitives(int mesh, MaterialTable& materials, scene::Scene
 
 void MeshInstances::add(std::size_t index, Primitive& primitive, scene::Scene& scene, Warnings& warnings) {
     const NodeTransform& node = nodes_[index];
-    const int skin = node_of(document_, node).skin;
+    const int skin = integer_in(node_of(document_, node), "skin", -1);
     const bool has_influences = primitive.deformation && primitive.deformation->influences.per_vertex > 0;
     if (skin >= 0 && !has_influences)
         warnings.add("a node has a skin, and its mesh has no joints and weights",
@@ -182,7 +184,7 @@ void MeshInstances::count(const InstancedMesh& instanced, const NodeTransform& n
     instance_count_.add(instances);
     const std::size_t quads = 2 * mesh.lines.size(); // in which lines are drawn: four vertices each
     vertex_count_.add(instances * shapes * std::max({mesh.positions.size(), mesh.indices.size() / 3, quads}));
-    name_size_.add(instances * (node_of(document_, node).name.size() + mesh.name.size()));
+    name_size_.add(instances * (text_in(node_of(document_, node), "name").size() + mesh.name.size()));
 }
 
 void MeshInstances::require_joints(int skin, const Deformation& deformation) const {
@@ -215,7 +217,7 @@ std::map<int, std::vector<dmat4>> MeshInstances::joints(const std::vector<NodeTr
 
 void MeshInstances::append_instances(const InstancedMesh& instanced, const NodeTransform& node,
                                      scene::Scene& scene) const {
-    const std::string& name = node_of(document_, node).name;
+    const std::string name = text_in(node_of(document_, node), "name");
     for (const dmat4& node_from_instance : instanced.node_from_instance)
         scene.instances.push_back({instanced.mesh, mat4(node.world_from_node * node_from_instance), name});
 }
@@ -235,14 +237,15 @@ std::vector<bool> MeshInstances::evaluate(const std::vector<NodeTransform>& node
     std::vector<bool> is_visible;
     for (const InstancedMesh& instanced : instanced_) {
         const NodeTransform& node = nodes[instanced.node];
-        const tinygltf::Node& source = node_of(document_, node);
+        const json& source = node_of(document_, node);
         const bool is_skinned = instanced.skin >= 0;
         if (instanced.deformation)
             deform(*instanced.deformation, weights_of(document_, source),
                    is_skinned ? std::span<const dmat4>(joints.at(instanced.skin)) : std::span<const dmat4>{},
                    scene.meshes[static_cast<std::size_t>(instanced.mesh)]);
         if (is_skinned)
-            scene.instances.push_back({instanced.mesh, world_from_skinned.at(instanced.skin), source.name});
+            scene.instances.push_back(
+                {instanced.mesh, world_from_skinned.at(instanced.skin), text_in(source, "name")});
         else
             append_instances(instanced, node, scene);
         is_visible.resize(scene.instances.size(), node.is_visible);

@@ -18,10 +18,6 @@ std::vector<std::string> variant_names(const Document& document);
 /// The number of the variant with this name; absent for an empty name. @throws Error naming those there are
 std::optional<int> find_variant(const Document& document, std::string_view name);
 
-/// The material of a primitive in a variant, or without one: an index into the file's materials, negative for
-/// glTF's default material.
-int material_of(const tinygltf::Primitive& primitive, std::optional<int> variant);
-
 class MeshInstances {
 public:
     /// @param nodes as flatten_nodes() returns them

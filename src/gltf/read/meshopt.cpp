@@ -23,16 +23,16 @@ struct Packed {
     std::string filter;
 };
 
-Packed parse_packed(const tinygltf::Value& object) {
-    const auto whole = [&](const char* key) { return static_cast<std::size_t>(whole_in(object, key, 0)); };
-    Packed packed{whole_in(object, "buffer", 0),
+Packed parse_packed(const json& object) {
+    const auto whole = [&](const char* key) { return static_cast<std::size_t>(integer_in(object, key, 0)); };
+    Packed packed{integer_in(object, "buffer", 0),
                   whole("byteOffset"),
                   whole("byteLength"),
                   whole("byteStride"),
                   whole("count"),
-                  object.Get("mode").Get<std::string>(),
+                  object.at("mode").get<std::string>(),
                   "NONE"};
-    if (object.Has("filter")) packed.filter = object.Get("filter").Get<std::string>();
+    if (object.contains("filter")) packed.filter = object.at("filter").get<std::string>();
     return packed;
 }
 
@@ -109,7 +109,7 @@ void unpack_meshopt(Document& document) {
     auto& views = document.model.bufferViews;
     for (std::size_t i = 0; i < views.size(); ++i) {
         for (const char* name : {"KHR_meshopt_compression", "EXT_meshopt_compression"}) {
-            const tinygltf::Value* object = extension(views[i].extensions, name);
+            const json* object = extension(document.entry("bufferViews", static_cast<int>(i)), name);
             if (!object) continue;
             try {
                 const std::string pointer = fmt::format("/bufferViews/{}/extensions/{}", i, name);

@@ -16,37 +16,34 @@ namespace sr::gltf {
 namespace {
 
 // glTF 2.0 specification, section 5.26: OpenGL's numbers.
+constexpr int nearest = 9728, linear = 9729, nearest_mipmap_nearest = 9984, linear_mipmap_nearest = 9985,
+              nearest_mipmap_linear = 9986, clamp_to_edge = 33071, mirrored_repeat = 33648;
+
 scene::Wrap wrap_of(int code) {
-    if (code == TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE) return scene::Wrap::clamp_to_edge;
-    if (code == TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT) return scene::Wrap::mirrored_repeat;
+    if (code == clamp_to_edge) return scene::Wrap::clamp_to_edge;
+    if (code == mirrored_repeat) return scene::Wrap::mirrored_repeat;
     return scene::Wrap::repeat;
 }
 
-scene::Sampler sampler_of(const tinygltf::Sampler& from) {
+scene::Sampler parse_sampler(const json& from) {
     scene::Sampler to;
-    to.wrap_u = wrap_of(from.wrapS);
-    to.wrap_v = wrap_of(from.wrapT);
-    if (from.magFilter == TINYGLTF_TEXTURE_FILTER_NEAREST) to.magnification = scene::Filter::nearest;
-    switch (from.minFilter) { // absent (-1): ours to choose, so the best
-    case TINYGLTF_TEXTURE_FILTER_NEAREST:
-    case TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_NEAREST:
-    case TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_LINEAR: to.minification = scene::Filter::nearest; break;
-    default: break;
-    }
-    switch (from.minFilter) {
-    case TINYGLTF_TEXTURE_FILTER_NEAREST:
-    case TINYGLTF_TEXTURE_FILTER_LINEAR: to.mipmap = scene::Mipmap::none; break;
-    case TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_NEAREST:
-    case TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_NEAREST: to.mipmap = scene::Mipmap::nearest; break;
-    default: break;
-    }
+    to.wrap_u = wrap_of(integer_in(from, "wrapS", 0));
+    to.wrap_v = wrap_of(integer_in(from, "wrapT", 0));
+    if (integer_in(from, "magFilter", 0) == nearest) to.magnification = scene::Filter::nearest;
+    const int minification = integer_in(from, "minFilter", 0); // absent: ours to choose, so the best
+    if (minification == nearest || minification == nearest_mipmap_nearest
+        || minification == nearest_mipmap_linear)
+        to.minification = scene::Filter::nearest;
+    if (minification == nearest || minification == linear) to.mipmap = scene::Mipmap::none;
+    if (minification == nearest_mipmap_nearest || minification == linear_mipmap_nearest)
+        to.mipmap = scene::Mipmap::nearest;
     return to;
 }
 
 /// EXT_texture_webp names a WebP beside the PNG or JPEG, which those read that cannot decode it.
-int source_of(const tinygltf::Texture& from) {
-    const tinygltf::Value* webp = extension(from.extensions, "EXT_texture_webp");
-    return webp && image::decodes_webp() ? whole_in(*webp, "source", from.source) : from.source;
+int source_of(const json& from) {
+    const json* webp = extension(from, "EXT_texture_webp");
+    return integer_in(webp && image::decodes_webp() ? *webp : from, "source", -1);
 }
 
 } // namespace
@@ -55,15 +52,14 @@ TextureTable::TextureTable(const Document& document, Warnings& warnings)
     : document_(document), warnings_(warnings) {}
 
 int TextureTable::texture(int gltf_texture, scene::ColorSpace color_space) {
-    const tinygltf::Texture& from = document_.model.textures[static_cast<std::size_t>(gltf_texture)];
+    const json& from = document_.entry("textures", gltf_texture);
     const std::string pointer = fmt::format("/textures/{}", gltf_texture);
     if (document_.is_lost(pointer)) return -1;
     const int source = source_of(from);
     const int count = static_cast<int>(document_.images.size());
     if (source < 0 || source >= count) {
-        const bool is_ktx = source < 0
-                            && (extension(from.extensions, "KHR_texture_basisu")
-                                || extension(from.extensions, "GOOGLE_texture_basis"));
+        const bool is_ktx =
+            source < 0 && (extension(from, "KHR_texture_basisu") || extension(from, "GOOGLE_texture_basis"));
         warnings_.add(source < 0 ? pointer + " has no image in a supported format"
                                  : fmt::format("{} has image {}, and there are {}", pointer, source, count),
                       is_ktx ? fmt::format("the material is shown without it; {}", convert_ktx)
@@ -75,8 +71,8 @@ int TextureTable::texture(int gltf_texture, scene::ColorSpace color_space) {
 
     scene::Texture texture;
     texture.image = image->second;
-    if (from.sampler >= 0)
-        texture.sampler = sampler_of(document_.model.samplers[static_cast<std::size_t>(from.sampler)]);
+    if (const int sampler = integer_in(from, "sampler", -1); sampler >= 0)
+        texture.sampler = parse_sampler(document_.entry("samplers", sampler));
     texture.color_space = color_space;
     const auto found = std::find(textures_.begin(), textures_.end(), texture);
     if (found != textures_.end()) return static_cast<int>(found - textures_.begin());
