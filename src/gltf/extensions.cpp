@@ -20,6 +20,88 @@ constexpr std::string_view no_transcoder = "not read, since Debian 12 packages n
                                            "JPEG beside it, else the texture is lost and the "
                                            "warning names a command that converts the file";
 
+// The objects of extensions in materials.
+using namespace schemas;
+
+Schema numbers(std::size_t length) { return array(number(), length); }
+
+Schema specular_glossiness() {
+    const Schema texture = texture_info_schema();
+    return object({{"diffuseFactor", numbers(4)},
+                   {"diffuseTexture", texture},
+                   {"specularFactor", numbers(3)},
+                   {"glossinessFactor", number()},
+                   {"specularGlossinessTexture", texture}});
+}
+
+Schema anisotropy() {
+    const Schema texture = texture_info_schema();
+    return object(
+        {{"anisotropyStrength", number()}, {"anisotropyRotation", number()}, {"anisotropyTexture", texture}});
+}
+
+Schema clearcoat() {
+    const Schema texture = texture_info_schema();
+    return object({{"clearcoatFactor", number()},
+                   {"clearcoatTexture", texture},
+                   {"clearcoatRoughnessFactor", number()},
+                   {"clearcoatRoughnessTexture", texture},
+                   {"clearcoatNormalTexture", texture}});
+}
+
+Schema sheen() {
+    const Schema texture = texture_info_schema();
+    return object({{"sheenColorFactor", numbers(3)},
+                   {"sheenColorTexture", texture},
+                   {"sheenRoughnessFactor", number()},
+                   {"sheenRoughnessTexture", texture}});
+}
+
+Schema iridescence() {
+    const Schema texture = texture_info_schema();
+    return object({{"iridescenceFactor", number()},
+                   {"iridescenceTexture", texture},
+                   {"iridescenceIor", number()},
+                   {"iridescenceThicknessMinimum", number()},
+                   {"iridescenceThicknessMaximum", number()},
+                   {"iridescenceThicknessTexture", texture}});
+}
+
+Schema emissive_strength() { return object({{"emissiveStrength", number()}}); }
+
+Schema ior() { return object({{"ior", number()}}); }
+
+Schema specular() {
+    const Schema texture = texture_info_schema();
+    return object({{"specularFactor", number()},
+                   {"specularTexture", texture},
+                   {"specularColorFactor", numbers(3)},
+                   {"specularColorTexture", texture}});
+}
+
+Schema transmission() {
+    const Schema texture = texture_info_schema();
+    return object({{"transmissionFactor", number()}, {"transmissionTexture", texture}});
+}
+
+Schema volume() {
+    const Schema texture = texture_info_schema();
+    return object({{"thicknessFactor", number()},
+                   {"thicknessTexture", texture},
+                   {"attenuationDistance", number()},
+                   {"attenuationColor", numbers(3)}});
+}
+
+Schema diffuse_transmission() {
+    const Schema texture = texture_info_schema();
+    return object({{"diffuseTransmissionFactor", number()},
+                   {"diffuseTransmissionTexture", texture},
+                   {"diffuseTransmissionColorFactor", numbers(3)},
+                   {"diffuseTransmissionColorTexture", texture}});
+}
+
+Schema unlit() { return object(); }
+
 using enum Support;
 
 const std::array table{
@@ -37,24 +119,29 @@ const std::array table{
     Extension{"KHR_draco_mesh_compression", full, "where `libdraco-dev` was found at build time",
               reads_draco},
     Extension{"KHR_lights_punctual"},
-    Extension{"KHR_materials_anisotropy"},
-    Extension{"KHR_materials_clearcoat"},
-    Extension{"KHR_materials_diffuse_transmission", full,
-              "Lambert's lobe on the other side; nothing is scattered within a volume"},
-    Extension{"KHR_materials_emissive_strength"},
-    Extension{"KHR_materials_ior"},
-    Extension{"KHR_materials_iridescence"},
-    Extension{"KHR_materials_pbrSpecularGlossiness", full,
-              "preferred to metallic-roughness: F0 = specular, ρ = diffuse (1 − max F0), roughness = 1 − "
-              "glossiness; "
-              "under glTF's own Fresnel and GGX"},
-    Extension{"KHR_materials_sheen"},
-    Extension{"KHR_materials_specular"},
-    Extension{"KHR_materials_transmission", full,
-              "light goes straight through, tinted: not refracted, not blurred"},
-    Extension{"KHR_materials_unlit"},
+    Extension{.name = "KHR_materials_anisotropy", .of_material = anisotropy},
+    Extension{.name = "KHR_materials_clearcoat", .of_material = clearcoat},
+    Extension{.name = "KHR_materials_diffuse_transmission",
+              .notes = "Lambert's lobe on the other side; nothing is scattered within a volume",
+              .of_material = diffuse_transmission},
+    Extension{.name = "KHR_materials_emissive_strength", .of_material = emissive_strength},
+    Extension{.name = "KHR_materials_ior", .of_material = ior},
+    Extension{.name = "KHR_materials_iridescence", .of_material = iridescence},
+    Extension{.name = "KHR_materials_pbrSpecularGlossiness",
+              .notes =
+                  "preferred to metallic-roughness: F0 = specular, ρ = diffuse (1 − max F0), roughness = 1 − "
+                  "glossiness; "
+                  "under glTF's own Fresnel and GGX",
+              .of_material = specular_glossiness},
+    Extension{.name = "KHR_materials_sheen", .of_material = sheen},
+    Extension{.name = "KHR_materials_specular", .of_material = specular},
+    Extension{.name = "KHR_materials_transmission",
+              .notes = "light goes straight through, tinted: not refracted, not blurred",
+              .of_material = transmission},
+    Extension{.name = "KHR_materials_unlit", .of_material = unlit},
     Extension{"KHR_materials_variants", full, "`--variant NAME`; without it each primitive's own material"},
-    Extension{"KHR_materials_volume", full, "light is attenuated, not refracted"},
+    Extension{
+        .name = "KHR_materials_volume", .notes = "light is attenuated, not refracted", .of_material = volume},
     Extension{"KHR_mesh_quantization"},
     Extension{"KHR_meshopt_compression", full, meshopt_notes, reads_meshopt},
     Extension{"KHR_node_visibility", full, "meshes and lights below, not cameras and joints"},

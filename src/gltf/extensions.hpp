@@ -1,5 +1,6 @@
 #pragma once
 // The table of glTF extensions: how each is supported, and the treatment of the others.
+#include "gltf/schema.hpp"
 #include "gltf/warnings.hpp"
 
 #include <nlohmann/json.hpp>
@@ -23,6 +24,7 @@ struct Extension {
     std::string_view notes{};     // what is supported, for the README
     bool (*is_built)() = nullptr; // not null: whether this build has the library that it needs
     Support unbuilt = Support::none;
+    Schema (*of_material)() = nullptr; // the schema of its object in a material; null: it has none
 };
 
 /// All extensions that are known, sorted by support and name.

@@ -1,4 +1,5 @@
 // The JSON schema of glTF 2.0, for the parts that are read, and of the extensions that are supported.
+#include "gltf/extensions.hpp"
 #include "gltf/schema.hpp"
 
 namespace sr::gltf {
@@ -100,66 +101,15 @@ Schema skin() {
 
 // Materials.
 
-Schema texture_info() {
-    const Schema transform = object({{"offset", numbers(2)},
-                                     {"rotation", number()},
-                                     {"scale", numbers(2)},
-                                     {"texCoord", integer(max_int)}});
-    return thing(object({{"index", index("/textures"), true},
-                         {"texCoord", integer(max_int)},
-                         {"scale", number()},
-                         {"strength", number()},
-                         {"extensions", object({{"KHR_texture_transform", transform}})}}),
-                 without_texture);
-}
-
 Schema material_extensions() {
-    const Schema texture = texture_info();
-    return object(
-        {{"KHR_materials_pbrSpecularGlossiness", object({{"diffuseFactor", numbers(4)},
-                                                         {"diffuseTexture", texture},
-                                                         {"specularFactor", numbers(3)},
-                                                         {"glossinessFactor", number()},
-                                                         {"specularGlossinessTexture", texture}})},
-         {"KHR_materials_anisotropy", object({{"anisotropyStrength", number()},
-                                              {"anisotropyRotation", number()},
-                                              {"anisotropyTexture", texture}})},
-         {"KHR_materials_clearcoat", object({{"clearcoatFactor", number()},
-                                             {"clearcoatTexture", texture},
-                                             {"clearcoatRoughnessFactor", number()},
-                                             {"clearcoatRoughnessTexture", texture},
-                                             {"clearcoatNormalTexture", texture}})},
-         {"KHR_materials_sheen", object({{"sheenColorFactor", numbers(3)},
-                                         {"sheenColorTexture", texture},
-                                         {"sheenRoughnessFactor", number()},
-                                         {"sheenRoughnessTexture", texture}})},
-         {"KHR_materials_iridescence", object({{"iridescenceFactor", number()},
-                                               {"iridescenceTexture", texture},
-                                               {"iridescenceIor", number()},
-                                               {"iridescenceThicknessMinimum", number()},
-                                               {"iridescenceThicknessMaximum", number()},
-                                               {"iridescenceThicknessTexture", texture}})},
-         {"KHR_materials_emissive_strength", object({{"emissiveStrength", number()}})},
-         {"KHR_materials_ior", object({{"ior", number()}})},
-         {"KHR_materials_specular", object({{"specularFactor", number()},
-                                            {"specularTexture", texture},
-                                            {"specularColorFactor", numbers(3)},
-                                            {"specularColorTexture", texture}})},
-         {"KHR_materials_transmission",
-          object({{"transmissionFactor", number()}, {"transmissionTexture", texture}})},
-         {"KHR_materials_volume", object({{"thicknessFactor", number()},
-                                          {"thicknessTexture", texture},
-                                          {"attenuationDistance", number()},
-                                          {"attenuationColor", numbers(3)}})},
-         {"KHR_materials_diffuse_transmission", object({{"diffuseTransmissionFactor", number()},
-                                                        {"diffuseTransmissionTexture", texture},
-                                                        {"diffuseTransmissionColorFactor", numbers(3)},
-                                                        {"diffuseTransmissionColorTexture", texture}})},
-         {"KHR_materials_unlit", object()}});
+    std::vector<PropertySchema> extensions;
+    for (const Extension& extension : known_extensions())
+        if (extension.of_material) extensions.emplace_back(extension.name, extension.of_material());
+    return object(std::move(extensions));
 }
 
 Schema material() {
-    const Schema texture = texture_info();
+    const Schema texture = texture_info_schema();
     return object({{"name", string()},
                    {"pbrMetallicRoughness", object({{"baseColorFactor", numbers(4)},
                                                     {"baseColorTexture", texture},
@@ -306,6 +256,19 @@ Schema asset() {
 }
 
 } // namespace
+
+Schema texture_info_schema() {
+    const Schema transform = object({{"offset", numbers(2)},
+                                     {"rotation", number()},
+                                     {"scale", numbers(2)},
+                                     {"texCoord", integer(max_int)}});
+    return thing(object({{"index", index("/textures"), true},
+                         {"texCoord", integer(max_int)},
+                         {"scale", number()},
+                         {"strength", number()},
+                         {"extensions", object({{"KHR_texture_transform", transform}})}}),
+                 without_texture);
+}
 
 const Schema& gltf_schema() {
     static const Schema root = object({{"asset", asset(), true},

@@ -95,6 +95,9 @@ inline Schema thing(Schema schema, std::string_view loss, std::string_view stand
 /// The schema of glTF 2.0 for the parts that are read, and of the extensions that are supported.
 const Schema& gltf_schema();
 
+/// The schema of a textureInfo, with its KHR_texture_transform.
+Schema texture_info_schema();
+
 /// Schemas of the `extras` of a node, of a light of KHR_lights_punctual, of a material, of a scene and of the
 /// asset: what glTF cannot say of lights and materials. Extras that are no objects, or have no "steradian",
 /// pass. They are published as assets/extras.schema.json, and a test compares the two.
