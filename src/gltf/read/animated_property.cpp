@@ -69,8 +69,8 @@ std::optional<AnimatedProperty> weights_at(Document& document, const Tokens& tok
                              : static_cast<int>(*index_in(document.root["meshes"], tokens[1]));
     if (mesh < 0) return std::nullopt;
     const std::size_t count = target_count(document, mesh);
-    std::vector<double> weights =
-        numbers_in(owner->contains("weights") ? *owner : document.entry("meshes", mesh), "weights");
+    std::vector<double> weights = numbers_in(*owner, "weights");
+    if (weights.empty()) weights = numbers_in(document.entry("meshes", mesh), "weights");
     weights.resize(count, 0.0);
     (*owner)["weights"] = weights;
     if (tokens.size() == 3 && count > 0)

@@ -9,6 +9,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 namespace sr::gltf {
+
 std::vector<std::string> variant_names(const Document& document) {
     std::vector<std::string> names;
     if (const json* variants = extension(document.root, "KHR_materials_variants"))
@@ -56,8 +57,8 @@ int material_of(const Document& document, const PrimitivePlace& place, std::opti
 
 /// The specification, section 3.7.2.2: a node's weights override its mesh's.
 std::vector<double> weights_of(const Document& document, const json& node) {
-    return numbers_in(node.contains("weights") ? node : document.entry("meshes", mesh_number(node)),
-                      "weights");
+    const std::vector<double> own = numbers_in(node, "weights");
+    return own.empty() ? numbers_in(document.entry("meshes", mesh_number(node)), "weights") : own;
 }
 
 /// Returns the number of vertices that a primitive states: primitives may share their accessors.
