@@ -1,6 +1,6 @@
-// Points of an emitter, from its outline.
+// Quadrature points of an emitter, from its outline.
 //
-// Points come in a fan: along the outline in equal steps (the midpoint rule), and from its centre o to the outline's
+// They form a fan: along the outline in equal steps (the midpoint rule), and from its centre o to the outline's
 // point b at two distances (Gauss's rule of two points in 1 - cosψ, the angle from o). A point's weight is its solid
 // angle, dω = o·(b×b') / (1 + o·b) du ds for cosψ = 1 - u (1 - o·b). They are smooth in all that they depend on, none
 // leaves the outline, and visibility can use them.

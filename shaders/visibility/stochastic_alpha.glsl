@@ -1,4 +1,4 @@
-// A depth map has one surface a texel. A transparent one is there in as many frames as its alpha says, each triangle by
+// Stochastic transparency: a depth map has one surface a texel. A transparent one is there in as many frames as its alpha says, each triangle by
 // itself, so that in the mean over frames all layers multiply (Enderton et al. 2010, "Stochastic transparency", section 4).
 #include "base/sampling.glsl"
 #include "interface/frame.glsl"

@@ -8,7 +8,7 @@
 #include "gltf/asset.hpp"
 #include "gltf/extensions.hpp"
 #include "render/gpu/features.hpp"
-#include "scene/material_description.hpp"
+#include "scene/material.hpp"
 #include "scene/prepare.hpp"
 
 #include <CLI/CLI.hpp>

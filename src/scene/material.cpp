@@ -39,6 +39,22 @@ int tangent_texcoord(const Material& m) {
     return 0;
 }
 
+std::string described(const Material& m) {
+    if (m.is_unlit) return "unlit";
+    std::string text(m.is_specular_glossiness ? "specular_glossiness" : name_of(m.model));
+    const auto add = [&text](bool is_there, const char* layer) {
+        if (is_there) text += std::string(", ") + layer;
+    };
+    add(m.is_anisotropic(), "anisotropic");
+    if (m.model != Model::metallic_roughness) return text;
+    add(m.iridescence > 0.0f, "thin film");
+    add(m.has_sheen(), "sheen");
+    add(m.clearcoat > 0.0f, "clearcoat");
+    add(m.is_transmissive(), "transmission (straight through: not refracted, not blurred)");
+    add(m.transmits_diffusely(), "diffuse transmission");
+    return text;
+}
+
 int wrapped(int i, int size, Wrap wrap) {
     if (wrap == Wrap::clamp_to_edge) return std::clamp(i, 0, size - 1);
     const int period = wrap == Wrap::repeat ? size : 2 * size;

@@ -183,6 +183,9 @@ struct Material {
 /// ior (KHR_materials_ior).
 float F0_from_ior(float ior);
 
+/// Describes the BRDF: "metallic_roughness, clearcoat, sheen".
+std::string described(const Material& material);
+
 /// σ of KHR_materials_volume [1/m]: what is left of light after d metres is exp(-σ d).
 vec3 attenuation_coefficient(const Material& material);
 

@@ -44,9 +44,9 @@ struct RaysBlock {
     std::int32_t first_row;
 };
 
-/// Texture units: a material's slots (scene::Slot, also indices into MaterialBlock's uv rows), and behind
-/// them what is not the material's. OpenGL 4.1 has 80 units in all; what is scarce is how many one shader
-/// reads (16 are certain), and which these are the features decide (ShaderLibrary counts them).
+/// Texture units: a material's slots (scene::texture_inputs, also indices into the uv rows of MaterialBlock),
+/// and behind them what is not the material's. OpenGL 4.1 has 80 units in all; what is scarce is how many one
+/// shader reads (16 are certain), and which these are the features decide (ShaderLibrary counts them).
 using scene::slot_count;
 inline constexpr unsigned light_table_unit = slot_count;
 inline constexpr unsigned emission_texels_unit = slot_count + 1;
