@@ -1,7 +1,7 @@
 #pragma once
 // Mesh instances of a scene's nodes: the meshes, their materials and places, and their shape at a time.
 #include "gltf/document.hpp"
-#include "gltf/material.hpp"
+#include "gltf/read/material.hpp"
 #include "gltf/read/skin_morph.hpp"
 
 #include <map>

@@ -14,7 +14,7 @@
 namespace sr::gltf {
 namespace {
 
-constexpr const char* remedy = "make the nodes a tree";
+constexpr const char* make_tree = "make the nodes a tree";
 
 std::vector<int> children_of(const Document& document, int node) {
     return document.entry("nodes", node).value("children", std::vector<int>{});
@@ -28,7 +28,7 @@ void check_forest(const Document& document) {
             if (known >= 0)
                 document.fail(
                     fmt::format("/nodes/{} is a child of both /nodes/{} and /nodes/{}", child, known, node),
-                    remedy);
+                    make_tree);
             known = node;
         }
     // With one parent each, the nodes that cannot be reached from a root are on circles.
@@ -44,7 +44,7 @@ void check_forest(const Document& document) {
         pending.insert(pending.end(), children.begin(), children.end());
     }
     for (std::size_t node = 0; node < parent.size(); ++node)
-        if (!is_reached[node]) document.fail(fmt::format("/nodes/{} is its own ancestor", node), remedy);
+        if (!is_reached[node]) document.fail(fmt::format("/nodes/{} is its own ancestor", node), make_tree);
 }
 
 glm::dmat4 parent_from_node(const Document& document, int index) {

@@ -1,4 +1,4 @@
-#include "gltf/material_brdf.hpp"
+#include "gltf/read/material_brdf.hpp"
 
 #include "gltf/uri.hpp"
 #include "scene/conductor.hpp"

@@ -1,4 +1,4 @@
-#include "gltf/material.hpp"
+#include "gltf/read/material.hpp"
 
 #include "gltf/warnings.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 // glTF materials.
-#include "gltf/material_brdf.hpp"
 #include "gltf/read/emission.hpp"
+#include "gltf/read/material_brdf.hpp"
 #include "gltf/read/texture.hpp"
 #include "scene/scene.hpp"
 
