@@ -97,10 +97,6 @@ vec3 emitted(const Document& document, const EmissionSpec& emission, dvec3 own, 
     return as_floats(document, hue() * *native, title);
 }
 
-std::string light_title(std::string_view extension, int index, std::string_view name) {
-    return fmt::format("light {} (/extensions/{}/lights/{})", in_quotes(name), extension, index);
-}
-
 dvec3 emitted_color(const Document& document, dvec3 color, double quantity, const std::string& title) {
     if (!(quantity >= 0.0))
         document.fail(fmt::format("{} has the intensity {}", title, quantity), "give zero or more");

@@ -46,9 +46,6 @@ vec3 emitted(const Document& document, const EmissionSpec& emission, glm::dvec3 
 /// The numbers of a light as 32-bit floats. @throws Error if they are too large for that
 vec3 as_floats(const Document& document, glm::dvec3 rgb, const std::string& title);
 
-/// Returns the name of a light in errors: "light "Key" (/extensions/…/lights/0)".
-std::string light_title(std::string_view extension, int index, std::string_view name);
-
 /// Returns colour times quantity. @throws Error if either is negative
 glm::dvec3 emitted_color(const Document& document, glm::dvec3 color, double quantity,
                          const std::string& title);

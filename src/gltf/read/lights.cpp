@@ -1,6 +1,6 @@
 #include "gltf/read/lights.hpp"
 
-#include "gltf/read/light_frame.hpp"
+#include "gltf/read/node_light.hpp"
 #include "gltf/uri.hpp"
 #include "gltf/warnings.hpp"
 
@@ -15,17 +15,6 @@ namespace sr::gltf {
 namespace {
 
 using glm::dvec3;
-
-/// An entry of the lights of an extension.
-const json& light_at(const Document& document, const char* extension, int index) {
-    return document.root.at("extensions").at(extension).at("lights").at(static_cast<std::size_t>(index));
-}
-
-/// Returns the name of a light, or else of its node.
-std::string name_of(const json& light, const json& node) {
-    const std::string own = text_in(light, "name");
-    return own.empty() ? text_in(node, "name") : own;
-}
 
 /// The consequence of a lost lamp, as warnings state it.
 constexpr std::string_view without_lamp = "until then that lamp is off";
@@ -334,21 +323,18 @@ dvec3 parse_tint(const Document& document, const json& instance, const std::stri
 } // namespace
 
 void LightTable::append_punctual(const NodeTransform& transform, Warnings& warnings) {
-    const json& node = document_.entry("nodes", transform.node);
-    const json* reference = extension(node, "KHR_lights_punctual");
-    if (!reference) return;
-    const int index = integer_in(*reference, "light", 0);
-    if (document_.is_lost(fmt::format("/extensions/KHR_lights_punctual/lights/{}", index))) return;
-    const json& from = light_at(document_, "KHR_lights_punctual", index);
-    const std::string title = light_title("KHR_lights_punctual", index, text_in(from, "name"));
+    const auto found = find_light(document_, transform, "KHR_lights_punctual");
+    if (!found) return;
+    const std::string& title = found->title;
     std::optional<PunctualSource> source;
-    const bool is_read = warnings.attempt(
-        without_lamp, [&] { source.emplace(parse_punctual(document_, transform, from, title, warnings)); });
+    const bool is_read = warnings.attempt(without_lamp, [&] {
+        source.emplace(parse_punctual(document_, transform, found->light, title, warnings));
+    });
     if (!is_read) return;
-    const json* authored = extras_of_extension(node);
-    const PunctualExtras extras(document_, authored, steradian_in(from), title);
+    const PunctualExtras extras(document_, extras_of_extension(found->node), steradian_in(found->light),
+                                title);
     scene::Light light = punctual(document_, transform, *source, extras, title);
-    scene::set_name(light, name_of(from, node));
+    scene::set_name(light, found->name());
     lights_.push_back(std::move(light));
 }
 
@@ -379,21 +365,17 @@ void LightTable::append(const NodeTransform& transform, Warnings& warnings) {
 }
 
 void LightTable::append_area(const NodeTransform& transform, Warnings& warnings) {
-    const json& node = document_.entry("nodes", transform.node);
-    const json* reference = extension(node, "EXT_lights_area");
-    if (!reference) return;
-    const int index = integer_in(*reference, "light", 0);
-    if (document_.is_lost(fmt::format("/extensions/EXT_lights_area/lights/{}", index))) return;
-    const json& light = light_at(document_, "EXT_lights_area", index);
-    const std::string title = light_title("EXT_lights_area", index, text_in(light, "name"));
+    const auto found = find_light(document_, transform, "EXT_lights_area");
+    if (!found) return;
+    const std::string& title = found->title;
     std::optional<AreaSource> source;
-    warnings.attempt(without_lamp, [&] { source = parse_area(document_, transform, light, title); });
+    warnings.attempt(without_lamp, [&] { source = parse_area(document_, transform, found->light, title); });
     if (!source) return;
 
-    const json* authored = extras_of_extension(node);
+    const json* authored = extras_of_extension(found->node);
     std::visit(
         [&](auto& result) {
-            result.name = name_of(light, node);
+            result.name = found->name();
             result.map = map_of(authored, transform);
             set_emission(document_, result, authored, source->second, title);
             lights_.emplace_back(std::move(result));
@@ -403,8 +385,8 @@ void LightTable::append_area(const NodeTransform& transform, Warnings& warnings)
 
 const std::pair<int, scene::IesLuminaire>& LightTable::luminaire(int index, const std::string& title) {
     if (const auto known = luminaires_.find(index); known != luminaires_.end()) return known->second;
-    const json& light = light_at(document_, "EXT_lights_ies", index);
     const std::string pointer = fmt::format("/extensions/EXT_lights_ies/lights/{}", index);
+    const json& light = document_.root.at(json::json_pointer(pointer));
     const std::string uri = text_in(light, "uri");
     const int view = integer_in(light, "bufferView", -1);
     if (uri.empty() == (view < 0))
@@ -428,14 +410,11 @@ const std::pair<int, scene::IesLuminaire>& LightTable::luminaire(int index, cons
 }
 
 void LightTable::append_ies(const NodeTransform& transform, Warnings& warnings) {
-    const json& node = document_.entry("nodes", transform.node);
-    const json* instance = extension(node, "EXT_lights_ies");
-    if (!instance) return;
-    const int index = integer_in(*instance, "light", 0);
-    if (document_.is_lost(fmt::format("/extensions/EXT_lights_ies/lights/{}", index))) return;
-    const json& from = light_at(document_, "EXT_lights_ies", index);
-    const std::string title = light_title("EXT_lights_ies", index, text_in(from, "name"));
-    const json* authored = extras_of_extension(node);
+    const auto found = find_light(document_, transform, "EXT_lights_ies");
+    if (!found) return;
+    const int index = found->index;
+    const std::string& title = found->title;
+    const json* authored = extras_of_extension(found->node);
 
     LightFrame frame;
     scene::PointLight light;
@@ -444,11 +423,11 @@ void LightTable::append_ies(const NodeTransform& transform, Warnings& warnings) 
         light.profile = luminaire(index, title).first;
         frame = build_frame(document_, transform, title);
         light.world_from_profile = world_from_profile(document_, transform, frame, title);
-        tint = parse_tint(document_, *instance, title);
+        tint = parse_tint(document_, found->reference, title);
     });
     if (!is_read) return;
     const scene::IesLuminaire& luminaire = luminaires_.at(index).second;
-    light.name = name_of(from, node);
+    light.name = found->name();
     light.position = vec3(frame.position);
     light.is_visible = flag_in(authored, "visible", true);
     if (authored && authored->contains("radius"))

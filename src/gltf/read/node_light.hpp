@@ -1,13 +1,29 @@
 #pragma once
-// The place, the direction and the scale of a light at a node.
+// A light that a node has by an extension, and its place, direction and scale.
 #include "core/math.hpp"
 #include "gltf/document.hpp"
 #include "gltf/read/nodes.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace sr::gltf {
+
+/// A light that a node has by an extension.
+struct NodeLight {
+    const json& node;
+    const json& reference; // the extension's object of the node
+    const json& light;     // the extension's object of the light
+    int index;
+    std::string title; // in messages
+
+    std::string name() const { return text_in(text_in(light, "name").empty() ? node : light, "name"); }
+};
+
+/// Absent where the node has none, or the light is lost.
+std::optional<NodeLight> find_light(const Document& document, const NodeTransform& transform,
+                                    const char* name);
 
 /// How a light stands in the world: orthonormal, with one scale.
 struct LightFrame {

@@ -1,4 +1,4 @@
-#include "gltf/read/light_frame.hpp"
+#include "gltf/read/node_light.hpp"
 
 #include "scene/lights/polygon.hpp"
 
@@ -9,6 +9,19 @@
 namespace sr::gltf {
 
 using glm::dvec3;
+
+std::optional<NodeLight> find_light(const Document& document, const NodeTransform& transform,
+                                    const char* name) {
+    const json& node = document.entry("nodes", transform.node);
+    const json* reference = extension(node, name);
+    if (!reference) return std::nullopt;
+    const int index = integer_in(*reference, "light", 0);
+    const std::string pointer = fmt::format("/extensions/{}/lights/{}", name, index);
+    if (document.is_lost(pointer)) return std::nullopt;
+    const json& light = document.root.at(json::json_pointer(pointer));
+    return NodeLight{node, *reference, light, index,
+                     fmt::format("light {} ({})", in_quotes(text_in(light, "name")), pointer)};
+}
 
 double largest_axis(const NodeTransform& transform) {
     const glm::dmat4& m = transform.world_from_node;
