@@ -104,6 +104,29 @@ const Test pointers("unit.gltf.animation.pointers_move_materials_lights_cameras_
     EXPECT_EQ(load(made, at(3, "all")).scene.instances.size(), 1u);
 });
 
+// The schema says what is a number; what the file leaves out comes and goes with the animation.
+const Test absent("unit.gltf.animation.a_property_that_the_file_leaves_out_can_move", [] {
+    MadeGltf made = MadeGltf::triangle();
+    made.root["materials"] = json::parse(R"([{"extensions": {"KHR_materials_sheen": {}}}])");
+    made.primitive()["material"] = 0;
+    animate(made, pointer("/materials/0/extensions/KHR_materials_sheen/sheenColorFactor"),
+            {1, 1, 1, 1, 0.5f, 0}, "VEC3");
+    const auto file = test_folder() / "made.gltf";
+    write_text(file, made.gltf());
+    gltf::Asset asset(file);
+    scene::Scene scene = asset.rest_pose();
+    EXPECT_EQ(scene.materials.at(0).sheen_color, vec3(0));
+    scene = asset.evaluate(std::move(scene), {{0}, 3.0});
+    EXPECT_EQ(scene.materials.at(0).sheen_color, vec3(1, 0.5f, 0));
+    scene = asset.evaluate(std::move(scene), {{}, 0.0});
+    EXPECT_EQ(scene.materials.at(0).sheen_color, vec3(0));
+    EXPECT_TRUE(asset.warnings().empty());
+    made.root["nodes"][0]["extras"] = json::parse(
+        R"({"steradian": {"shape": "sphere", "radius": 1, "quantity": {"value": 1, "unit": "lm"}}})");
+    animate(made, pointer("/nodes/0/extras/steradian/radius"), {1, 2}, "SCALAR"); // not of glTF's model
+    EXPECT_TRUE(warns_once(load(made), R"(moves "/nodes/0/extras/steradian/radius": that stays as it is)"));
+});
+
 const Test beyond("unit.gltf.animation.beyond_its_end_is_one_line", [] {
     MadeGltf made = MadeGltf::triangle();
     EXPECT_NE(error_of(made, at(0)).find("it has no animation"), std::string::npos);
