@@ -117,7 +117,9 @@ OpenScene open_scene(const RenderCommand& command, PhaseTimes& times) {
     auto context = gl::open_context({command.backend, command.gl_debug});
     times.end("start");
     auto loading = std::async(std::launch::async, open, std::cref(command));
-    const auto preloading = image::preload(); // last, since no thread can start while it has that lock
+    // Last, since no thread can start while it has that lock.
+    const auto preloading =
+        std::ranges::all_of(command.outputs, image::is_png) ? std::future<void>() : image::preload();
     Opened opened = loading.get();
     times.end("wait for load");
     times.add("load (beside start)", opened.seconds);

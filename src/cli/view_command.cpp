@@ -6,7 +6,7 @@
 #include "cli/version.hpp"
 #include "core/error.hpp"
 #include "core/output.hpp"
-#include "gl/lost_display.hpp"
+#include "gl/window.hpp"
 #include "viewer/app.hpp"
 
 #include <CLI/CLI.hpp>
@@ -97,7 +97,6 @@ void converge_by_default(StopRule& stop) {
 }
 
 void view(const ViewCommand& command) {
-    const auto preloading = image::preload();
     const Interruption interruption;
     viewer::Options options = viewer_options(command);
     if (!command.submission.empty()) take_assignment(options, command.submission);

@@ -1,6 +1,5 @@
 #pragma once
 // Spectra, their colour and how bright a watt of them is, by the CIE 1931 standard observer.
-#include "core/luminance.hpp"
 #include "core/math.hpp"
 
 #include <vector>
