@@ -1,5 +1,5 @@
 // Photometric profiles: I(γ, φ) on a grid, linear between its angles, nothing beyond its first and last γ.
-// γ is the angle to the profile's axis, φ turns around it from half_u to half_v. Keep in sync with src/scene/profile.hpp.
+// γ is the angle to the profile's axis, φ turns around it from half_u to half_v. Keep in sync with src/scene/ies.hpp.
 #include "base/constants.glsl"
 #include "interface/features.glsl"
 #include "interface/lights.glsl"

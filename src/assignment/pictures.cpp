@@ -2,7 +2,7 @@
 
 #include "compare/compare.hpp"
 #include "core/error.hpp"
-#include "gltf/load.hpp"
+#include "gltf/asset.hpp"
 
 #include <algorithm>
 

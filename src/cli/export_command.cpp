@@ -2,7 +2,7 @@
 #include "cli/commands.hpp"
 #include "cli/render_options.hpp"
 #include "core/output.hpp"
-#include "gltf/load.hpp"
+#include "gltf/asset.hpp"
 #include "mitsuba/write.hpp"
 #include "scene/prepare.hpp"
 

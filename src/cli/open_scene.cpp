@@ -2,7 +2,7 @@
 
 #include "core/error.hpp"
 #include "core/output.hpp"
-#include "gltf/load.hpp"
+#include "gltf/asset.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -51,8 +51,8 @@ scene::Bounds extent_of(Opened& opened, const RenderCommand& command) {
     const std::size_t count = std::min(opened.frames.size(), most);
     for (std::size_t i = 0; i < count; ++i) {
         const std::size_t frame = count == 1 ? 0 : i * (opened.frames.size() - 1) / (count - 1);
-        opened.scene = opened.asset.posed(std::move(opened.scene),
-                                          {opened.animations, seconds_of(opened.frames[frame], command)});
+        opened.scene = opened.asset.evaluate(std::move(opened.scene),
+                                             {opened.animations, seconds_of(opened.frames[frame], command)});
         const scene::Bounds bounds = scene::bounds_of(opened.scene);
         if (bounds.is_empty()) continue;
         all.extend(bounds.min);
@@ -71,7 +71,7 @@ Opened open(const RenderCommand& command) {
                   {}};
     if (command.frames || command.at) opened.animations = opened.asset.animations_named(command.animation);
     if (command.frames) opened.frames = frames_of(opened.asset, opened.animations, command);
-    opened.scene = gltf::scene_of(opened.asset, {{}, command.at, command.animation, {}});
+    opened.scene = gltf::build_scene(opened.asset, {{}, command.at, command.animation, {}});
     opened.environment = command.environment.light();
     if (command.frames) opened.extent = extent_of(opened, command);
     opened.seconds = times.total();
@@ -150,7 +150,7 @@ double seconds_of(int frame, const RenderCommand& command) { return frame / comm
 
 void show_frame(OpenScene& open, const RenderCommand& command, int frame) {
     scene::Scene posed =
-        open.asset.posed(std::move(open.stage.scene), {open.animations, seconds_of(frame, command)});
+        open.asset.evaluate(std::move(open.stage.scene), {open.animations, seconds_of(frame, command)});
     open.stage = scene::prepare_scene(std::move(posed), command.scene, open.stage_options);
     tell_new_warnings(open);
 }

@@ -1,7 +1,7 @@
 #include "cli/render_options.hpp"
 #include "core/output.hpp"
 
-#include "gltf/environment.hpp"
+#include "gltf/read/environment.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "cli/version.hpp"
 
-#include "commit.hpp" // written by cmake/Commit.cmake
+#include "commit.hpp"
 
 namespace sr::cli {
 

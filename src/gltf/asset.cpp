@@ -1,15 +1,14 @@
 #include "gltf/asset.hpp"
 
 #include "core/error.hpp"
-#include "gltf/animation.hpp"
-#include "gltf/camera.hpp"
-#include "gltf/decode.hpp"
-#include "gltf/drawn.hpp"
-#include "gltf/environment.hpp"
 #include "gltf/extensions.hpp"
-#include "gltf/lights.hpp"
-#include "gltf/text.hpp"
-#include "gltf/variants.hpp"
+#include "gltf/read/animation.hpp"
+#include "gltf/read/camera.hpp"
+#include "gltf/read/environment.hpp"
+#include "gltf/read/lights.hpp"
+#include "gltf/read/mesh_instances.hpp"
+#include "gltf/read/texture.hpp"
+#include "gltf/warnings.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -26,51 +25,52 @@ public:
           warnings_(file.string(), is_strict_),
           document_(read_document(file, warnings_)),
           scene_index_(options.scene),
-          animations_(animations_of(document_, warnings_)),
-          drawn_(document_, placed_nodes(document_, options.scene),
-                 variant_named(document_, options.variant)),
+          animations_(parse_animations(document_, warnings_)),
+          mesh_instances_(document_, flatten_nodes(document_, options.scene),
+                          find_variant(document_, options.variant)),
           measured_(document_),
           materials_(document_, measured_, warnings_),
           lights_(document_, materials_.textures()) {
-        warn_of_unsupported(document_.model.extensionsUsed, warnings_);
-        drawn_.ask_for(materials_);
+        warn_of_unsupported(document_.extensions_used, warnings_);
+        mesh_instances_.request_materials(materials_);
         scene_.materials = materials_.materials();
         scene_.measured = measured_.brdfs();
-        place_lights(placed_nodes(document_, scene_index_), warnings_);
+        place_lights(flatten_nodes(document_, scene_index_), warnings_);
         scene_.profiles = lights_.profiles();
         scene_.units = unit_system_of(document_);
-        warnings_.attempt("it has no environment",
-                          [&] { scene_.environment = environment_of(document_, scene_index_, warnings_); });
+        warnings_.attempt("it has no environment", [&] {
+            scene_.environment = parse_environment(document_, scene_index_, warnings_);
+        });
         scene_.textures = materials_.textures().textures();
         Decoding decoding(document_, materials_.textures().image_sources());
-        drawn_.read(materials_, scene_, warnings_);
+        mesh_instances_.build(materials_, scene_, warnings_);
         mesh_count_ = scene_.meshes.size();
         scene_.images = decoding.images(warnings_, lost_images_);
-        arrange(scene_, materials_);
+        update(scene_, materials_);
         origin_ = scene::fitting_origin(scene_);
-        if (origin_ != glm::dvec3(0.0)) arrange(scene_, materials_);
+        if (origin_ != glm::dvec3(0.0)) update(scene_, materials_);
         list_contents();
         contents_.light_nodes = light_nodes_;
         contents_.material_numbers = materials_.numbers();
     }
 
-    scene::Scene at_rest() {
+    scene::Scene rest_pose() {
         require(!is_given_, "an asset gives its scene once");
         is_given_ = true;
         return std::move(scene_);
     }
 
-    void pose(scene::Scene& scene, const Moment& moment) {
+    void evaluate(scene::Scene& scene, const AnimationTime& time) {
         require(scene.meshes.size() >= mesh_count_, "the scene comes from this asset");
         for (Animation& animation : animations_) animation.reset();
-        for (const int animation : moment.animations)
-            animations_[static_cast<std::size_t>(animation)].apply(moment.seconds);
+        for (const int animation : time.animations)
+            animations_[static_cast<std::size_t>(animation)].apply(time.seconds);
         Warnings heard_before(document_.name);
         MaterialTable materials(document_, measured_, heard_before); // the same as at rest
-        drawn_.ask_for(materials);
+        mesh_instances_.request_materials(materials);
         scene.materials = materials.materials();
         scene.meshes.resize(mesh_count_);
-        arrange(scene, materials);
+        update(scene, materials);
     }
 
     const Document& document() const { return document_; }
@@ -80,27 +80,27 @@ public:
 
 private:
     /// Everything that moves: instances, the shapes of meshes, lights, cameras.
-    void arrange(scene::Scene& scene, const MaterialTable& materials) {
-        std::vector<PlacedNode> placed = placed_nodes(document_, scene_index_);
-        for (PlacedNode& node : placed) node.world_from_node[3] -= glm::dvec4(origin_, 0.0);
+    void update(scene::Scene& scene, const MaterialTable& materials) {
+        std::vector<NodeTransform> nodes = flatten_nodes(document_, scene_index_);
+        for (NodeTransform& node : nodes) node.world_from_node[3] -= glm::dvec4(origin_, 0.0);
         scene.origin = origin_;
-        const std::vector<bool> is_visible = drawn_.pose(placed, scene);
+        const std::vector<bool> is_visible = mesh_instances_.evaluate(nodes, scene);
         materials.share_fluxes(scene); // a lamp that is switched off keeps its radiance
         drop_lost_textures(scene);
         std::erase_if(scene.instances, [&](const scene::Instance& instance) {
             return !is_visible[static_cast<std::size_t>(&instance - scene.instances.data())];
         });
         Warnings here(document_.name, is_strict_);
-        scene.lights = place_lights(placed, here);
+        scene.lights = place_lights(nodes, here);
         scene.cameras.clear();
         int number = 0;
-        for (const PlacedNode& node : placed) {
-            const int camera = document_.model.nodes[static_cast<std::size_t>(node.node)].camera;
+        for (const NodeTransform& node : nodes) {
+            const int camera = integer_in(document_.entry("nodes", node.node), "camera", -1);
             if (camera < 0) continue;
             const int own_number = number++; // a camera that is left out keeps its number
             if (document_.is_lost(fmt::format("/cameras/{}", camera))) continue;
             here.attempt("that camera is left out", [&] {
-                scene.cameras.push_back(camera_at(document_, node));
+                scene.cameras.push_back(parse_camera(document_, node));
                 scene.cameras.back().number = own_number;
             });
         }
@@ -122,13 +122,13 @@ private:
         }
     }
 
-    /// All lights ask for their textures, so that these have the same numbers at every moment; those that are
+    /// All lights ask for their textures, so that these have the same numbers at every time; those that are
     /// visible are given back.
-    std::vector<scene::Light> place_lights(const std::vector<PlacedNode>& placed, Warnings& warnings) {
+    std::vector<scene::Light> place_lights(const std::vector<NodeTransform>& nodes, Warnings& warnings) {
         std::vector<scene::Light> visible;
         lights_.clear();
         light_nodes_.clear();
-        for (const PlacedNode& node : placed) {
+        for (const NodeTransform& node : nodes) {
             const std::size_t before = lights_.lights().size();
             lights_.append(node, warnings);
             if (!node.is_visible) continue;
@@ -143,12 +143,12 @@ private:
         for (const Animation& animation : animations_)
             contents_.animations.push_back(
                 {animation.name, animation.duration, animation.channels.size(), animation.is_whole});
-        contents_.variants = variants_of(document_);
+        contents_.variants = variant_names(document_);
         contents_.skins = document_.skins.size();
-        for (const tinygltf::Mesh& mesh : document_.model.meshes)
-            for (const tinygltf::Primitive& primitive : mesh.primitives)
-                contents_.morph_targets += primitive.targets.size();
-        contents_.extensions_used = document_.model.extensionsUsed;
+        for (int mesh = 0; mesh < static_cast<int>(document_.count("meshes")); ++mesh)
+            for (const json& primitive : document_.entry("meshes", mesh).at("primitives"))
+                if (primitive.contains("targets")) contents_.morph_targets += primitive.at("targets").size();
+        contents_.extensions_used = document_.extensions_used;
         contents_.extensions_required = document_.extensions_required;
     }
 
@@ -157,17 +157,16 @@ private:
     Document document_;
     std::optional<int> scene_index_;
     std::vector<Animation> animations_; // they point into the document
-    DrawnMeshes drawn_;
+    MeshInstances mesh_instances_;
     MeasuredTable measured_;
-    MaterialTable materials_; // at rest; its textures are those of every moment
+    MaterialTable materials_; // at rest; its textures are those of every time
     LightTable lights_;
     std::vector<int> light_nodes_; // of those that were placed last
     Contents contents_;
     scene::Scene scene_;        // until it is given away
     std::set<int> lost_images_; // those of the scene that could not be decoded
     std::size_t mesh_count_ = 0;
-    glm::dvec3 origin_{
-        0.0}; // fits the scene at rest and stays, so that cameras may be kept from moment to moment
+    glm::dvec3 origin_{0.0}; // fits the rest pose and stays, so that cameras may be kept
     bool is_given_ = false;
 };
 
@@ -179,12 +178,12 @@ Asset& Asset::operator=(Asset&&) noexcept = default;
 
 const Contents& Asset::contents() const { return impl_->contents(); }
 std::vector<std::string> Asset::warnings() const { return impl_->warnings(); }
-scene::Scene Asset::at_rest() { return impl_->at_rest(); }
-scene::Scene Asset::posed(scene::Scene scene, const Moment& moment) {
-    impl_->pose(scene, moment);
+scene::Scene Asset::rest_pose() { return impl_->rest_pose(); }
+scene::Scene Asset::evaluate(scene::Scene scene, const AnimationTime& time) {
+    impl_->evaluate(scene, time);
     return scene;
 }
-void Asset::pose(scene::Scene& scene, const Moment& moment) { impl_->pose(scene, moment); }
+void Asset::evaluate_into(scene::Scene& scene, const AnimationTime& time) { impl_->evaluate(scene, time); }
 const std::vector<int>& Asset::light_nodes() const { return impl_->light_nodes(); }
 
 std::vector<int> Asset::animations_named(std::string_view text) const {
@@ -214,16 +213,30 @@ double Asset::duration(const std::vector<int>& animations) const {
     return end;
 }
 
-void Asset::require_within(const Moment& moment) const {
-    const double end = duration(moment.animations);
+void Asset::require_within(const AnimationTime& time) const {
+    const double end = duration(time.animations);
     // Where channels are lost, nobody knows when they would have ended.
-    for (const int animation : moment.animations)
-        if (!contents().animations[static_cast<std::size_t>(animation)].is_whole && moment.seconds >= 0.0)
+    for (const int animation : time.animations)
+        if (!contents().animations[static_cast<std::size_t>(animation)].is_whole && time.seconds >= 0.0)
             return;
-    if (moment.seconds >= 0.0 && static_cast<float>(moment.seconds) <= static_cast<float>(end)) return;
+    if (time.seconds >= 0.0 && static_cast<float>(time.seconds) <= static_cast<float>(end)) return;
     impl_->document().fail(
-        fmt::format("{} s is beyond its animation, which ends at {:.6g} s", moment.seconds, end),
+        fmt::format("{} s is beyond its animation, which ends at {:.6g} s", time.seconds, end),
         fmt::format("choose a time from 0 to {:.6g}", end));
+}
+
+scene::Scene build_scene(Asset& asset, const LoadOptions& options) {
+    scene::Scene scene = asset.rest_pose();
+    if (!options.at) return scene;
+    const AnimationTime time{asset.animations_named(options.animation), *options.at};
+    asset.require_within(time);
+    return asset.evaluate(std::move(scene), time);
+}
+
+Loaded load(const std::filesystem::path& file, const LoadOptions& options) {
+    Asset asset(file, {options.scene, options.variant, options.is_strict});
+    scene::Scene scene = build_scene(asset, options);
+    return {std::move(scene), asset.warnings(), asset.contents()};
 }
 
 } // namespace sr::gltf

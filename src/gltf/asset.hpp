@@ -1,9 +1,9 @@
 #pragma once
-// A glTF file that is read once and posed many times.
+// A glTF file that is read once and evaluated at many times.
 //
 //     Asset asset(file);
-//     scene::Scene scene = asset.at_rest();
-//     scene = asset.posed(std::move(scene), {asset.animations_named("Walk"), 1.5});
+//     scene::Scene scene = asset.rest_pose();
+//     scene = asset.evaluate(std::move(scene), {asset.animations_named("Walk"), 1.5});
 #include "scene/scene.hpp"
 
 #include <filesystem>
@@ -43,8 +43,8 @@ struct Contents {
     std::vector<int> material_numbers;
 };
 
-/// A moment of one or more animations, which play at once. The later one wins where two move the same.
-struct Moment {
+/// A time of one or more animations, which play at once. The later one wins where two move the same property.
+struct AnimationTime {
     std::vector<int> animations; // indices into Contents::animations
     double seconds = 0.0;
 };
@@ -61,24 +61,23 @@ public:
 
     const Contents& contents() const;
     /// One line each, already prefixed with the file's name: what the file asks for and does not get, at rest
-    /// and at the moments that it was posed at so far. New ones come last.
+    /// and at the times evaluated so far. New ones come last.
     std::vector<std::string> warnings() const;
 
-    /// The scene as the file has it without its animations. To be called once: the images go with it.
-    scene::Scene at_rest();
+    /// The scene without its animations. Call it once: the images move out with it.
+    scene::Scene rest_pose();
 
-    /// The same scene at another moment. Images, textures and meshes that keep their shape are those of
-    /// `scene`, which comes from here, perhaps by way of a RenderScene, whose additions are dropped.
-    /// Instances, lights, cameras, materials and meshes that deform are made again.
+    /// Returns the scene at a time. `scene` comes from this asset, perhaps by way of a RenderScene, whose
+    /// additions are dropped. Images, textures and meshes that keep their shape stay; instances, lights,
+    /// cameras, materials and meshes that deform are rebuilt.
     /// @throws Error if a value that an animation takes makes no sense where it goes
-    scene::Scene posed(scene::Scene scene, const Moment& moment);
+    scene::Scene evaluate(scene::Scene scene, const AnimationTime& time);
 
-    /// The same in place, for those who could not do without the scene: after an Error it has to be posed
-    /// again, at a moment that makes sense.
-    void pose(scene::Scene& scene, const Moment& moment);
+    /// Evaluates in place. After an Error the scene is incomplete: evaluate it at another time.
+    void evaluate_into(scene::Scene& scene, const AnimationTime& time);
 
-    /// The node of each light of the scene that was given or posed last: at some moments lights are not
-    /// visible, and then not there.
+    /// The node of each light of the scene that was returned last. Lights that are not visible at that time
+    /// are not in it.
     const std::vector<int>& light_nodes() const;
 
     /// The animations that a person names: by name, by index, "all", or the first for an empty text.
@@ -88,12 +87,39 @@ public:
     /// When the last of the animations ends [s].
     double duration(const std::vector<int>& animations) const;
 
-    /// @throws Error unless the moment is within its animations, which are told in 32-bit floats
-    void require_within(const Moment& moment) const;
+    /// @throws Error unless the time is within its animations, in 32-bit floats
+    void require_within(const AnimationTime& time) const;
 
 private:
     class Impl;
     std::unique_ptr<Impl> impl_;
 };
+
+struct LoadOptions {
+    /// Index of a scene of the file; absent: its default scene, or the first.
+    std::optional<int> scene{};
+    /// When [s]; absent: the file's rest pose.
+    std::optional<double> at{};
+    /// As Asset::animations_named() takes it.
+    std::string animation{};
+    /// A name of KHR_materials_variants; empty: none.
+    std::string variant{};
+    /// As AssetOptions has it.
+    bool is_strict = false;
+};
+
+struct Loaded {
+    scene::Scene scene;
+    /// One line each, already prefixed with the file's name: what the file asks for and does not get.
+    std::vector<std::string> warnings;
+    Contents contents;
+};
+
+/// Reads a .gltf or .glb file and everything it refers to.
+/// @throws Error as Asset does, and for a time beyond the animation's end
+Loaded load(const std::filesystem::path& file, const LoadOptions& options = {});
+
+/// Returns the scene that the options name. The asset has returned none yet.
+scene::Scene build_scene(Asset& asset, const LoadOptions& options);
 
 } // namespace sr::gltf

@@ -2,20 +2,17 @@
 
 #include "core/error.hpp"
 #include "core/file.hpp"
-#include "gltf/compression.hpp"
 #include "gltf/container.hpp"
 #include "gltf/extensions.hpp"
-#include "gltf/json.hpp"
+#include "gltf/read/compression.hpp"
 #include "gltf/schema.hpp"
-#include "gltf/text.hpp"
 #include "gltf/uri.hpp"
+#include "gltf/warnings.hpp"
 
 #include <fmt/format.h>
 
 namespace sr::gltf {
 namespace {
-
-using nlohmann::json;
 
 // A file of another version may fail the checks for reasons that would mislead: the version is looked at
 // first.
@@ -80,7 +77,7 @@ void read_buffers(Document& document, const json& buffers, std::optional<Bytes> 
     }
 }
 
-/// tinygltf refuses a camera without its projection, and a spot without its angles, which have defaults.
+/// Replaces cameras without a projection, and adds the angles of spots, which have defaults.
 void complete(json& root, Document& document, Warnings& warnings) {
     if (root.contains("cameras"))
         for (std::size_t i = 0; i < root["cameras"].size(); ++i) {
@@ -153,6 +150,62 @@ Bytes Document::view(int buffer_view, std::string_view pointer) const {
     return buffer->subspan(view.byteOffset, view.byteLength);
 }
 
+int Document::add_buffer(std::vector<std::uint8_t> bytes) {
+    storage.push_back(std::make_unique<const std::vector<std::uint8_t>>(std::move(bytes)));
+    buffers.push_back({*storage.back(), std::nullopt});
+    return static_cast<int>(buffers.size()) - 1;
+}
+
+std::size_t Document::count(const char* list) const {
+    const auto found = root.find(list);
+    return found == root.end() ? 0 : found->size();
+}
+
+double number_in(const json& object, std::string_view key, double fallback) {
+    const auto found = object.find(key);
+    return found == object.end() ? fallback : found->get<double>();
+}
+
+int integer_in(const json& object, std::string_view key, int fallback) {
+    const auto found = object.find(key);
+    return found == object.end() ? fallback : found->get<int>();
+}
+
+bool flag_in(const json& object, std::string_view key, bool fallback) {
+    const auto found = object.find(key);
+    return found == object.end() ? fallback : found->get<bool>();
+}
+
+std::string text_in(const json& object, std::string_view key) {
+    const auto found = object.find(key);
+    return found == object.end() ? std::string() : found->get<std::string>();
+}
+
+std::vector<double> numbers_in(const json& object, std::string_view key) {
+    const auto found = object.find(key);
+    return found == object.end() ? std::vector<double>() : found->get<std::vector<double>>();
+}
+
+glm::dvec3 three_in(const json& object, std::string_view key, glm::dvec3 fallback) {
+    const auto found = object.find(key);
+    if (found == object.end()) return fallback;
+    return {(*found)[0].get<double>(), (*found)[1].get<double>(), (*found)[2].get<double>()};
+}
+
+const json* extension(const json& object, std::string_view name) {
+    const auto extensions = object.find("extensions");
+    if (extensions == object.end()) return nullptr;
+    const auto found = extensions->find(name);
+    return found == extensions->end() ? nullptr : &*found;
+}
+
+const json* steradian_in(const json& object) {
+    const auto extras = object.find("extras");
+    if (extras == object.end()) return nullptr;
+    const auto found = extras->find("steradian"); // the end where the extras are no object
+    return found == extras->end() ? nullptr : &*found;
+}
+
 Document read_document(const std::filesystem::path& file, Warnings& warnings) {
     Document document;
     document.name = file.string();
@@ -161,21 +214,24 @@ Document read_document(const std::filesystem::path& file, Warnings& warnings) {
     document.storage.push_back(
         std::make_unique<const std::vector<std::uint8_t>>(read_file(file, document.name)));
 
-    const Container container = split(*document.storage.back(), document.name);
+    const Container container = split_container(*document.storage.back(), document.name);
     json root = parse(container, document.name);
     check_version(root, document.name);
     check_required_extensions(root, document.name);
     check_counts(root, document.name);
-    document.lost = check(root, gltf_rule(), document.name, warnings);
+    document.lost = check(root, gltf_schema(), document.name, warnings);
 
     complete(root, document, warnings);
     if (root.contains("buffers")) read_buffers(document, root["buffers"], container.bin);
     if (root.contains("images")) list_images(document, root["images"]);
     if (root.contains("skins")) list_skins(document, root["skins"]);
     if (root.contains("animations")) list_animations(document, root["animations"]);
-    if (root.contains("extensionsRequired"))
-        document.extensions_required = root["extensionsRequired"].get<std::vector<std::string>>();
-    document.model = model_of(std::move(root), document.name);
+    document.extensions_used = root.value("extensionsUsed", std::vector<std::string>{});
+    document.extensions_required = root.value("extensionsRequired", std::vector<std::string>{});
+    for (const char* list : {"buffers", "images", "skins", "animations"}) root.erase(list);
+    document.model = parse_geometry(root, document.name);
+    root.erase("accessors");
+    document.root = std::move(root);
     unpack_meshopt(document);
     unpack_draco(document);
     return document;

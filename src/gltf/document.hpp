@@ -1,11 +1,12 @@
 #pragma once
 // A glTF file and everything it refers to, checked and in memory, before anything is made of it.
 #include "core/limits.hpp"
-#include "gltf/bytes.hpp"
+#include "gltf/container.hpp"
 #include "gltf/tinygltf.hpp"
 #include "gltf/warnings.hpp"
 
 #include <filesystem>
+#include <glm/vec3.hpp>
 #include <memory>
 #include <optional>
 #include <set>
@@ -14,6 +15,8 @@
 #include <vector>
 
 namespace sr::gltf {
+
+using nlohmann::json;
 
 /// The remedy for most broken files.
 inline constexpr const char* export_again = "export the file again";
@@ -58,12 +61,14 @@ struct AnimationSource {
 struct Document {
     std::string name; // what errors call the file
     std::filesystem::path folder;
-    /// Every index in it is in range (schema.hpp). Its own buffers and images are empty: they are here.
-    tinygltf::Model model;
+    /// The checked JSON (schema.hpp), in which animations set numbers. It lacks what the members below have.
+    json root;
+    tinygltf::Model model; // accessors, buffer views and meshes
     std::vector<BufferSource> buffers;
     std::vector<ImageSource> images;
     std::vector<SkinSource> skins;
     std::vector<AnimationSource> animations;
+    std::vector<std::string> extensions_used;
     std::vector<std::string> extensions_required;
     /// JSON pointers of the things that were broken and were warned of: they are absent, or have a stand-in.
     std::set<std::string> lost;
@@ -74,6 +79,16 @@ struct Document {
     /// @throws Error if it reaches beyond its buffer, or its buffer has no bytes
     Bytes view(int buffer_view, std::string_view pointer) const;
 
+    /// Keeps the bytes as another buffer. @return its index
+    int add_buffer(std::vector<std::uint8_t> bytes);
+
+    /// An entry of one of the JSON's lists, such as "nodes".
+    const json& entry(const char* list, int index) const {
+        return root.at(list).at(static_cast<std::size_t>(index));
+    }
+    /// The number of entries of one of the JSON's lists; 0 where it is absent.
+    std::size_t count(const char* list) const;
+
     bool is_lost(const std::string& pointer) const { return lost.contains(pointer); }
     /// Returns whether it or anything in it is lost.
     bool has_lost(const std::string& pointer) const {
@@ -83,6 +98,22 @@ struct Document {
 
     [[noreturn]] void fail(std::string_view what, std::string_view what_to_do) const;
 };
+
+// Values of checked objects. What is absent has the fallback.
+double number_in(const json& object, std::string_view key, double fallback);
+int integer_in(const json& object, std::string_view key, int fallback);
+bool flag_in(const json& object, std::string_view key, bool fallback);
+inline bool flag_in(const json* object, std::string_view key, bool fallback) {
+    return object ? flag_in(*object, key, fallback) : fallback;
+}
+std::string text_in(const json& object, std::string_view key);
+/// The numbers of an array; empty where it is absent.
+std::vector<double> numbers_in(const json& object, std::string_view key);
+glm::dvec3 three_in(const json& object, std::string_view key, glm::dvec3 fallback);
+/// The object of an extension of a glTF object; null where it is absent.
+const json* extension(const json& object, std::string_view name);
+/// The object `steradian` in a glTF object's extras; null where it is absent.
+const json* steradian_in(const json& object);
 
 /// Reads, parses and checks a .gltf or .glb and its buffers; images are read when they are decoded
 /// (texture.hpp).

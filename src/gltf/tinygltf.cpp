@@ -34,11 +34,13 @@ int lend_buffer_view(json& root, std::vector<std::size_t>& borrowers) {
 
 } // namespace
 
-tinygltf::Model model_of(json root, const std::string& name) {
+tinygltf::Model parse_geometry(const json& root, const std::string& name) {
+    json geometry{{"asset", {{"version", "2.0"}}}};
+    for (const char* list : {"accessors", "bufferViews", "meshes"})
+        if (root.contains(list)) geometry[list] = root[list];
     std::vector<std::size_t> borrowers;
-    const int lent = lend_buffer_view(root, borrowers);
-    for (const char* foreign : {"buffers", "images", "skins", "animations"}) root.erase(foreign);
-    const std::string text = root.dump();
+    const int lent = lend_buffer_view(geometry, borrowers);
+    const std::string text = geometry.dump();
 
     tinygltf::TinyGLTF loader;
     tinygltf::Model model;
@@ -53,23 +55,6 @@ tinygltf::Model model_of(json root, const std::string& name) {
     for (const std::size_t borrower : borrowers) model.accessors[borrower].bufferView = -1;
     if (lent >= 0) model.bufferViews.pop_back();
     return model;
-}
-
-double number_in(const tinygltf::Value& object, const std::string& key, double fallback) {
-    if (!object.Has(key)) return fallback;
-    const tinygltf::Value& value = object.Get(key);
-    return value.IsNumber() ? value.GetNumberAsDouble() : fallback;
-}
-
-int whole_in(const tinygltf::Value& object, const std::string& key, int fallback) {
-    if (!object.Has(key)) return fallback;
-    const tinygltf::Value& value = object.Get(key);
-    return value.IsInt() ? value.GetNumberAsInt() : fallback;
-}
-
-const tinygltf::Value* extension(const tinygltf::ExtensionMap& extensions, const std::string& name) {
-    const auto found = extensions.find(name);
-    return found == extensions.end() ? nullptr : &found->second;
 }
 
 } // namespace sr::gltf

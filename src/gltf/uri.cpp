@@ -2,7 +2,8 @@
 
 #include "core/error.hpp"
 #include "core/file.hpp"
-#include "gltf/text.hpp"
+#include "gltf/container.hpp"
+#include "gltf/warnings.hpp"
 
 #include <algorithm>
 #include <array>
@@ -156,7 +157,7 @@ bool is_data_uri(std::string_view uri) {
     return uri.size() >= scheme.size() && is_same_but_for_case(uri.substr(0, scheme.size()), scheme);
 }
 
-std::vector<fs::path> files_named(std::string_view uri, const fs::path& folder) {
+std::vector<fs::path> candidate_files(std::string_view uri, const fs::path& folder) {
     std::vector<fs::path> files;
     if (has_scheme(uri)) return files;
     for (const std::string& reading : readings_of(uri))
@@ -165,7 +166,7 @@ std::vector<fs::path> files_named(std::string_view uri, const fs::path& folder) 
     return files;
 }
 
-fs::path file_of(std::string_view uri, const fs::path& folder, const UriPlace& place) {
+fs::path resolve_file(std::string_view uri, const fs::path& folder, const UriPlace& place) {
     if (has_scheme(uri))
         fail(place, fmt::format("is {}, which is no file beside the glTF", in_quotes(uri)),
              "download the file, put it beside the glTF and name it there");
@@ -175,7 +176,7 @@ fs::path file_of(std::string_view uri, const fs::path& folder, const UriPlace& p
     if (leaves_folder(literal))
         fail(place, fmt::format("is {}, which leaves the folder of the glTF", in_quotes(literal)),
              "copy that file into the folder and name it there");
-    const std::vector<fs::path> files = files_named(uri, folder);
+    const std::vector<fs::path> files = candidate_files(uri, folder);
     std::error_code ignored;
     const auto found =
         std::ranges::find_if(files, [&](const fs::path& file) { return fs::exists(file, ignored); });
@@ -188,9 +189,37 @@ fs::path file_of(std::string_view uri, const fs::path& folder, const UriPlace& p
 
 std::vector<std::uint8_t> read_uri(std::string_view uri, const fs::path& folder, const UriPlace& place) {
     if (is_data_uri(uri)) return read_data_uri(uri, place);
-    const fs::path file = file_of(uri, folder, place);
+    const fs::path file = resolve_file(uri, folder, place);
     return read_file(file, place.file,
                      fmt::format("{} names {}: ", place.pointer, in_quotes(file.filename().string())));
+}
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+void collect(const json& value, const fs::path& folder, std::vector<fs::path>& files) {
+    if (value.is_object())
+        for (const char* key : {"uri", "file"}) // "file": extras.steradian of a material
+            if (const auto uri = value.find(key); uri != value.end() && uri->is_string())
+                for (fs::path& file : candidate_files(uri->get_ref<const std::string&>(), folder))
+                    files.push_back(std::move(file));
+    if (value.is_structured())
+        for (const json& part : value) collect(part, folder, files);
+}
+
+} // namespace
+
+std::vector<fs::path> named_files(const fs::path& file) {
+    std::vector<fs::path> files;
+    try {
+        const std::vector<std::uint8_t> bytes = read_file(file, file.string());
+        collect(parse(split_container(bytes, file.string()), file.string()), file.parent_path(), files);
+    } catch (const Error&) {
+        return {};
+    }
+    return files;
 }
 
 } // namespace sr::gltf

@@ -21,18 +21,22 @@ bool is_data_uri(std::string_view uri);
 /// dot segments removed, without query and fragment), then as exporters write it that do not encode ? # %,
 /// and with backslashes for slashes. None for a URI with a scheme. What would leave the folder is not among
 /// them.
-std::vector<std::filesystem::path> files_named(std::string_view uri, const std::filesystem::path& folder);
+std::vector<std::filesystem::path> candidate_files(std::string_view uri, const std::filesystem::path& folder);
 
-/// The file in `folder` that a relative URI names: the first of files_named() that is there, else the first
-/// of them. A URI that leaves the folder or names a network address is refused, and so is a symbolic link
-/// that leads out of the folder; one within it is followed.
+/// The file in `folder` that a relative URI names: the first of candidate_files() that is there, else the
+/// first of them. A URI that leaves the folder or names a network address is refused, and so is a symbolic
+/// link that leads out of the folder; one within it is followed.
 /// @throws Error
-std::filesystem::path file_of(std::string_view uri, const std::filesystem::path& folder,
-                              const UriPlace& place);
+std::filesystem::path resolve_file(std::string_view uri, const std::filesystem::path& folder,
+                                   const UriPlace& place);
 
-/// The bytes of a data URI (base64 or percent-encoded), or of file_of() a relative one.
+/// The bytes of a data URI (base64 or percent-encoded), or of resolve_file() a relative one.
 /// @throws Error
 std::vector<std::uint8_t> read_uri(std::string_view uri, const std::filesystem::path& folder,
                                    const UriPlace& place);
+
+/// The files beside a .gltf or .glb that its URIs may name (uri.hpp), whether or not they are there: buffers,
+/// images, IES profiles, measured BRDFs. Empty where its JSON cannot be read.
+std::vector<std::filesystem::path> named_files(const std::filesystem::path& file);
 
 } // namespace sr::gltf

@@ -4,6 +4,14 @@
 
 namespace sr::gltf {
 
+std::string in_quotes(std::string_view text) {
+    constexpr std::size_t max_size = 80;
+    std::string line = "\"";
+    for (const char c : text.substr(0, max_size)) line += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+    if (text.size() > max_size) line += "…";
+    return line + '"';
+}
+
 void Warnings::append(std::string_view what, std::string_view meaning, std::size_t count,
                       bool is_counted_again) {
     std::pair key{std::string(what), std::string(meaning)};

@@ -13,6 +13,9 @@
 
 namespace sr::gltf {
 
+/// The text in double quotes, without control characters and at most 80 bytes of it.
+std::string in_quotes(std::string_view text);
+
 class Warnings {
 public:
     /// `file` is what the lines begin with. `is_strict`: whatever would be a warning throws.

@@ -1,6 +1,6 @@
 #include "mitsuba/emitters.hpp"
 
-#include "scene/lights/shapes.hpp"
+#include "scene/lights/emitter.hpp"
 
 #include <algorithm>
 #include <cmath>

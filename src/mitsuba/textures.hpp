@@ -1,7 +1,7 @@
 #pragma once
 // Textures as Mitsuba's bitmaps: linear values in EXR files, so that no colour conversion is left to anybody.
 #include "mitsuba/xml.hpp"
-#include "scene/environment.hpp"
+#include "scene/lights/environment.hpp"
 #include "scene/scene.hpp"
 
 #include <filesystem>

@@ -2,6 +2,8 @@
 // Cameras as glTF has them: at the origin of their own space, looking along -Z, +Y up.
 #include "core/math.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <variant>
@@ -40,6 +42,16 @@ struct Camera {
 /// Half of what a picture of the given width / height shows: at unit distance for a perspective camera [1],
 /// else in metres. The whole of the camera's own frame is in the picture: where their shapes differ, more is
 /// seen at the sides.
-vec2 half_extent(const Camera& camera, float aspect);
+inline vec2 half_extent(const Camera& camera, float aspect) {
+    vec2 own;
+    if (const auto* p = std::get_if<Perspective>(&camera.projection)) {
+        own.y = std::tan(0.5f * p->yfov);
+        own.x = own.y * p->aspect_ratio.value_or(aspect);
+    } else {
+        const auto& o = std::get<Orthographic>(camera.projection);
+        own = {o.xmag, o.ymag};
+    }
+    return {std::max(own.x, own.y * aspect), std::max(own.y, own.x / aspect)};
+}
 
 } // namespace sr::scene

@@ -9,7 +9,7 @@
 #include "scene/conductor.hpp"
 
 #include "core/error.hpp"
-#include "scene/observer.hpp"
+#include "scene/spectrum.hpp"
 
 #include <algorithm>
 #include <array>

@@ -35,14 +35,14 @@ float mean_luminance(const Scene& scene, int texture) {
         [](const auto& texels) {
             const std::size_t count = texels.size() / 4;
             const std::size_t step = std::max<std::size_t>(1, count / 1021); // a prime: no column of its own
-            const auto most =
+            const auto max_value =
                 static_cast<double>(std::numeric_limits<std::decay_t<decltype(texels[0])>>::max());
             double sum = 0.0;
             std::size_t taken = 0;
             for (std::size_t i = 0; i < count; i += step, ++taken)
-                sum += std::pow(
-                    luminance({texels[4 * i] / most, texels[4 * i + 1] / most, texels[4 * i + 2] / most}),
-                    2.2);
+                sum += std::pow(luminance({texels[4 * i] / max_value, texels[4 * i + 1] / max_value,
+                                           texels[4 * i + 2] / max_value}),
+                                2.2);
             return taken > 0 ? static_cast<float>(sum / static_cast<double>(taken)) : 0.0f;
         },
         image.texels);
@@ -91,9 +91,9 @@ public:
         }
     }
     void operator()(const MeshLight& light) {
-        if (light.texture >= 0) return;  // painted glows: what they send to others is next to nothing
-        constexpr std::size_t most = 64; // triangles that stand for all
-        const std::size_t step = light.triangles.size() / most + 1;
+        if (light.texture >= 0) return; // painted glows: what they send to others is next to nothing
+        constexpr std::size_t max_triangles = 64; // triangles that stand for all
+        const std::size_t step = light.triangles.size() / max_triangles + 1;
         const float L = static_cast<float>(step) * luminance_of(light.L);
         for (std::size_t i = 0; i < light.triangles.size(); i += step) {
             const auto& c = light.triangles[i].corners;
@@ -266,9 +266,9 @@ std::optional<float> lit_share(const Scene& scene, std::span<const Light> lights
     if (lit.empty()) return std::nullopt;
     const auto at = static_cast<std::ptrdiff_t>(0.95 * static_cast<double>(bright.size()));
     std::nth_element(bright.begin(), bright.begin() + at, bright.end());
-    const float least =
+    const float threshold =
         std::max(bright[static_cast<std::size_t>(at)] / 200.0f, std::numeric_limits<float>::min());
-    return static_cast<float>(std::ranges::count_if(lit, [&](float L) { return L >= least; }))
+    return static_cast<float>(std::ranges::count_if(lit, [&](float L) { return L >= threshold; }))
            / static_cast<float>(lit.size());
 }
 

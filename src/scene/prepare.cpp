@@ -79,9 +79,9 @@ std::vector<MeshLight::Triangle> triangles_of(const Mesh& mesh, const mat4& worl
 std::optional<std::vector<RectangleLight>> rectangles_of(const Mesh& mesh, const mat4& world_from_object) {
     // Lamps have few triangles; a sculpture that glows is not made of rectangles, and pairing it would take
     // long.
-    constexpr std::size_t most_triangles = 256;
+    constexpr std::size_t max_triangles = 256;
     const std::size_t count = mesh.indices.size() / 3;
-    if (count == 0 || count % 2 != 0 || count > most_triangles) return std::nullopt;
+    if (count == 0 || count % 2 != 0 || count > max_triangles) return std::nullopt;
     std::vector<Triangle> triangles;
     for (const MeshLight::Triangle& triangle : triangles_of(mesh, world_from_object, nullptr))
         triangles.push_back(triangle.corners);

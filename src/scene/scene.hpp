@@ -1,11 +1,11 @@
 #pragma once
 // The Scene: plain data in SI units, world space, right-handed, +Y up. No GL and no glTF in sight.
 #include "scene/camera.hpp"
+#include "scene/ies.hpp"
 #include "scene/lights/light.hpp"
 #include "scene/material.hpp"
 #include "scene/measured_brdf.hpp"
 #include "scene/mesh.hpp"
-#include "scene/profile.hpp"
 #include "scene/units.hpp"
 
 #include <cstdint>

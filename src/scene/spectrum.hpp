@@ -1,10 +1,18 @@
 #pragma once
-// Spectra, their colour and how bright a watt of them is.
+// Spectra, their colour and how bright a watt of them is, by the CIE 1931 standard observer.
 #include "core/math.hpp"
 
 #include <vector>
 
 namespace sr::scene {
+
+inline constexpr double first_wavelength = 360.0; // [nm]
+inline constexpr double last_wavelength = 830.0;  // [nm]
+inline constexpr double observer_step = 5.0;      // [nm]
+
+/// (x̄, ȳ, z̄) of the 2° observer at a wavelength [nm], linear between the table's rows, zero outside them.
+/// ȳ is V(λ), the photopic luminous efficiency (CIE 15:2004, section 7.1).
+glm::dvec3 observer(double wavelength);
 
 struct SpectrumPoint {
     double wavelength = 0.0; // [nm]

@@ -1,5 +1,8 @@
 #pragma once
 // The units that a light's quantity may be stated in.
+#include "core/error.hpp"
+
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <string_view>
@@ -41,15 +44,27 @@ inline constexpr std::array<NamedUnit, 12> unit_names{{
 }};
 
 /// Absent: there is no such unit.
-std::optional<Unit> unit_named(std::string_view name);
+inline std::optional<Unit> unit_named(std::string_view name) {
+    const auto found = std::find_if(unit_names.begin(), unit_names.end(),
+                                    [&](const NamedUnit& entry) { return entry.name == name; });
+    return found == unit_names.end() ? std::nullopt : std::optional(found->unit);
+}
 
 /// "lm", "W/(m^2 sr)", …, in ASCII.
-std::string_view name_of(Unit unit);
+inline std::string_view name_of(Unit unit) {
+    const auto found = std::find_if(unit_names.begin(), unit_names.end(),
+                                    [&](const NamedUnit& entry) { return entry.unit == unit; });
+    require(found != unit_names.end(), "every unit has a name");
+    return found->name;
+}
 
 /// The unit of a scene's radiance, and so of its film: "cd/m^2" or "W/(m^2 sr)".
 inline std::string_view radiance_unit(UnitSystem system) { return name_of({Quantity::radiance, system}); }
 
 /// Converts a quantity to a system in which a watt counts `efficacy` lumens [lm/W].
-double converted(double value, UnitSystem from, UnitSystem to, double efficacy);
+inline double converted(double value, UnitSystem from, UnitSystem to, double efficacy) {
+    if (from == to) return value;
+    return to == UnitSystem::photometric ? value * efficacy : value / efficacy;
+}
 
 } // namespace sr::scene

@@ -2,7 +2,7 @@
 // Sanitizers watch (CMakePresets.json, sanitize). STERADIAN_FUZZ_RUNS sets the number of mutations,
 // STERADIAN_FUZZ_SEED the first seed.
 #include "core/error.hpp"
-#include "gltf/load.hpp"
+#include "gltf/asset.hpp"
 #include "support/address.hpp"
 #include "support/made_gltf.hpp"
 #include "support/models.hpp"
@@ -194,8 +194,8 @@ void expect_answer(const fs::path& file, int& errors) {
     const auto start = std::chrono::steady_clock::now();
     try {
         gltf::Asset asset(file);
-        scene::Scene scene = asset.at_rest();
-        if (!asset.contents().animations.empty()) scene = asset.posed(std::move(scene), {{0}, 0.5});
+        scene::Scene scene = asset.rest_pose();
+        if (!asset.contents().animations.empty()) scene = asset.evaluate(std::move(scene), {{0}, 0.5});
         for (const std::string& line : asset.warnings())
             EXPECT_EQ(line.find('\n'), std::string::npos) << line;
     } catch (const Error& error) {

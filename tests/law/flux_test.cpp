@@ -1,6 +1,6 @@
 // Φ = ∫ I dω: the flux that a file states against the intensities of the light that is made of it, integrated
 // in doubles over directions and, for I = ∫ L max(0, n·ω) dA, over the emitter's surface.
-#include "gltf/load.hpp"
+#include "gltf/asset.hpp"
 #include "scene/spectrum.hpp"
 #include "support/address.hpp"
 #include "support/made_gltf.hpp"

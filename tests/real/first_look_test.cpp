@@ -1,7 +1,7 @@
 // The first look at somebody's own model: what no lamp of a file lights looks right under the studio, as a
 // screen shows it.
 #include "core/error.hpp"
-#include "gltf/load.hpp"
+#include "gltf/asset.hpp"
 #include "image/display.hpp"
 #include "scene/prepare.hpp"
 #include "support/address.hpp"

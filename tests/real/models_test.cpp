@@ -1,7 +1,7 @@
 // Files that nobody on this project wrote: each loads, with the warnings it deserves.
 #include "core/error.hpp"
-#include "gltf/load.hpp"
-#include "gltf/mikktspace.hpp"
+#include "gltf/asset.hpp"
+#include "gltf/read/mikktspace.hpp"
 #include "support/address.hpp"
 #include "support/models.hpp"
 

@@ -1,6 +1,6 @@
 #include "support/generated.hpp"
 
-#include "gltf/load.hpp"
+#include "gltf/asset.hpp"
 #include "support/gl.hpp"
 #include "support/models.hpp"
 

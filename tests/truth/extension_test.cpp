@@ -1,6 +1,6 @@
 // Materials of glTF's extensions, read from glTF, against pictures that Mitsuba made of data of its own
 // (tools/truth/extensions.py): specular-glossiness, glass, and sheets that scatter light to their other side.
-#include "gltf/load.hpp"
+#include "gltf/asset.hpp"
 #include "image/file.hpp"
 #include "render/renderer.hpp"
 #include "support/address.hpp"

@@ -1,7 +1,7 @@
 #include "truth/shadow_scenes.hpp"
 
 #include "core/error.hpp"
-#include "gltf/load.hpp"
+#include "gltf/asset.hpp"
 #include "scene/prepare.hpp"
 #include "support/models.hpp"
 #include "support/scenes.hpp"

@@ -1,7 +1,7 @@
 // Milliseconds per frame, read-back excluded: a scene under one point light, or under its own lights.
 #include "core/error.hpp"
 #include "gl/context.hpp"
-#include "gltf/load.hpp"
+#include "gltf/asset.hpp"
 #include "render/renderer.hpp"
 #include "scene/prepare.hpp"
 

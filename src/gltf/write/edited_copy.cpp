@@ -2,7 +2,7 @@
 
 #include "core/error.hpp"
 #include "core/file.hpp"
-#include "gltf/json.hpp"
+#include "gltf/container.hpp"
 #include "image/whole_file.hpp"
 #include "scene/spectrum.hpp"
 
@@ -264,9 +264,10 @@ void check_target(const fs::path& file, const fs::path& target) {
 void write_edited_copy(const fs::path& file, const Edits& edits, const fs::path& target) {
     check_target(file, target);
     const std::vector<std::uint8_t> bytes = read_file(file, file.string());
-    const Container container = split(bytes, file.string());
+    const Container container = split_container(bytes, file.string());
     const EditedJson edited(parse_ordered(container, file.string()), edits);
-    if (container.is_glb()) return image::write_whole(target, glb_of(edited.json().dump(), container.chunks));
+    if (container.is_glb())
+        return image::write_whole(target, build_glb(edited.json().dump(), container.chunks));
     const std::string text = edited.json().dump(2) + "\n";
     image::write_whole(target, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
 }

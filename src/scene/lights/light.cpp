@@ -1,7 +1,7 @@
 #include "scene/lights/light.hpp"
 
 #include "core/error.hpp"
-#include "scene/lights/shapes.hpp"
+#include "scene/lights/emitter.hpp"
 
 namespace sr::scene {
 namespace {

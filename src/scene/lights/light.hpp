@@ -1,14 +1,12 @@
 #pragma once
 // Light: any emitter, and the functions that all of them have.
-#include "scene/lights/directional.hpp"
 #include "scene/lights/disk.hpp"
 #include "scene/lights/environment.hpp"
 #include "scene/lights/mesh.hpp"
-#include "scene/lights/point.hpp"
 #include "scene/lights/polygon.hpp"
+#include "scene/lights/punctual.hpp"
 #include "scene/lights/rectangle.hpp"
 #include "scene/lights/sphere.hpp"
-#include "scene/lights/spot.hpp"
 #include "scene/lights/tube.hpp"
 
 #include <type_traits>

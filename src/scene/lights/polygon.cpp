@@ -1,6 +1,6 @@
 #include "scene/lights/polygon.hpp"
 
-#include "scene/lights/shapes.hpp"
+#include "scene/lights/emitter.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "scene/lights/sphere.hpp"
 
-#include "scene/lights/shapes.hpp"
+#include "scene/lights/emitter.hpp"
 
 namespace sr::scene {
 

@@ -1,6 +1,6 @@
 #include "scene/lights/tube.hpp"
 
-#include "scene/lights/shapes.hpp"
+#include "scene/lights/emitter.hpp"
 
 #include <cmath>
 

@@ -58,8 +58,8 @@ LoadedScene load_scene(const std::string& file, const Options& options, float as
     LoadedScene result;
     gltf::Asset asset = open_asset(file, options, result);
     choose_moment(result, asset, options);
-    scene::Scene scene = asset.at_rest();
-    if (!result.moment.animations.empty()) asset.pose(scene, result.moment);
+    scene::Scene scene = asset.rest_pose();
+    if (!result.moment.animations.empty()) asset.evaluate_into(scene, result.moment);
     result.file = file;
     record_contents(result, scene, asset);
     const std::vector<std::string> warnings = asset.warnings();
@@ -75,7 +75,7 @@ LoadedScene load_scene(const std::string& file, const Options& options, float as
     return result;
 }
 
-void pose(LoadedScene& loaded, const gltf::Moment& moment) {
+void pose(LoadedScene& loaded, const gltf::AnimationTime& moment) {
     require(loaded.asset.has_value(), "something moves");
     loaded.asset->pose(loaded.stage.scene, moment);
     record_contents(loaded, loaded.stage.scene, *loaded.asset);

@@ -24,7 +24,7 @@ struct LoadedScene {
     BaseCounts base;
     gltf::Contents contents;
     std::optional<gltf::Asset> asset; // poses the scene; absent if it has no animations
-    gltf::Moment moment;              // current time; the rest pose if it has no animations
+    gltf::AnimationTime moment;       // current time; the rest pose if it has no animations
     std::vector<int> animations;      // that Options::animation names
     std::string variant;              // current material variant; empty: none
     std::vector<int> light_nodes;     // of the file's lights at the current time
@@ -39,6 +39,6 @@ LoadedScene load_scene(const std::string& file, const Options& options, float as
 
 /// Poses the file's contents at another time, without surfaces of lights and softboxes. Needs an asset.
 /// @throws Error if a value makes no sense then; the scene must be posed again
-void pose(LoadedScene& loaded, const gltf::Moment& moment);
+void pose(LoadedScene& loaded, const gltf::AnimationTime& moment);
 
 } // namespace sr::viewer

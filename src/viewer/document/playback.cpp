@@ -5,8 +5,8 @@
 
 namespace sr::viewer {
 
-gltf::Moment Playback::moment() const {
-    return seconds ? gltf::Moment{animations, *seconds} : gltf::Moment{};
+gltf::AnimationTime Playback::moment() const {
+    return seconds ? gltf::AnimationTime{animations, *seconds} : gltf::AnimationTime{};
 }
 
 void Playback::choose(std::vector<int> chosen, double lasts) {

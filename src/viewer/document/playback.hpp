@@ -17,7 +17,7 @@ struct Playback {
     bool is_playing = false;
 
     bool has_any() const { return !animations.empty(); }
-    gltf::Moment moment() const;
+    gltf::AnimationTime moment() const;
 
     /// Chooses other animations. The time stays, up to their end.
     void choose(std::vector<int> chosen, double lasts);

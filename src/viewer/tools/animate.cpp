@@ -91,7 +91,7 @@ Changes Animate::show_time() {
     } catch (const Error& error) {
         ws_.messages.fail("Cannot show the animation at this time.", error.what());
         ws_.playback.is_playing = false;
-        const gltf::Moment& shown = ws_.scene->loaded().moment;
+        const gltf::AnimationTime& shown = ws_.scene->loaded().moment;
         ws_.playback.seconds = shown.animations.empty() ? std::nullopt : std::optional(shown.seconds);
     }
     if (selected) ws_.selected = ws_.scene->lights().entry_like(*selected);

@@ -1,6 +1,6 @@
 // File tool: opens, reloads and saves scenes, writes screenshots, watches files for changes.
 #include "core/error.hpp"
-#include "gltf/named_files.hpp"
+#include "gltf/uri.hpp"
 #include "output/write.hpp"
 #include "render/provenance.hpp"
 #include "viewer/config.hpp"

@@ -91,8 +91,8 @@ void SceneView::lights_changed() {
     if (reference_) reference_->lights_changed();
 }
 
-void SceneView::pose(const gltf::Moment& moment) {
-    const gltf::Moment before = loaded_.moment;
+void SceneView::pose(const gltf::AnimationTime& moment) {
+    const gltf::AnimationTime before = loaded_.moment;
     std::exception_ptr failure;
     try {
         viewer::pose(loaded_, moment);

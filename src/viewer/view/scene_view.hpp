@@ -46,7 +46,7 @@ public:
     const LightEditor& lights() const { return lights_; }
     /// Shows the file at another time, with the edits. @throws Error if a value makes no sense then; the time
     /// before stays
-    void pose(const gltf::Moment& moment);
+    void pose(const gltf::AnimationTime& moment);
     /// Takes over edits that were made to the same file with other materials.
     void take_edits(LightEditor lights);
 

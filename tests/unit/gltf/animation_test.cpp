@@ -59,14 +59,14 @@ const Test posing("unit.gltf.animation.an_asset_is_posed_again_and_again", [] {
     gltf::Asset asset(file);
     ASSERT_EQ(asset.contents().animations.size(), 2u);
     EXPECT_EQ(asset.contents().animations[1].duration, 3.0);
-    scene::Scene scene = asset.at_rest();
+    scene::Scene scene = asset.rest_pose();
     scene.meshes.emplace_back(); // as a RenderScene adds them
-    scene = asset.posed(std::move(scene), {{0}, 2.0});
+    scene = asset.evaluate(std::move(scene), {{0}, 2.0});
     EXPECT_EQ(scene.meshes.size(), 1u);
     EXPECT_EQ(scene.instances.at(0).world_from_object[3], vec4(1, 0, 0, 1));
-    scene = asset.posed(std::move(scene), {{1}, 3.0}); // nothing of the first is left
+    scene = asset.evaluate(std::move(scene), {{1}, 3.0}); // nothing of the first is left
     EXPECT_EQ(scene.instances.at(0).world_from_object, glm::mat4(mat3(3.0f)));
-    scene = asset.posed(std::move(scene), {{}, 0.0});
+    scene = asset.evaluate(std::move(scene), {{}, 0.0});
     EXPECT_EQ(scene.instances.at(0).world_from_object, mat4(1.0f));
 });
 
@@ -102,6 +102,29 @@ const Test pointers("unit.gltf.animation.pointers_move_materials_lights_cameras_
     EXPECT_EQ(std::get<scene::Perspective>(all.cameras.at(0).projection).yfov, 1.0f);
     EXPECT_TRUE(all.instances.empty());
     EXPECT_EQ(load(made, at(3, "all")).scene.instances.size(), 1u);
+});
+
+// The schema says what is a number; what the file leaves out comes and goes with the animation.
+const Test absent("unit.gltf.animation.a_property_that_the_file_leaves_out_can_move", [] {
+    MadeGltf made = MadeGltf::triangle();
+    made.root["materials"] = json::parse(R"([{"extensions": {"KHR_materials_sheen": {}}}])");
+    made.primitive()["material"] = 0;
+    animate(made, pointer("/materials/0/extensions/KHR_materials_sheen/sheenColorFactor"),
+            {1, 1, 1, 1, 0.5f, 0}, "VEC3");
+    const auto file = test_folder() / "made.gltf";
+    write_text(file, made.gltf());
+    gltf::Asset asset(file);
+    scene::Scene scene = asset.rest_pose();
+    EXPECT_EQ(scene.materials.at(0).sheen_color, vec3(0));
+    scene = asset.evaluate(std::move(scene), {{0}, 3.0});
+    EXPECT_EQ(scene.materials.at(0).sheen_color, vec3(1, 0.5f, 0));
+    scene = asset.evaluate(std::move(scene), {{}, 0.0});
+    EXPECT_EQ(scene.materials.at(0).sheen_color, vec3(0));
+    EXPECT_TRUE(asset.warnings().empty());
+    made.root["nodes"][0]["extras"] = json::parse(
+        R"({"steradian": {"shape": "sphere", "radius": 1, "quantity": {"value": 1, "unit": "lm"}}})");
+    animate(made, pointer("/nodes/0/extras/steradian/radius"), {1, 2}, "SCALAR"); // not of glTF's model
+    EXPECT_TRUE(warns_once(load(made), R"(moves "/nodes/0/extras/steradian/radius": that stays as it is)"));
 });
 
 const Test beyond("unit.gltf.animation.beyond_its_end_is_one_line", [] {

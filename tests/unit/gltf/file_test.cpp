@@ -1,9 +1,12 @@
 // Containers, JSON, URIs: whatever comes before the glTF itself.
-#include "gltf/named_files.hpp"
+#include "gltf/extensions.hpp"
+#include "gltf/uri.hpp"
 #include "gltf/warnings.hpp"
 #include "loading.hpp"
 
 #include <algorithm>
+#include <fmt/format.h>
+#include <fstream>
 
 using namespace sr;
 using namespace sr::testing;
@@ -244,6 +247,18 @@ const Test harmless("unit.gltf.file.extensions_that_change_no_picture_are_no_mat
         strict.is_strict = true;
         EXPECT_EQ(error_of(made, strict), "") << name;
     }
+});
+
+// The README's table of extensions is extensions.cpp's.
+const Test readme("unit.gltf.file.readme_has_the_extensions", [] {
+    std::ifstream stream(source_folder() / "src/gltf/README.md");
+    const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+    std::string expected = "| extension | supported |\n|---|---|\n";
+    for (const gltf::Extension& extension : gltf::known_extensions())
+        if (extension.support != gltf::Support::no_effect)
+            expected += fmt::format("| `{}` | {} |\n", extension.name,
+                                    extension.notes.empty() ? "yes" : extension.notes);
+    EXPECT_NE(text.find(expected), std::string::npos) << expected;
 });
 
 const Test used("unit.gltf.file.used_extensions_are_warned_of_once", [] {

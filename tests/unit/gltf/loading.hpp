@@ -1,7 +1,7 @@
 #pragma once
 // Loading what a test has made.
 #include "core/error.hpp"
-#include "gltf/load.hpp"
+#include "gltf/asset.hpp"
 #include "support/address.hpp"
 #include "support/made_gltf.hpp"
 #include "support/models.hpp"

@@ -1,6 +1,6 @@
 #include "loading.hpp"
 
-#include "gltf/topology.hpp"
+#include "gltf/read/mesh.hpp"
 
 #include <array>
 #include <limits>

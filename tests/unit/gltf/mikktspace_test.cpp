@@ -1,4 +1,4 @@
-#include "gltf/mikktspace.hpp"
+#include "gltf/read/mikktspace.hpp"
 
 #include "mikktspace_reference.hpp"
 #include "support/address.hpp"

@@ -1,4 +1,4 @@
-#include "gltf/extras_rules.hpp"
+#include "gltf/schema.hpp"
 #include "loading.hpp"
 #include "scene/spectrum.hpp"
 
@@ -182,31 +182,33 @@ const Test foreign("unit.gltf.shape.other_extras_are_left_alone", [] {
 const Test schema("unit.gltf.shape.schema_and_rules_agree", [] {
     std::ifstream stream(assets_folder() / "extras.schema.json");
     const json definitions = json::parse(stream).at("$defs");
-    const std::map<std::string, const gltf::Rule*> rules{{"node", &gltf::node_extras_rule()},
-                                                         {"light", &gltf::light_extras_rule()},
-                                                         {"material", &gltf::material_extras_rule()},
-                                                         {"asset", &gltf::asset_extras_rule()}};
+    const std::map<std::string, gltf::Schema> extras_schemas{{"node", gltf::node_extras_schema()},
+                                                             {"light", gltf::light_extras_schema()},
+                                                             {"material", gltf::material_extras_schema()},
+                                                             {"scene", gltf::scene_extras_schema()},
+                                                             {"asset", gltf::asset_extras_schema()}};
     const auto words_of = [](const json& list) { return list.get<std::set<std::string>>(); };
-    const auto words_in = [](const gltf::Rule& rule) {
-        return std::set<std::string>(rule.words.begin(), rule.words.end());
+    const auto words_in = [](const gltf::Schema& schema) {
+        return std::set<std::string>(schema.enum_values.begin(), schema.enum_values.end());
     };
-    for (const auto& [name, extras] : rules) {
-        const gltf::Rule& rule = *extras->properties.at(0).rule;
+    for (const auto& [name, extras] : extras_schemas) {
+        const gltf::Schema& schema = *extras.properties.at(0).schema;
         const json& properties = definitions.at(name).at("properties");
-        EXPECT_EQ(properties.size(), rule.properties.size()) << name;
-        for (const gltf::PropertyRule& property : rule.properties) {
+        EXPECT_EQ(properties.size(), schema.properties.size()) << name;
+        for (const gltf::PropertySchema& property : schema.properties) {
             ASSERT_TRUE(properties.contains(property.name)) << name << ' ' << property.name;
             const json& published = properties.at(std::string(property.name));
-            EXPECT_EQ(published.contains("enum"), !property.rule->words.empty()) << property.name;
+            EXPECT_EQ(published.contains("enum"), !property.schema->enum_values.empty()) << property.name;
             if (published.contains("enum")) {
-                EXPECT_EQ(words_of(published["enum"]), words_in(*property.rule));
+                EXPECT_EQ(words_of(published["enum"]), words_in(*property.schema));
             }
         }
     }
-    const gltf::Rule& quantity = *gltf::material_extras_rule().properties.at(0).rule->properties.at(0).rule;
+    const gltf::Schema& quantity =
+        *extras_schemas.at("material").properties.at(0).schema->properties.at(0).schema;
     ASSERT_EQ(quantity.properties.at(1).name, "unit");
     EXPECT_EQ(words_of(definitions["quantity"]["properties"]["unit"]["enum"]),
-              words_in(*quantity.properties[1].rule));
+              words_in(*quantity.properties[1].schema));
 });
 
 // The example of the README is a scene.

@@ -1,5 +1,5 @@
 // Interpolation against the closed forms of glTF 2.0, appendix C.
-#include "gltf/track.hpp"
+#include "gltf/read/animation.hpp"
 #include "loading.hpp"
 
 #include <cmath>

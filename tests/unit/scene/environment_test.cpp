@@ -1,4 +1,4 @@
-#include "scene/environment.hpp"
+#include "scene/lights/environment.hpp"
 
 #include "scene/lights/light.hpp"
 #include "support/address.hpp"

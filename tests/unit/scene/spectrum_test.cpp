@@ -1,6 +1,5 @@
 #include "scene/spectrum.hpp"
 
-#include "scene/observer.hpp"
 #include "scene/units.hpp"
 #include "support/address.hpp"
 
