@@ -168,7 +168,7 @@ void declare_parameters(CLI::App& command, BrdfCommand& o) {
             .add_option_function<std::string>(
                 name,
                 [name, take](const std::string& text) {
-                    const auto value = parsed_color(text);
+                    const auto value = settings::parsed_color(text);
                     if (!value) throw CLI::ValidationError(name, "'" + text + "' is not R,G,B or a number");
                     take(*value);
                 },

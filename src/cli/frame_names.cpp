@@ -39,17 +39,6 @@ std::optional<NumberPlace> place_in(const std::string& name) {
 
 } // namespace
 
-std::optional<FrameRange> parsed_frames(const std::string& text) {
-    const auto colon = text.find(':');
-    if (colon == std::string::npos) return std::nullopt;
-    const auto first = whole(std::string_view(text).substr(0, colon));
-    if (!first) return std::nullopt;
-    if (colon + 1 == text.size()) return FrameRange{*first, std::nullopt};
-    const auto last = whole(std::string_view(text).substr(colon + 1));
-    if (!last || *last < *first) return std::nullopt;
-    return FrameRange{*first, last};
-}
-
 std::optional<std::string> numbered(const std::string& pattern, int frame) {
     const std::size_t slash = pattern.find_last_of("/\\");
     const std::size_t name = slash == std::string::npos ? 0 : slash + 1;

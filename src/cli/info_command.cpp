@@ -1,6 +1,6 @@
+#include "cli/arguments.hpp"
 #include "cli/commands.hpp"
 #include "cli/light_description.hpp"
-#include "cli/render_options.hpp"
 #include "cli/version.hpp"
 #include "core/output.hpp"
 #include "core/text.hpp"
@@ -152,20 +152,20 @@ void add_info_command(CLI::App& app) {
     struct Arguments {
         std::string scene;
         bool json = false;
-        bool is_strict = false;
+        RenderSettings settings;
     };
     const auto arguments = std::make_shared<Arguments>();
     CLI::App* command =
         app.add_subcommand("info", "what a scene holds; without a scene, what OpenGL this machine offers");
     command->add_option("SCENE", arguments->scene, "a .gltf or .glb file");
     command->add_flag("--json", arguments->json, "print JSON");
-    command->add_flag("--strict", arguments->is_strict, strict_help);
+    declare(*command, settings::by_info, arguments->settings);
     command->footer("Examples:\n  steradian info\n  steradian info scene.glb\n  steradian info scene.glb "
                     "--json | jq .lights");
     command->callback([arguments] {
         const bool is_scene = !arguments->scene.empty();
         const ordered_json json =
-            is_scene ? scene_json(arguments->scene, arguments->is_strict) : backends_json();
+            is_scene ? scene_json(arguments->scene, arguments->settings.is_strict) : backends_json();
         if (arguments->json)
             write_json(json.dump(2, ' ', false, ordered_json::error_handler_t::replace));
         else if (is_scene)

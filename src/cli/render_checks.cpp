@@ -14,7 +14,7 @@ namespace {
 /// Refuses what a view is no picture of.
 void check_view(const RenderCommand& command) {
     if (!command.view) return;
-    if (command.light_layers || command.asks_for_error())
+    if (command.has_light_layers || command.asks_for_error())
         throw CLI::ValidationError(
             "--view", "only pictures of radiance have --layers, --error, --time and --aov error");
     if (command.rendering.estimator != render::Estimator::sampled
@@ -29,7 +29,7 @@ void check_denoising(const RenderCommand& command) {
     if (command.rendering.estimator != render::Estimator::analytic
         || command.visibility == render::Visibility::none)
         throw CLI::ValidationError("--denoise", "only shadows are filtered, of --estimator analytic");
-    if (command.light_layers || command.view || command.stop.error)
+    if (command.has_light_layers || command.view || command.stop.error)
         throw CLI::ValidationError("--denoise", "a filtered picture has no --layers, --view or --error");
     if (command.stop.samples < 2) throw CLI::ValidationError("--denoise", "takes --samples 2 at least");
 }
@@ -48,7 +48,7 @@ void check_outputs(const RenderCommand& command) {
         throw CLI::ValidationError("--aov", "error takes --samples 2 at least");
     if (std::ranges::any_of(command.outputs, output::holds_layers)) return;
     for (const auto& [is_asked, option] :
-         {std::pair(command.light_layers, "--layers"), std::pair(!command.aovs.empty(), "--aov")})
+         {std::pair(command.has_light_layers, "--layers"), std::pair(!command.aovs.empty(), "--aov")})
         if (is_asked) throw CLI::ValidationError(option, "only .exr files hold layers: name one with -o");
 }
 

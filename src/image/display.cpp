@@ -49,14 +49,6 @@ Image displayed_through(const Image& film, float factor, Curve curve) {
 
 } // namespace
 
-std::optional<ToneCurve> tone_curve_named(std::string_view name) {
-    if (name == "linear") return ToneCurve::linear;
-    if (name == "aces") return ToneCurve::aces;
-    if (name == "neutral") return ToneCurve::neutral;
-    if (name == "agx") return ToneCurve::agx;
-    return std::nullopt;
-}
-
 float exposure_factor(float ev100) { return 1.0f / (1.2f * std::exp2(ev100)); }
 
 float srgb_encoded(float linear) { return srgb_exact(linear); }

@@ -1,17 +1,19 @@
 #pragma once
 // From scene-referred radiance to a screen: exposure, tone curve, sRGB encoding. Only for screens and 8-bit
 // files.
+#include "core/named.hpp"
 #include "image/image.hpp"
 
-#include <optional>
-#include <string_view>
+#include <array>
 
 namespace sr::image {
 
 enum class ToneCurve { linear, aces, neutral, agx };
 
-/// "linear", "aces", "neutral", "agx"; absent for any other name.
-std::optional<ToneCurve> tone_curve_named(std::string_view name);
+inline constexpr std::array<Named<ToneCurve>, 4> tone_curves{{{"linear", ToneCurve::linear},
+                                                              {"aces", ToneCurve::aces},
+                                                              {"neutral", ToneCurve::neutral},
+                                                              {"agx", ToneCurve::agx}}};
 
 /// The factor that exposure by EV100 applies to luminance [cd/m²]: 1 / (1.2 * 2^EV100).
 /// Source: Lagarde & de Rousiers 2014, "Moving Frostbite to PBR", section 5.1.2.
