@@ -29,8 +29,8 @@ std::string help_of(const Option& option, settings::Taker taker) {
 
 void read(const Option& option, RenderSettings& settings, const std::string& text) {
     if (!option.value.read(option.value, settings, text))
-        throw CLI::ValidationError(
-            option.flag(), fmt::format("'{}' is not {}", text, settings::allowed_by(option.value)));
+        throw CLI::ValidationError(option.flag(),
+                                   fmt::format("'{}' is not {}", text, settings::allowed_by(option.value)));
 }
 
 } // namespace
@@ -42,7 +42,8 @@ void declare(CLI::App& command, settings::Taker taker, RenderSettings& settings)
         const std::string flag = option.flag(), help = help_of(option, taker);
         CLI::Option* declared = nullptr;
         if (option.value.kind == settings::Value::Kind::flag)
-            declared = command.add_flag_callback(flag, [take] { take(""); }, help);
+            declared = command.add_flag_callback(
+                flag, [take] { take(""); }, help);
         else if (option.value.kind == settings::Value::Kind::list)
             declared = command
                            .add_option_function<std::vector<std::string>>(

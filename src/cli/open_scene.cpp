@@ -37,7 +37,8 @@ std::vector<int> frames_of(const gltf::Asset& asset, const std::vector<int>& ani
     const auto next_second = static_cast<float>(seconds_of(last + 1, settings));
     if (!range.last && next_second <= static_cast<float>(end)) ++last;
     if (last - range.first >= most)
-        throw Error({settings.scene}, fmt::format("frames {} to {} are more than {}", range.first, last, most),
+        throw Error({settings.scene},
+                    fmt::format("frames {} to {} are more than {}", range.first, last, most),
                     "name fewer with --frames A:B, or a lower --fps");
     for (const int frame : {range.first, std::max(last, range.first)})
         asset.require_within({animations, seconds_of(frame, settings)});

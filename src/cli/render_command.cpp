@@ -322,7 +322,8 @@ void add_render_command(CLI::App& app) {
         ->type_name("OUT")
         ->allow_extra_args(false) // one a flag: what follows may be the scene
         ->required();
-    command->add_flag("--json", options->json, "print a summary as JSON: times by phase, triangles, samples, …");
+    command->add_flag("--json", options->json,
+                      "print a summary as JSON: times by phase, triangles, samples, …");
     declare(*command, settings::by_render, *options);
     command->get_option("--frames")->excludes(command->get_option("--at"));
     command->get_option("--fps")->needs(command->get_option("--frames"));

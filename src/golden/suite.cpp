@@ -15,9 +15,9 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 void allow_test_keys(const JsonObject& entry) {
-    std::vector<const char*> keys{"name",  "description", "tags",      "scene",           "command", "format",
-                                  "arguments", "time_limit",  "tolerance", "allow_nonfinite", "region",
-                                  "mask",  "noise",       "pixels",    "guards"};
+    std::vector<const char*> keys{"name",   "description", "tags",       "scene",     "command",
+                                  "format", "arguments",   "time_limit", "tolerance", "allow_nonfinite",
+                                  "region", "mask",        "noise",      "pixels",    "guards"};
     for (const settings::Option& option : settings::all_options())
         if (option.takers & settings::by_suites) keys.push_back(option.key);
     entry.allow_only(keys);

@@ -192,10 +192,11 @@ constexpr unsigned by_picture = by_all | by_suites;
 constexpr unsigned by_scene = by_all | by_export;
 
 constexpr std::array options{
-    Option{"camera", "Scene", by_scene | by_suites, text<&S::camera>("TEXT"),
-           "camera by name or index; auto, which frames the scene; or a view as the viewer copies it: "
-           "eye=X,Y,Z;target=X,Y,Z with up=X,Y,Z fov=DEGREES near= far= if wanted (default: the first camera, "
-           "or auto)"},
+    Option{
+        "camera", "Scene", by_scene | by_suites, text<&S::camera>("TEXT"),
+        "camera by name or index; auto, which frames the scene; or a view as the viewer copies it: "
+        "eye=X,Y,Z;target=X,Y,Z with up=X,Y,Z fov=DEGREES near= far= if wanted (default: the first camera, "
+        "or auto)"},
     Option{"scene", "Scene", by_scene, number<&S::scene_index>(0, 2147483647, "INDEX"),
            "scene of the file (default: the file's choice)"},
     Option{"variant", "Scene", by_scene, text<&S::variant>("NAME"),
@@ -223,16 +224,19 @@ constexpr std::array options{
                "L|R,G,B"),
            "radiance where there is no surface [cd/m²]"},
 
-    Option{"at", "Animation", by_scene, number<&S::at>(0, no_limit, "SECONDS"),
+    Option{"at",
+           "Animation",
+           by_scene,
+           number<&S::at>(0, no_limit, "SECONDS"),
            "time of the animation (default: the file's rest pose, without its animations)",
            "time at which the animation opens (default: the file's rest pose)",
            {"time", [](const S& s) { return s.at ? fmt::format("{:.9g} s", *s.at) : ""; }}},
     Option{"animation", "Animation", by_scene, text<&S::animation>("NAME|INDEX|all"),
            "animation by name or index, or all at once (default: the first)"},
-    Option{"frames", "Animation", by_render,
-           parsed<parsed_frames, [](const FrameRange& frames) { return text_of(frames); }, &S::frames>(
-               "A:B|A:"),
-           "frames A to B of the animation, or from A to its end; OUT has #### or %04d in its name"},
+    Option{
+        "frames", "Animation", by_render,
+        parsed<parsed_frames, [](const FrameRange& frames) { return text_of(frames); }, &S::frames>("A:B|A:"),
+        "frames A to B of the animation, or from A to its end; OUT has #### or %04d in its name"},
     Option{"fps", "Animation", by_render, number<&S::fps>(1e-3, 1e6),
            "frames a second: frame n is at n / fps seconds"},
 
@@ -244,13 +248,17 @@ constexpr std::array options{
            "samples a pixel: positions in the pixel and points on each emitter",
            "samples a pixel of the converged picture; without --error and --time its error is not estimated "
            "(default: 256 or an --error of 0.5%, whichever comes first)"},
-    Option{"error", "Picture", by_render | by_view,
-           parsed<parsed_percentage, percentage_text, &S::stop, &render::StopRule::error>("PERCENT%"),
-           "stop at this distance from the converged picture: √rel_mse of `steradian compare`, estimated from "
-           "two independent halves of the samples. Pixels that are near enough stop earlier. --samples is "
-           "then 65536 by default",
-           nullptr,
-           {"error_target", [](const S& s) { return s.stop.error ? fmt::format("{:.4g}", *s.stop.error) : ""; }}},
+    Option{
+        "error",
+        "Picture",
+        by_render | by_view,
+        parsed<parsed_percentage, percentage_text, &S::stop, &render::StopRule::error>("PERCENT%"),
+        "stop at this distance from the converged picture: √rel_mse of `steradian compare`, estimated from "
+        "two independent halves of the samples. Pixels that are near enough stop earlier. --samples is "
+        "then 65536 by default",
+        nullptr,
+        {"error_target",
+         [](const S& s) { return s.stop.error ? fmt::format("{:.4g}", *s.stop.error) : ""; }}},
     Option{"time", "Picture", by_render | by_view,
            parsed<parsed_duration, duration_text, &S::stop, &render::StopRule::seconds>("SECONDS|2s|5min"),
            "stop after this long; loading and --layers do not count"},
@@ -264,19 +272,33 @@ constexpr std::array options{
            "add a layer for each light and one for emission to .exr files; their sum is the picture"},
     Option{"aov", "Picture", by_render, aovs,
            "add channels to .exr files, separated by commas; src/output/README.md describes them"},
-    Option{"view", "Picture", by_render, view,
-           "one term of the equation instead of radiance, as numbers in .exr and .hdr", nullptr, {"view"}},
+    Option{"view",
+           "Picture",
+           by_render,
+           view,
+           "one term of the equation instead of radiance, as numbers in .exr and .hdr",
+           nullptr,
+           {"view"}},
 
-    Option{"estimator", "Method", by_picture | in_json, choice<render::estimators, &S::rendering, &R::estimator>(),
+    Option{"estimator",
+           "Method",
+           by_picture | in_json,
+           choice<render::estimators, &S::rendering, &R::estimator>(),
            "how area lights are integrated: sampled converges to the exact value; analytic has no noise, is "
            "exact for Lambert and an approximation for gloss",
            nullptr,
            {"estimator"}},
-    Option{"seed", "Method", by_picture | in_json, number<&S::rendering, &R::seed>(0, 4294967295.0),
+    Option{"seed",
+           "Method",
+           by_picture | in_json,
+           number<&S::rendering, &R::seed>(0, 4294967295.0),
            "seed of the samples: another seed is another, equally good set",
            nullptr,
            {"seed"}},
-    Option{"analytic_points", "Method", by_all, number<&S::rendering, &R::analytic_points>(0, 4096),
+    Option{"analytic_points",
+           "Method",
+           by_all,
+           number<&S::rendering, &R::analytic_points>(0, 4096),
            "points that the analytic estimator takes for each lobe and emitter; 0: the fitted lobe alone",
            nullptr,
            {"analytic_points",
@@ -286,7 +308,10 @@ constexpr std::array options{
             }}},
     Option{"energy_compensation", "Method", by_all, flag<&S::has_energy_compensation>(),
            "compensate GGX for energy lost to multiple scattering (not part of glTF)"},
-    Option{"visibility", "Method", by_picture, choice<render::visibilities, &S::visibility>(),
+    Option{"visibility",
+           "Method",
+           by_picture,
+           choice<render::visibilities, &S::visibility>(),
            "shadows: a ray to each sample, on the CPU in software GL, in GLSL elsewhere; depth maps from "
            "points on the emitters; or none",
            nullptr,
@@ -294,10 +319,12 @@ constexpr std::array options{
     Option{"map_points", "Method", by_all,
            number<&S::rendering, &R::maps, &render::MapOptions::points>(1, 32),
            "with --visibility map: points on each emitter that a sample has, each with its depth maps"},
-    Option{"map_size", "Method", by_all,
-           number<&S::rendering, &R::maps, &render::MapOptions::size>(16, 8192),
+    Option{"map_size", "Method", by_all, number<&S::rendering, &R::maps, &render::MapOptions::size>(16, 8192),
            "with --visibility map: texels on a map's side; halved until a sample's maps fit into 256 MiB"},
-    Option{"denoise", "Method", by_render, flag<&S::denoises>(),
+    Option{"denoise",
+           "Method",
+           by_render,
+           flag<&S::denoises>(),
            "with --estimator analytic: filter the shadows, its only noise, over pixels of the same surface. "
            "The picture looks smooth and is biased: no measurement",
            nullptr,
@@ -307,8 +334,7 @@ constexpr std::array options{
            "where OpenGL comes from; see steradian info"},
     Option{"shaders", "Machine", by_picture, list<&S::shaders>("DIR"),
            "look for shaders in this folder first (repeatable)"},
-    Option{"gl_debug", "Machine", by_all, flag<&S::gl_debug>(),
-           "fail on any error or warning of the driver"},
+    Option{"gl_debug", "Machine", by_all, flag<&S::gl_debug>(), "fail on any error or warning of the driver"},
 };
 
 std::string joined(const Value& value, const char* separator) {

@@ -48,9 +48,9 @@ struct Attribute {
 };
 
 struct Option {
-    const char* key;    // in suites and JSON
-    const char* group;  // heading in --help
-    unsigned takers;    // Taker
+    const char* key;   // in suites and JSON
+    const char* group; // heading in --help
+    unsigned takers;   // Taker
     Value value;
     const char* help;
     const char* view_help = nullptr; // of `view`, where it means something else there

@@ -30,8 +30,7 @@ std::vector<image::Attribute> attributes_of(const RenderSettings& settings, cons
     }
     if (error) attributes.push_back({"steradian:error", fmt::format("{:.4g}", *error)});
     if (stopped_by) attributes.push_back({"steradian:stopped_by", render::name_of(*stopped_by)});
-    if (stopped_by == render::StoppedBy::interruption)
-        attributes.push_back({"steradian:interrupted", "yes"});
+    if (stopped_by == render::StoppedBy::interruption) attributes.push_back({"steradian:interrupted", "yes"});
     for (const Option& option : all_options()) {
         if (!option.attribute.name) continue;
         const auto text = option.attribute.text ? option.attribute.text : option.value.write;

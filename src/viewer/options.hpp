@@ -8,7 +8,7 @@ namespace sr::viewer {
 /// `rendering` and `stop` are those of the converging render.
 struct Options : settings::RenderSettings {
     std::optional<scene::EnvironmentLight> environment_light; // that `environment` names
-    bool plays = false;                                 // from `at` or the beginning on
+    bool plays = false;                                       // from `at` or the beginning on
     bool is_reloading = false; // parts that the file has lost are remarks instead of errors
     // Of an assignment.
     std::string submission;                 // a student's folder; empty if there is no assignment

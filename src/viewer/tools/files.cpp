@@ -94,14 +94,13 @@ Changes Files::write(const std::string& extension) {
     settings.at = ws_.playback.seconds;
     settings.stop = render.rule();
     settings.view = view;
-    film.attributes =
-        settings::attributes_of(settings,
-                                {.unit = output::unit_of(view, units),
-                                 .camera = ws_.camera->argument(),
-                                 .samples = {static_cast<double>(samples), samples, samples},
-                                 .error = render.error(),
-                                 .stopped_by = render.stopped_by()},
-                                ws_.window.info());
+    film.attributes = settings::attributes_of(settings,
+                                              {.unit = output::unit_of(view, units),
+                                               .camera = ws_.camera->argument(),
+                                               .samples = {static_cast<double>(samples), samples, samples},
+                                               .error = render.error(),
+                                               .stopped_by = render.stopped_by()},
+                                              ws_.window.info());
     const std::string file = free_name(ws_.scene->loaded().file, extension);
     try {
         output::write(film, nullptr, {file},

@@ -12,20 +12,17 @@
 #include <set>
 
 using namespace sr;
-using sr::testing::Test;
 using settings::Option;
 using settings::Value;
+using sr::testing::Test;
 
 namespace {
 
 /// Texts that an option takes.
 std::vector<std::string> examples_of(const Option& option) {
-    static const std::map<std::string, std::string> of_types{{"WIDTHxHEIGHT", "1920x1080"},
-                                                             {"A:B|A:", "3:47"},
-                                                             {"L|R,G,B", "0.5,1,2"},
-                                                             {"PERCENT%", "0.5%"},
-                                                             {"SECONDS|2s|5min", "90s"},
-                                                             {"EV|auto", "-1.5"}};
+    static const std::map<std::string, std::string> of_types{
+        {"WIDTHxHEIGHT", "1920x1080"}, {"A:B|A:", "3:47"},         {"L|R,G,B", "0.5,1,2"},
+        {"PERCENT%", "0.5%"},          {"SECONDS|2s|5min", "90s"}, {"EV|auto", "-1.5"}};
     const Value& value = option.value;
     if (const auto found = of_types.find(value.type); found != of_types.end()) return {found->second};
     std::vector<std::string> texts;
@@ -111,8 +108,7 @@ nlohmann::json schema_of(const Option& option) {
 }
 
 const Test schema("unit.cli.options.schema_of_suites_has_them", [] {
-    const auto json =
-        nlohmann::json::parse(read_text(STERADIAN_SOURCE "/assets/golden_suite.schema.json"));
+    const auto json = nlohmann::json::parse(read_text(STERADIAN_SOURCE "/assets/golden_suite.schema.json"));
     nlohmann::json expected = nlohmann::json::object();
     for (const Option& option : settings::all_options())
         if (option.takers & settings::by_suites) expected[option.key] = schema_of(option);
