@@ -27,7 +27,7 @@ std::string help_of(const Option& option, settings::Taker taker) {
     return text;
 }
 
-void read(const Option& option, RenderSettings& settings, const std::string& text) {
+void take_over(const Option& option, RenderSettings& settings, const std::string& text) {
     if (!option.value.read(option.value, settings, text))
         throw CLI::ValidationError(option.flag(),
                                    fmt::format("'{}' is not {}", text, settings::allowed_by(option.value)));
@@ -38,7 +38,7 @@ void read(const Option& option, RenderSettings& settings, const std::string& tex
 void declare(CLI::App& command, settings::Taker taker, RenderSettings& settings) {
     for (const Option& option : settings::all_options()) {
         if (!(option.takers & taker)) continue;
-        const auto take = [&](const std::string& text) { read(option, settings, text); };
+        const auto take = [&option, &settings](const std::string& text) { take_over(option, settings, text); };
         const std::string flag = option.flag(), help = help_of(option, taker);
         CLI::Option* declared = nullptr;
         if (option.value.kind == settings::Value::Kind::flag)

@@ -118,7 +118,7 @@ std::optional<scene::EnvironmentLight> environment_light(const RenderSettings& s
     const std::string& source = settings.environment;
     if (source.empty()) return std::nullopt;
     scene::EnvironmentLight light;
-    if (const auto color = parsed_color(source)) {
+    if (const auto color = settings::parsed_color(source)) {
         light.name = "environment";
         if (std::min({color->r, color->g, color->b}) < 0.0f)
             throw CLI::ValidationError("--environment", "'" + source + "' is a negative radiance");

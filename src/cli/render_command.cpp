@@ -72,11 +72,12 @@ void remark_on(const image::Image& film, const RenderCommand& command, const sce
 
 /// The value of an option: a text, a number, or true for a flag that is on; null if it is absent.
 ordered_json json_of(const settings::Option& option, const RenderSettings& settings) {
-    using enum settings::Value::Kind;
+    using Kind = settings::Value::Kind;
     const std::string text = option.value.write(settings);
-    if (option.value.kind == flag) return !text.empty();
+    if (option.value.kind == Kind::flag) return !text.empty();
     if (text.empty()) return nullptr;
-    return option.value.kind == number || option.value.kind == whole ? ordered_json::parse(text) : text;
+    const bool is_number = option.value.kind == Kind::number || option.value.kind == Kind::whole;
+    return is_number ? ordered_json::parse(text) : ordered_json(text);
 }
 
 ordered_json summary(const RenderCommand& command, const scene::RenderScene& stage,

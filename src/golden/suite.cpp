@@ -38,16 +38,16 @@ std::string option_value(const JsonObject& entry, const char* key) {
 }
 
 /// Appends an option to the words of a command, if the test or the defaults have it.
-void append(std::vector<std::string>& words, const settings::Option& option, const JsonObject& entry,
+void append_option(std::vector<std::string>& words, const settings::Option& option, const JsonObject& entry,
             const JsonObject& defaults) {
-    using enum settings::Value::Kind;
+    using Kind = settings::Value::Kind;
     const char* const key = option.key;
     const JsonObject& place = holder(entry, defaults, key);
-    if (option.value.kind == flag) {
+    if (option.value.kind == Kind::flag) {
         // A golden of a scene that has lost something would keep the loss.
         const bool is_strict = std::string_view(key) == "strict";
         if (place.flag(key, is_strict)) words.push_back(option.flag());
-    } else if (option.value.kind == list) {
+    } else if (option.value.kind == Kind::list) {
         for (const JsonObject* object : {&entry, &defaults})
             for (std::string& text : object->texts(key))
                 words.insert(words.end(), {option.flag(), std::move(text)});
@@ -59,7 +59,7 @@ void append(std::vector<std::string>& words, const settings::Option& option, con
 std::vector<std::string> render_command(const JsonObject& entry, const JsonObject& defaults) {
     std::vector<std::string> words{"{steradian}", "render", entry.required_text("scene"), "-o", "{out}"};
     for (const settings::Option& option : settings::all_options())
-        if (option.takers & settings::by_suites) append(words, option, entry, defaults);
+        if (option.takers & settings::by_suites) append_option(words, option, entry, defaults);
     for (const JsonObject* place : {&entry, &defaults})
         for (std::string& word : place->texts("arguments")) words.push_back(std::move(word));
     return words;
