@@ -136,7 +136,7 @@ void read_image(Check& check, const JsonObject& entry, const fs::path& folder) {
     check.samples = entry.integer("samples", 1, 1, 4096);
     check.shader = entry.text("shader", check.shader);
     check.tolerances = entry.texts("tolerance");
-    const auto visibility = value_named(render::visibilities, entry.text("visibility", "ray"));
+    const auto visibility = render::visibility_named(entry.text("visibility", "ray"));
     if (!visibility)
         entry.fail_at("visibility", "no way to find shadows", "write ray, ray-glsl, map or none");
     check.visibility = *visibility;

@@ -12,9 +12,8 @@ void add_trial_command(CLI::App& app) {
     CLI::App* command =
         app.add_subcommand("compile-trial", "tries shaders that come on stdin")->group(""); // not listed
     command->add_option("--backend", *backend);
-    command->callback([backend] {
-        gl::answer_trials(value_named(gl::backends, *backend).value_or(gl::Backend::automatic));
-    });
+    command->callback(
+        [backend] { gl::answer_trials(gl::backend_named(*backend).value_or(gl::Backend::automatic)); });
 }
 
 } // namespace sr::cli

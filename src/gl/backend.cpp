@@ -11,17 +11,31 @@ namespace {
 
 struct Entry {
     Backend backend;
+    const char* name;
     std::unique_ptr<Context> (*open)(bool debug);
 };
 
 /// In the order in which `auto` tries them.
 constexpr std::array<Entry, 3> entries{{
-    {Backend::egl, open_egl},
-    {Backend::osmesa, open_osmesa},
-    {Backend::window, open_window},
+    {Backend::egl, "egl", open_egl},
+    {Backend::osmesa, "osmesa", open_osmesa},
+    {Backend::window, "window", open_window},
 }};
 
 } // namespace
+
+std::optional<Backend> backend_named(std::string_view name) {
+    if (name == "auto") return Backend::automatic;
+    for (const Entry& entry : entries)
+        if (name == entry.name) return entry.backend;
+    return std::nullopt;
+}
+
+const char* name_of(Backend backend) {
+    for (const Entry& entry : entries)
+        if (entry.backend == backend) return entry.name;
+    return "auto";
+}
 
 std::unique_ptr<Context> open_context(const ContextOptions& options) {
     require_threads();
@@ -42,11 +56,10 @@ std::unique_ptr<Context> open_context(const ContextOptions& options) {
 std::vector<BackendReport> report_backends() {
     std::vector<BackendReport> reports;
     for (const Entry& entry : entries) {
-        const std::string name(name_in(backends, entry.backend));
         try {
-            reports.push_back({name, entry.open(false)->info(), ""});
+            reports.push_back({entry.name, entry.open(false)->info(), ""});
         } catch (const Error& error) {
-            reports.push_back({name, std::nullopt, error.what()});
+            reports.push_back({entry.name, std::nullopt, error.what()});
         }
     }
     return reports;

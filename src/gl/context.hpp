@@ -1,9 +1,7 @@
 #pragma once
 // OpenGL 4.1 core contexts, chosen at run time.
-#include "core/named.hpp"
 #include "gl/debug.hpp"
 
-#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -19,10 +17,11 @@ enum class Backend {
     window,    // GLFW, needs a display
 };
 
-inline constexpr std::array<Named<Backend>, 4> backends{{{"auto", Backend::automatic},
-                                                         {"egl", Backend::egl},
-                                                         {"osmesa", Backend::osmesa},
-                                                         {"window", Backend::window}}};
+/// "auto", "egl", "osmesa", "window"; absent for any other name.
+std::optional<Backend> backend_named(std::string_view name);
+
+/// Returns the name that backend_named() accepts.
+const char* name_of(Backend backend);
 
 /// Returns whether a GL_RENDERER of this name runs on the CPU.
 bool is_software_renderer(std::string_view renderer);

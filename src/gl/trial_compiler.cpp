@@ -86,7 +86,7 @@ private:
 
 void TrialCompiler::Process::start(Backend backend) {
     std::array<std::string, 4> words{"steradian", "compile-trial", "--backend",
-                                     std::string(name_in(backends, backend))};
+                                     std::string(name_of(backend))};
     std::vector<char*> arguments;
     for (std::string& word : words) arguments.push_back(word.data());
     arguments.push_back(nullptr);

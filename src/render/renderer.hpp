@@ -1,6 +1,5 @@
 #pragma once
 // A scene, a camera and a size; out comes the Film. Adding samples is adding frames.
-#include "core/named.hpp"
 #include "render/adaptive/converged_pixels.hpp"
 #include "render/adaptive/error_estimate.hpp"
 #include "render/gpu/frame_data.hpp"
@@ -8,7 +7,6 @@
 #include "render/visibility/cpu_shadow_rays.hpp"
 #include "render/visibility/depth_maps.hpp"
 
-#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -18,8 +16,6 @@ namespace sr::render {
 /// How the integral over an emitter is evaluated: by samples, which converge to it, or in closed form with
 /// few points (shaders/integrator/reflected_analytic.glsl).
 enum class Estimator { sampled, analytic };
-inline constexpr std::array<Named<Estimator>, 2> estimators{
-    {{"sampled", Estimator::sampled}, {"analytic", Estimator::analytic}}};
 
 /// Points of the analytic estimator a lobe and emitter: tools/ltc/README.md has what they buy.
 inline constexpr int default_analytic_points = 16;

@@ -1,17 +1,13 @@
 #pragma once
 // Everything that a picture needs besides its size: what is seen, what lights it, who looks.
-#include "core/named.hpp"
 #include "scene/scene.hpp"
 
-#include <array>
 #include <optional>
 
 namespace sr::scene {
 
 /// The lamps added to a scene: `automatic` is the studio where the scene's own light would leave it dark.
 enum class Rig { automatic, studio, softboxes, none };
-inline constexpr std::array<Named<Rig>, 4> rigs{
-    {{"auto", Rig::automatic}, {"studio", Rig::studio}, {"softboxes", Rig::softboxes}, {"none", Rig::none}}};
 
 struct PrepareOptions {
     /// A camera of the scene by name or by index, "auto" for one that frames the scene, or a view in words

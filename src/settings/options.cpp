@@ -103,22 +103,43 @@ constexpr Value number(double min, double max, const char* type = "") {
                 }};
 }
 
-/// A value of an enumeration with a table of Named.
-template<const auto& names, auto... path>
+template<class T>
+std::string_view name_of(const Named<T>& row) {
+    return row.name;
+}
+std::string_view name_of(gl::Backend backend) { return gl::name_of(backend); }
+std::string_view name_of(render::Visibility visibility) { return render::name_of(visibility); }
+
+template<class T>
+T value_of(const Named<T>& row) {
+    return row.value;
+}
+template<class T>
+T value_of(const T& value) {
+    return value;
+}
+
+/// One of `all`: rows of Named, or values of an enumeration that has name_of().
+template<const auto& all, auto... path>
 constexpr Value choice() {
     return {.words =
                 [] {
                     std::vector<Word> words;
-                    for (const auto& row : names) words.push_back({row.name});
+                    for (const auto& row : all) words.push_back({name_of(row)});
                     return words;
                 },
             .read =
                 [](const Value&, S& s, const std::string& given) {
-                    const auto value = value_named(names, given);
-                    if (value) member<path...>(s) = *value;
-                    return value.has_value();
+                    const auto found = std::ranges::find_if(all, [&](const auto& row) { return name_of(row) == given; });
+                    if (found != all.end()) member<path...>(s) = value_of(*found);
+                    return found != all.end();
                 },
-            .write = [](const S& s) { return std::string(name_in(names, member<path...>(s))); }};
+            .write =
+                [](const S& s) {
+                    for (const auto& row : all)
+                        if (value_of(row) == member<path...>(s)) return std::string(name_of(row));
+                    return std::string();
+                }};
 }
 
 /// A value with functions of its own for reading and writing.
@@ -136,6 +157,11 @@ constexpr Value parsed(const char* type) {
 
 constexpr std::array exr_types{Named<image::SampleType>{"half", image::SampleType::half},
                                Named<image::SampleType>{"float", image::SampleType::floating}};
+constexpr std::array visibilities{render::Visibility::ray, render::Visibility::ray_on_cpu,
+                                  render::Visibility::ray_in_glsl, render::Visibility::map,
+                                  render::Visibility::none};
+constexpr std::array backends{gl::Backend::automatic, gl::Backend::egl, gl::Backend::osmesa,
+                              gl::Backend::window};
 constexpr std::array layers{Named<bool>{"lights", true}};
 
 /// EV100, or "auto" for an absent one.
@@ -206,7 +232,7 @@ constexpr std::array options{
     Option{"hide_emitters", "Scene", by_all, flag<&S::hide_emitters>(),
            "hide emitters, which still light the scene: lights vanish, emissive surfaces only reflect"},
 
-    Option{"rig", "Light", by_scene | by_suites, choice<scene::rigs, &S::rig>(),
+    Option{"rig", "Light", by_scene | by_suites, choice<rigs, &S::rig>(),
            "lamps besides the scene's own: a studio, three softboxes, or none; auto adds the studio where "
            "almost nothing would be lit"},
     Option{"environment", "Light", by_scene, text<&S::environment>("FILE|L|R,G,B"),
@@ -283,7 +309,7 @@ constexpr std::array options{
     Option{"estimator",
            "Method",
            by_picture | in_json,
-           choice<render::estimators, &S::rendering, &R::estimator>(),
+           choice<estimators, &S::rendering, &R::estimator>(),
            "how area lights are integrated: sampled converges to the exact value; analytic has no noise, is "
            "exact for Lambert and an approximation for gloss",
            nullptr,
@@ -311,7 +337,7 @@ constexpr std::array options{
     Option{"visibility",
            "Method",
            by_picture,
-           choice<render::visibilities, &S::visibility>(),
+           choice<visibilities, &S::visibility>(),
            "shadows: a ray to each sample, on the CPU in software GL, in GLSL elsewhere; depth maps from "
            "points on the emitters; or none",
            nullptr,
@@ -330,7 +356,7 @@ constexpr std::array options{
            nullptr,
            {"denoised", [](const S& s) { return std::string(s.denoises ? "visibility" : ""); }}},
 
-    Option{"backend", "Machine", by_render | by_probe | by_suites, choice<gl::backends, &S::backend>(),
+    Option{"backend", "Machine", by_render | by_probe | by_suites, choice<backends, &S::backend>(),
            "where OpenGL comes from; see steradian info"},
     Option{"shaders", "Machine", by_picture, list<&S::shaders>("DIR"),
            "look for shaders in this folder first (repeatable)"},

@@ -1,5 +1,6 @@
 #pragma once
 // Settings of a rendering: everything that a command line, a golden suite and the viewer choose.
+#include "core/named.hpp"
 #include "gl/context.hpp"
 #include "image/display.hpp"
 #include "image/file.hpp"
@@ -10,11 +11,19 @@
 #include "scene/prepare.hpp"
 #include "settings/values.hpp"
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace sr::settings {
+
+inline constexpr std::array<Named<scene::Rig>, 4> rigs{{{"auto", scene::Rig::automatic},
+                                                        {"studio", scene::Rig::studio},
+                                                        {"softboxes", scene::Rig::softboxes},
+                                                        {"none", scene::Rig::none}}};
+inline constexpr std::array<Named<render::Estimator>, 2> estimators{
+    {{"sampled", render::Estimator::sampled}, {"analytic", render::Estimator::analytic}}};
 
 /// Each member but the scene is a row of the table in options.cpp.
 struct RenderSettings {

@@ -24,7 +24,7 @@ private:
 
 std::unique_ptr<gl::Context> opened() {
     const char* name = std::getenv("STERADIAN_BACKEND");
-    const auto backend = value_named(gl::backends, name ? name : "auto");
+    const auto backend = gl::backend_named(name ? name : "auto");
     auto context = gl::open_context({backend.value_or(gl::Backend::automatic), true});
     ::testing::UnitTest::GetInstance()->listeners().Append(new Silence(*context));
     return context;

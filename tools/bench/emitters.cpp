@@ -118,7 +118,7 @@ double frame_time(const std::vector<scene::Light>& lights, const Arguments& argu
 
 void run(const Arguments& arguments) {
     const auto context =
-        gl::open_context({value_named(gl::backends, arguments.backend).value_or(gl::Backend::automatic)});
+        gl::open_context({gl::backend_named(arguments.backend).value_or(gl::Backend::automatic)});
     double load[1] = {0.0};
     if (getloadavg(load, 1) < 1) load[0] = -1.0;
     fmt::print("{}, {}, {}x{}, median of {} frames, load {:.2f}\n\n", arguments.estimator,

@@ -93,10 +93,10 @@ void report_rays(const render::GpuScene& scene, const render::Renderer& renderer
 
 void run(const Arguments& arguments) {
     const auto context =
-        gl::open_context({value_named(gl::backends, arguments.backend).value_or(gl::Backend::automatic)});
+        gl::open_context({gl::backend_named(arguments.backend).value_or(gl::Backend::automatic)});
     const scene::RenderScene stage = stage_for(arguments);
     const render::GpuScene gpu_scene(stage.scene, stage.lights,
-                                     *value_named(render::visibilities, arguments.visibility));
+                                     *render::visibility_named(arguments.visibility));
     render::RenderOptions options;
     options.width = arguments.width;
     options.height = arguments.height;

@@ -3,10 +3,17 @@
 #include "core/error.hpp"
 #include "gl/context.hpp"
 
+#include <algorithm>
 #include <chrono>
 
 namespace sr::render {
 namespace {
+
+constexpr std::array<std::pair<std::string_view, Visibility>, 5> names{{{"none", Visibility::none},
+                                                                        {"ray", Visibility::ray},
+                                                                        {"ray-cpu", Visibility::ray_on_cpu},
+                                                                        {"ray-glsl", Visibility::ray_in_glsl},
+                                                                        {"map", Visibility::map}}};
 
 bool is_for_cpu(Visibility visibility) {
     if (visibility != Visibility::ray) return visibility == Visibility::ray_on_cpu;
@@ -14,6 +21,15 @@ bool is_for_cpu(Visibility visibility) {
 }
 
 } // namespace
+
+std::optional<Visibility> visibility_named(std::string_view name) {
+    const auto found = std::ranges::find(names, name, &decltype(names)::value_type::first);
+    return found == names.end() ? std::nullopt : std::optional(found->second);
+}
+
+std::string_view name_of(Visibility visibility) {
+    return std::ranges::find(names, visibility, &decltype(names)::value_type::second)->first;
+}
 
 VisibilityBackend::VisibilityBackend(const scene::Scene& scene, std::span<const scene::Light> lights,
                                      Visibility visibility, bool has_blended_receivers) {

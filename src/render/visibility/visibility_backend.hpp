@@ -1,11 +1,9 @@
 #pragma once
 // How V(x, y) of the equation is found.
-#include "core/named.hpp"
 #include "render/visibility/gpu_casters.hpp"
 #include "shadow/occlusion.hpp"
 #include "shadow/shadow_map_scene.hpp"
 
-#include <array>
 #include <memory>
 #include <optional>
 
@@ -19,11 +17,9 @@ enum class Visibility {
     map          // depth maps from points on the emitters, new ones each frame
 };
 
-inline constexpr std::array<Named<Visibility>, 5> visibilities{{{"ray", Visibility::ray},
-                                                                {"ray-cpu", Visibility::ray_on_cpu},
-                                                                {"ray-glsl", Visibility::ray_in_glsl},
-                                                                {"map", Visibility::map},
-                                                                {"none", Visibility::none}}};
+/// "ray", "ray-cpu", "ray-glsl", "map", "none"; absent for any other name.
+std::optional<Visibility> visibility_named(std::string_view name);
+std::string_view name_of(Visibility visibility);
 
 /// A scene's shadow casters, ready for queries.
 class VisibilityBackend {

@@ -140,7 +140,7 @@ Changes Compare::keep_render() {
     const ProgressiveRender& render = ws_.scene->render();
     if (render.sample_count() == 0) return {};
     ws_.reference.emplace(fmt::format("{} samples, {}, {}", render.sample_count(),
-                                      name_in(render::estimators, ws_.options.rendering.estimator),
+                                      name_in(settings::estimators, ws_.options.rendering.estimator),
                                       ws_.camera->argument()),
                           render.film());
     if (ws_.display.comparison == Comparison::none) ws_.display.comparison = Comparison::wipe;

@@ -42,9 +42,9 @@ const Test same("unit.gl.backend.egl_and_osmesa_agree", [] {
 });
 
 const Test names("unit.gl.backend.names", [] {
-    EXPECT_EQ(value_named(gl::backends, "auto"), gl::Backend::automatic);
-    EXPECT_EQ(value_named(gl::backends, "osmesa"), gl::Backend::osmesa);
-    EXPECT_EQ(value_named(gl::backends, "vulkan"), std::nullopt);
+    EXPECT_EQ(gl::backend_named("auto"), gl::Backend::automatic);
+    EXPECT_EQ(gl::backend_named("osmesa"), gl::Backend::osmesa);
+    EXPECT_EQ(gl::backend_named("vulkan"), std::nullopt);
 });
 
 } // namespace
