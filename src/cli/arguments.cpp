@@ -38,7 +38,9 @@ void take_over(const Option& option, RenderSettings& settings, const std::string
 void declare(CLI::App& command, settings::Taker taker, RenderSettings& settings) {
     for (const Option& option : settings::all_options()) {
         if (!(option.takers & taker)) continue;
-        const auto take = [&option, &settings](const std::string& text) { take_over(option, settings, text); };
+        const auto take = [&option, &settings](const std::string& text) {
+            take_over(option, settings, text);
+        };
         const std::string flag = option.flag(), help = help_of(option, taker);
         CLI::Option* declared = nullptr;
         if (option.value.kind == settings::Value::Kind::flag)

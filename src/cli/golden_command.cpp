@@ -59,7 +59,7 @@ ExitStatus run_suite(GoldenArguments& arguments) {
     options.program = running_program();
     options.output = arguments.output;
     options.on_result = print_line;
-    options.is_interrupted = [&] { return interruption.has_come(); };
+    options.stop = interruption.token();
     const auto begin = std::chrono::steady_clock::now();
     const auto result = golden::run(suite, options);
     if (!result) {

@@ -139,9 +139,8 @@ ExitStatus probe(const ProbeCommand& command) {
                                                command.pixel.row, open.size.width, open.size.height));
     const render::GpuScene scene = uploaded(open, command.rendering);
     const Interruption interruption;
-    const auto terms =
-        render::probe(scene, open.stage.camera, render_options(command.rendering, open.size),
-                      command.pixel.column, command.pixel.row, [&] { return !interruption.has_come(); });
+    const auto terms = render::probe(scene, open.stage.camera, render_options(command.rendering, open.size),
+                                     command.pixel.column, command.pixel.row, interruption.token());
     open.context->require_silence();
     if (!terms) {
         print_remark("interrupted: nothing was printed");

@@ -1,6 +1,8 @@
 #include "cli/commands.hpp"
+#include "cli/interruption.hpp"
 #include "cli/open_scene.hpp"
 #include "cli/render_checks.hpp"
+#include "cli/stopping.hpp"
 #include "cli/summary.hpp"
 #include "core/error.hpp"
 #include "core/output.hpp"
@@ -148,19 +150,18 @@ struct Work {
 std::vector<output::Plane> further_planes(const Work& work, const Picture& picture,
                                           const std::vector<int>& samples) {
     std::vector<output::Plane> planes;
-    const auto goes_on = [&] { return !work.interruption.has_come(); };
-    if (work.command.has_light_layers && goes_on()) {
+    const std::stop_token stop = work.interruption.token();
+    if (work.command.has_light_layers && !stop.stop_requested()) {
         planes = output::light_layers(output::layer_names(work.stage.lights, output::aov_names()),
                                       work.renderer, [&](const std::string& layer) {
-                                          return add_again(work.renderer, picture.samples.max,
-                                                           work.interruption, layer);
+                                          return add_again(work.renderer, picture.samples.max, stop, layer);
                                       });
         work.times.end("layers");
     }
-    if (!work.command.aovs.empty() && goes_on()) {
+    if (!work.command.aovs.empty() && !stop.stop_requested()) {
         const output::AovSource source{work.scene, work.stage.camera, work.options, samples,
                                        picture.stop.estimate};
-        std::ranges::move(output::aov_planes(work.command.aovs, source, goes_on), std::back_inserter(planes));
+        std::ranges::move(output::aov_planes(work.command.aovs, source, stop), std::back_inserter(planes));
         work.times.end("aovs");
     }
     return planes;
@@ -169,7 +170,7 @@ std::vector<output::Plane> further_planes(const Work& work, const Picture& pictu
 /// Takes the samples, and renders further channels. After an interruption it returns what is complete.
 Picture draw(const Work& work) {
     Picture picture;
-    picture.stop = add_samples(work.renderer, work.command.stop, work.interruption, work.what);
+    picture.stop = add_samples(work.renderer, work.command.stop, work.interruption.token(), work.what);
     const std::vector<int> samples = work.renderer.pixel_samples();
     picture.samples = settings::counted(samples);
     work.times.end("draw");
@@ -178,7 +179,7 @@ Picture draw(const Work& work) {
     work.times.end("read");
     if (work.command.denoises && !work.interruption.has_come()) {
         const output::AovSource source{work.scene, work.stage.camera, work.options, samples, {}};
-        picture.film = output::denoised(work.renderer, source, [&] { return !work.interruption.has_come(); });
+        picture.film = output::denoised(work.renderer, source, work.interruption.token());
         work.times.end("denoise");
     }
     const std::vector<output::Plane> planes = further_planes(work, picture, samples);

@@ -30,7 +30,7 @@ std::string state_of(const render::StopMonitor& monitor, int samples) {
 
 } // namespace
 
-Stop add_samples(render::Renderer& renderer, const StopRule& rule, const Interruption& interruption,
+Stop add_samples(render::Renderer& renderer, const StopRule& rule, const std::stop_token& stop,
                  const std::string& what) {
     using Clock = std::chrono::steady_clock;
     render::StopMonitor monitor(rule);
@@ -46,15 +46,14 @@ Stop add_samples(render::Renderer& renderer, const StopRule& rule, const Interru
         const double part = share(rule, samples, monitor.seconds(), monitor.error().value_or(INFINITY),
                                   first_error.value_or(0.0));
         progress.update(part, state_of(monitor, samples));
-    } while (!monitor.stopped_by() && !interruption.has_come());
+    } while (!monitor.stopped_by() && !stop.stop_requested());
     monitor.update_error(renderer);
     return {monitor.stopped_by().value_or(StoppedBy::interruption), monitor.error(), monitor.estimate()};
 }
 
-bool add_again(render::Renderer& renderer, int count, const Interruption& interruption,
-               const std::string& what) {
+bool add_again(render::Renderer& renderer, int count, const std::stop_token& stop, const std::string& what) {
     Progress progress(what);
-    while (renderer.sample_count() < count && !interruption.has_come()) {
+    while (renderer.sample_count() < count && !stop.stop_requested()) {
         renderer.add_sample();
         glFinish();
         progress.update(static_cast<double>(renderer.sample_count()) / count,

@@ -94,8 +94,8 @@ void converge_by_default(render::StopRule& stop) {
 }
 
 void view(const ViewCommand& command) {
+    const Interruption interruption; // its thread could not start while preload() has the loader's lock
     const auto preloading = image::preload();
-    const Interruption interruption;
     viewer::Options options = viewer_options(command);
     if (!command.submission.empty()) take_assignment(options, command.submission);
     viewer::App app(std::move(options));
@@ -104,7 +104,7 @@ void view(const ViewCommand& command) {
             "window: lost the connection to the display: start again with a DISPLAY that can be reached");
         std::_Exit(worlds_fault);
     });
-    app.run([&] { return interruption.has_come(); });
+    app.run(interruption.token());
     if (command.json) write_json(summary(app.statistics()).dump(2));
 }
 

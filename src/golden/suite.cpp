@@ -39,7 +39,7 @@ std::string option_value(const JsonObject& entry, const char* key) {
 
 /// Appends an option to the words of a command, if the test or the defaults have it.
 void append_option(std::vector<std::string>& words, const settings::Option& option, const JsonObject& entry,
-            const JsonObject& defaults) {
+                   const JsonObject& defaults) {
     using Kind = settings::Value::Kind;
     const char* const key = option.key;
     const JsonObject& place = holder(entry, defaults, key);

@@ -130,7 +130,8 @@ constexpr Value choice() {
                 },
             .read =
                 [](const Value&, S& s, const std::string& given) {
-                    const auto found = std::ranges::find_if(all, [&](const auto& row) { return name_of(row) == given; });
+                    const auto found =
+                        std::ranges::find_if(all, [&](const auto& row) { return name_of(row) == given; });
                     if (found != all.end()) member<path...>(s) = value_of(*found);
                     return found != all.end();
                 },

@@ -71,10 +71,10 @@ App::~App() {
     remember_size({static_cast<int>(size.x), static_cast<int>(size.y)});
 }
 
-void App::run(const std::function<bool()>& is_interrupted) {
+void App::run(const std::stop_token& stop) {
     auto last = Clock::now();
     Changes drawn; // by panels of the frame before
-    while (!is_closing_ && !is_interrupted()) {
+    while (!is_closing_ && !stop.stop_requested()) {
         wait();
         const double seconds =
             std::chrono::duration<double>(Clock::now() - std::exchange(last, Clock::now())).count();

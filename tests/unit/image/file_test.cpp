@@ -154,8 +154,9 @@ const Test missing_folder("unit.image.file.missing_folder", [] {
 
 const Test folder_takes_no_files("unit.image.file.a_folder_that_takes_no_files_is_named_so", [] {
     const char* const of_root = "/proc/a.png: the folder /proc takes no new files: choose another folder";
-    const char* const of_others = "/proc/a.png: no permission to write in /proc: choose a folder of yours, or "
-                                  "change its permissions";
+    const char* const of_others =
+        "/proc/a.png: no permission to write in /proc: choose a folder of yours, or "
+        "change its permissions";
     EXPECT_EQ(failure("/proc/a.png", ramp(1, 1, 3)), geteuid() == 0 ? of_root : of_others);
 });
 
