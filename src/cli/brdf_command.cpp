@@ -80,9 +80,8 @@ void write_outputs(const BrdfCommand& command, brdf::BrdfEvaluator& evaluator) {
         } else {
             const image::Image film = brdf::lit_sphere(command.tested, 256, command.samples);
             const bool is_linear = image::is_scene_referred(output);
-            files.add(is_linear ? film
-                                : image::displayed(film, image::auto_ev100(film), image::ToneCurve::neutral),
-                      output, is_linear ? image::SampleType::floating : image::SampleType::integer8);
+            files.add(is_linear ? film : image::displayed(film, image::auto_ev100(film)), output,
+                      is_linear ? image::SampleType::floating : image::SampleType::integer8);
         }
     }
     files.put_in_place();

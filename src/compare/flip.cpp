@@ -2,7 +2,7 @@
 
 #include "core/luminance.hpp"
 #include "core/math.hpp"
-#include "image/tone_curve.hpp"
+#include "image/display.hpp"
 
 #include <algorithm>
 #include <array>

@@ -176,6 +176,21 @@ constexpr Value exposure{.type = "EV|auto",
                              },
                          .write = [](const S& s) { return s.ev100 ? fmt::format("{}", *s.ev100) : "auto"; }};
 
+constexpr Value tone_curve{.words =
+                               [] {
+                                   std::vector<Word> words;
+                                   for (const auto& curve : image::tone_curves())
+                                       words.push_back({curve.name});
+                                   return words;
+                               },
+                           .read =
+                               [](const Value&, S& s, const std::string& given) {
+                                   if (const auto* curve = image::tone_curve_named(given))
+                                       s.tone_curve = curve;
+                                   return image::tone_curve_named(given) != nullptr;
+                               },
+                           .write = [](const S& s) { return std::string(s.tone_curve->name); }};
+
 constexpr Value aovs{.type = "NAME,NAME...",
                      .words =
                          [] {
@@ -291,8 +306,8 @@ constexpr std::array options{
            "stop after this long; loading and --layers do not count"},
     Option{"exposure", "Picture", by_render | by_view | by_suites, exposure,
            "EV100 for .png, .jpg and windows; auto makes the log-average middle grey"},
-    Option{"tone_curve", "Picture", by_render | by_view | by_suites,
-           choice<image::tone_curves, &S::tone_curve>(), "tone curve for .png, .jpg and windows"},
+    Option{"tone_curve", "Picture", by_render | by_view | by_suites, tone_curve,
+           "tone curve for .png, .jpg and windows"},
     Option{"exr_type", "Picture", by_render | by_suites, choice<exr_types, &S::exr_type>(),
            "type of the numbers in .exr; half keeps files small"},
     Option{"layers", "Picture", by_render, choice<layers, &S::has_light_layers>(),

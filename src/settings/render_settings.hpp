@@ -1,6 +1,5 @@
 #pragma once
 // Settings of a rendering: everything that a command line, a golden suite and the viewer choose.
-#include "core/named.hpp"
 #include "gl/context.hpp"
 #include "image/display.hpp"
 #include "image/file.hpp"
@@ -54,7 +53,7 @@ struct RenderSettings {
 
     std::optional<Size> size;   // absent: 720 rows in the camera's aspect ratio, or the window's last size
     std::optional<float> ev100; // absent: automatic
-    image::ToneCurve tone_curve = image::ToneCurve::neutral;
+    const image::ToneCurve* tone_curve = &image::default_tone_curve();
     image::SampleType exr_type = image::SampleType::floating;
     bool has_light_layers = false;          // in .exr: a layer for each light
     output::Variables aovs;                 // in .exr: further channels

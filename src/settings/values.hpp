@@ -1,11 +1,27 @@
 #pragma once
-// Values of options that are more than a number or a name, with their texts.
+// Values of options, with their texts.
 #include "core/math.hpp"
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace sr::settings {
+
+/// Row of a table of the names of an enumeration.
+template<class T>
+struct Named {
+    std::string_view name;
+    T value;
+};
+
+/// Returns the name of a value in an array of Named; empty if it has none.
+template<class Table, class T>
+constexpr std::string_view name_in(const Table& table, const T& value) {
+    for (const auto& row : table)
+        if (row.value == value) return row.name;
+    return {};
+}
 
 struct Size {
     int width = 0;
