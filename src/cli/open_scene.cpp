@@ -114,6 +114,12 @@ void tell_new_warnings(OpenScene& open) {
 
 } // namespace
 
+void PhaseTimes::end(std::string phase) {
+    const auto now = Clock::now();
+    phases_.emplace_back(std::move(phase), std::chrono::duration<double>(now - last_).count());
+    last_ = now;
+}
+
 std::optional<scene::EnvironmentLight> environment_light(const RenderSettings& settings) {
     const std::string& source = settings.environment;
     if (source.empty()) return std::nullopt;

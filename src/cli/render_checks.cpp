@@ -1,15 +1,45 @@
 #include "cli/render_checks.hpp"
 
-#include "cli/frame_names.hpp"
 #include "image/whole_file.hpp"
 #include "output/write.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <charconv>
 #include <fmt/format.h>
+#include <string_view>
 
 namespace sr::cli {
 namespace {
+
+std::optional<int> whole(std::string_view text) {
+    int value = 0;
+    const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
+    const bool is_whole = failure == std::errc{} && end == text.data() + text.size() && value >= 0;
+    return is_whole ? std::optional(value) : std::nullopt;
+}
+
+/// Where a name has its number, and how many digits that has at least.
+struct NumberPlace {
+    std::size_t begin = 0;
+    std::size_t end = 0;
+    int digits = 1;
+};
+
+std::optional<NumberPlace> place_in(const std::string& name) {
+    const auto hash = name.find_last_of('#');
+    if (hash != std::string::npos) {
+        const auto before = name.find_last_not_of('#', hash);
+        const std::size_t begin = before == std::string::npos ? 0 : before + 1;
+        return NumberPlace{begin, hash + 1, static_cast<int>(hash + 1 - begin)};
+    }
+    const auto percent = name.find_last_of('%');
+    if (percent == std::string::npos) return std::nullopt;
+    const auto d = name.find_first_not_of("0123456789", percent + 1);
+    if (d == std::string::npos || name[d] != 'd') return std::nullopt;
+    const std::string_view digits = std::string_view(name).substr(percent + 1, d - percent - 1);
+    return NumberPlace{percent, d + 1, digits.empty() ? 1 : std::min(whole(digits).value_or(1), 32)};
+}
 
 /// Refuses what a view is no picture of.
 void check_view(const RenderCommand& command) {
@@ -58,6 +88,15 @@ void check(const RenderCommand& command) {
     check_view(command);
     check_denoising(command);
     check_outputs(command);
+}
+
+std::optional<std::string> numbered(const std::string& pattern, int frame) {
+    const std::size_t slash = pattern.find_last_of("/\\");
+    const std::size_t name = slash == std::string::npos ? 0 : slash + 1;
+    const auto place = place_in(pattern.substr(name));
+    if (!place) return std::nullopt;
+    return fmt::format("{}{:0{}}{}", pattern.substr(0, name + place->begin), frame, place->digits,
+                       pattern.substr(name + place->end));
 }
 
 } // namespace sr::cli
