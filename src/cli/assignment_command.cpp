@@ -203,17 +203,18 @@ void add_check(CLI::App& app, const std::shared_ptr<AssignmentArguments>& argume
 
 void add_assignment_command(CLI::App& app) {
     const auto arguments = std::make_shared<AssignmentArguments>();
-    CLI::App* command = app.add_subcommand("assignment", "the equation as a course: tasks in GLSL, checked");
+    CLI::App* command =
+        app.add_subcommand("assignment", "take or run the course: tasks in GLSL, with checks");
     command->require_subcommand(1);
-    command->add_subcommand("list", "the assignments there are")->callback(list_assignments);
+    command->add_subcommand("list", "list the assignments")->callback(list_assignments);
     CLI::App* making = command->add_subcommand("new", "make a student's folder");
     add_name(*making, *arguments);
     making->add_option("DIR", arguments->folder, "a new folder")->required();
     making->add_option("--student", arguments->student,
-                       "the student's id, which chooses the numbers that are theirs");
+                       "the student's id, which chooses this student's numbers");
     making->callback([arguments] { make_new(*arguments); });
     add_check(*command, arguments);
-    CLI::App* packing = command->add_subcommand("pack", "make the file to hand in, and say what it is worth");
+    CLI::App* packing = command->add_subcommand("pack", "make the file to hand in, and print its points");
     packing->add_option("DIR", arguments->folder, "a folder that `new` made")->required();
     packing->add_option("-o,--output", arguments->output,
                         "a .zip file (default: ASSIGNMENT-STUDENT.zip here)");

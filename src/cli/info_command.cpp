@@ -298,8 +298,8 @@ void add_info_command(CLI::App& app) {
         RenderSettings settings;
     };
     const auto arguments = std::make_shared<Arguments>();
-    CLI::App* command =
-        app.add_subcommand("info", "what a scene holds; without a scene, what OpenGL this machine offers");
+    CLI::App* command = app.add_subcommand(
+        "info", "list the contents of a scene; without a scene, list the OpenGL backends of this machine");
     command->add_option("SCENE", arguments->scene, "a .gltf or .glb file");
     command->add_flag("--json", arguments->json, "print JSON");
     declare(*command, settings::by_info, arguments->settings);

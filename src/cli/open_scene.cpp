@@ -127,7 +127,8 @@ std::optional<scene::EnvironmentLight> environment_light(const RenderSettings& s
     if (const auto color = settings::parsed_color(source)) {
         light.name = "environment";
         if (std::min({color->r, color->g, color->b}) < 0.0f)
-            throw CLI::ValidationError("--environment", "'" + source + "' is a negative radiance");
+            throw CLI::ValidationError("--environment",
+                                       "'" + source + "' is a negative radiance: choose 0 or more");
         light.L = *color;
     } else {
         light.name = std::filesystem::path(source).stem().string();

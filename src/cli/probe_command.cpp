@@ -134,9 +134,9 @@ ExitStatus probe(const ProbeCommand& command) {
     PhaseTimes times;
     const OpenScene open = open_scene(command.rendering, times);
     if (command.pixel.column >= open.size.width || command.pixel.row >= open.size.height)
-        throw CLI::ValidationError("--pixel",
-                                   fmt::format("{},{} is outside the picture of {}x{}", command.pixel.column,
-                                               command.pixel.row, open.size.width, open.size.height));
+        throw CLI::ValidationError("--pixel", fmt::format("'{},{}' is outside the picture of {}x{}",
+                                                          command.pixel.column, command.pixel.row,
+                                                          open.size.width, open.size.height));
     const render::GpuScene scene = uploaded(open, command.rendering);
     const Interruption interruption;
     const auto terms = render::probe(scene, open.stage.camera, render_options(command.rendering, open.size),
@@ -159,7 +159,7 @@ ExitStatus probe(const ProbeCommand& command) {
 
 void add_probe_command(CLI::App& app) {
     const auto options = std::make_shared<ProbeCommand>();
-    CLI::App* command = app.add_subcommand("probe", "the equation at one pixel, term by term");
+    CLI::App* command = app.add_subcommand("probe", "print the equation at one pixel, term by term");
     command->add_option("SCENE", options->rendering.scene, "a .gltf or .glb file")->required();
     declare(*command, settings::by_probe, options->rendering);
     command
@@ -167,7 +167,8 @@ void add_probe_command(CLI::App& app) {
             "--pixel",
             [options](const std::string& text) {
                 const auto place = parsed_place(text);
-                if (!place) throw CLI::ValidationError("--pixel", "'" + text + "' is not X,Y");
+                if (!place)
+                    throw CLI::ValidationError("--pixel", "'" + text + "' is not X,Y, such as 640,360");
                 options->pixel = *place;
             },
             "column and row, counted from the upper left corner, from 0")

@@ -41,45 +41,52 @@ std::optional<NumberPlace> place_in(const std::string& name) {
     return NumberPlace{percent, d + 1, digits.empty() ? 1 : std::min(whole(digits).value_or(1), 32)};
 }
 
-/// Refuses what a view is no picture of.
+[[noreturn]] void refuse(const char* option, const std::string& problem) {
+    throw CLI::ValidationError(option, problem);
+}
+
+/// Refuses options that only pictures of radiance have, and views that the estimator does not sample.
 void check_view(const RenderCommand& command) {
     if (!command.view) return;
     if (command.has_light_layers || command.asks_for_error())
-        throw CLI::ValidationError(
-            "--view", "only pictures of radiance have --layers, --error, --time and --aov error");
+        refuse("--view", fmt::format("'{}' is not radiance, which --layers, --error, --time, --denoise and "
+                                     "--aov error need: leave these out",
+                                     command.view->name));
     if (command.rendering.estimator != render::Estimator::sampled
         && command.view->finish != output::Finish::luminance)
-        throw CLI::ValidationError("--view",
-                                   "this one takes points on the lights: leave --estimator at sampled");
+        refuse("--view", fmt::format("'{}' takes points on the lights: leave --estimator at sampled",
+                                     command.view->name));
 }
 
-/// Refuses to filter what has more noise than shadows, or numbers that would no longer belong together.
+/// Refuses to filter noise that shadows do not cause, and numbers that a filtered picture does not have.
 void check_denoising(const RenderCommand& command) {
     if (!command.denoises) return;
-    if (command.rendering.estimator != render::Estimator::analytic
-        || command.visibility == render::Visibility::none)
-        throw CLI::ValidationError("--denoise", "only shadows are filtered, of --estimator analytic");
+    if (command.rendering.estimator != render::Estimator::analytic)
+        refuse("--denoise", "filters shadows, the only noise of --estimator analytic: choose that estimator");
+    if (command.visibility == render::Visibility::none)
+        refuse("--denoise", "filters shadows, and --visibility none has none: choose ray or map");
     if (command.has_light_layers || command.view || command.stop.error)
-        throw CLI::ValidationError("--denoise", "a filtered picture has no --layers, --view or --error");
-    if (command.stop.samples < 2) throw CLI::ValidationError("--denoise", "takes --samples 2 at least");
+        refuse("--denoise", "a filtered picture has no --layers, --view or --error: leave these out");
+    if (command.stop.samples < 2)
+        refuse("--denoise", fmt::format("--samples is {}: choose 2 or more", command.stop.samples));
 }
 
-/// Refuses what cannot be written.
+/// Refuses outputs that cannot be written, and channels without a file that holds them.
 void check_outputs(const RenderCommand& command) {
     for (const std::string& output : command.outputs) {
         image::is_scene_referred(output);
         if (command.frames && !numbered(output, 0))
-            throw CLI::ValidationError("-o", fmt::format("'{}' has no place for the frame's number: name it "
-                                                         "like frame.####.png",
-                                                         output));
+            refuse("-o", fmt::format("'{}' has no place for the frame's number: name it like frame.####.png",
+                                     output));
         image::require_writable(command.frames ? *numbered(output, 0) : output);
     }
     if (output::holds(command.aovs, output::Finish::error) && command.stop.samples < 2)
-        throw CLI::ValidationError("--aov", "error takes --samples 2 at least");
+        refuse("--aov", fmt::format("error needs two samples, and --samples is {}: choose 2 or more",
+                                    command.stop.samples));
     if (std::ranges::any_of(command.outputs, output::holds_layers)) return;
-    for (const auto& [is_asked, option] :
+    for (const auto& [is_given, option] :
          {std::pair(command.has_light_layers, "--layers"), std::pair(!command.aovs.empty(), "--aov")})
-        if (is_asked) throw CLI::ValidationError(option, "only .exr files hold layers: name one with -o");
+        if (is_given) refuse(option, "only .exr files hold further channels: name one with -o");
 }
 
 } // namespace

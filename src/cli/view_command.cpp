@@ -112,14 +112,14 @@ void view(const ViewCommand& command) {
 
 void add_view_command(CLI::App& app) {
     const auto options = std::make_shared<ViewCommand>();
-    CLI::App* command = app.add_subcommand("view", "look around in a scene, in a window");
+    CLI::App* command = app.add_subcommand("view", "show a scene in a window");
     command->add_option("SCENE", options->rendering.scene, "a .gltf or .glb file");
     declare(*command, settings::by_view, options->rendering);
     command->add_option(
         "--assignment", options->submission,
         "a student's folder: renders its scene with its shaders, shows marks and the reference");
-    command->add_flag("--play", options->plays, "play the animation, from --at or its beginning on");
-    command->add_flag("--inertia", options->has_inertia, "a view that is released in motion glides on");
+    command->add_flag("--play", options->plays, "play the animation, starting at --at or at its beginning");
+    command->add_flag("--inertia", options->has_inertia, "let the view glide on after a drag");
     command->add_flag("--fullscreen", options->is_fullscreen, "fill the screen (F11)");
     command->add_flag("-v,--verbose", options->is_verbose, "print messages to stderr, too");
     command->add_flag("--json", options->json, "print timings as JSON at the end");
@@ -135,7 +135,8 @@ void add_view_command(CLI::App& app) {
         "  steradian view scene.glb --error 0.1%              (until its error is that small)");
     command->callback([options, command] {
         if (options->rendering.scene.empty() && options->submission.empty())
-            throw CLI::ValidationError("SCENE", "name a scene, or a student's folder with --assignment");
+            throw CLI::ValidationError("SCENE",
+                                       "is missing: name a scene, or a student's folder with --assignment");
         if (command->count("--samples") == 0) converge_by_default(options->rendering.stop);
         view(*options);
     });
