@@ -170,9 +170,10 @@ constexpr Value exposure{.type = "EV|auto",
                          .read =
                              [](const Value&, S& s, const std::string& given) {
                                  const auto ev100 = parsed_number(given);
+                                 if (given != "auto" && (!ev100 || std::abs(*ev100) > 1e6)) return false;
                                  s.ev100.reset();
                                  if (ev100) s.ev100 = static_cast<float>(*ev100);
-                                 return given == "auto" || (ev100 && std::isfinite(*s.ev100));
+                                 return true;
                              },
                          .write = [](const S& s) { return s.ev100 ? fmt::format("{}", *s.ev100) : "auto"; }};
 
