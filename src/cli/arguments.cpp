@@ -60,6 +60,7 @@ void declare(CLI::App& command, settings::Taker taker, RenderSettings& settings)
             declared->default_str(settings::default_of(option));
     }
 }
+
 Size picture_size(std::optional<float> aspect_ratio) {
     constexpr int rows = 720;
     const float aspect = aspect_ratio.value_or(16.0f / 9.0f);
