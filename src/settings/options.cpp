@@ -107,8 +107,6 @@ template<class T>
 std::string_view name_of(const Named<T>& row) {
     return row.name;
 }
-std::string_view name_of(gl::Backend backend) { return gl::name_of(backend); }
-std::string_view name_of(render::Visibility visibility) { return render::name_of(visibility); }
 
 template<class T>
 T value_of(const Named<T>& row) {
@@ -119,7 +117,7 @@ T value_of(const T& value) {
     return value;
 }
 
-/// One of `all`: rows of Named, or values of an enumeration that has name_of().
+/// One of `all`: rows of Named, or values of an enumeration whose name_of() is in its namespace.
 template<const auto& all, auto... path>
 constexpr Value choice() {
     return {.words =
