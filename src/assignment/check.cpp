@@ -2,7 +2,7 @@
 
 #include "assignment/mark.hpp"
 #include "core/error.hpp"
-#include "core/memory_watch.hpp"
+#include "core/limits.hpp"
 #include "gl/context.hpp"
 #include "golden/process.hpp"
 

@@ -1,8 +1,8 @@
 #include "assignment/value_check.hpp"
 
 #include "assignment/evaluation.hpp"
-#include "core/chi_squared.hpp"
 #include "core/error.hpp"
+#include "core/math.hpp"
 
 #include <algorithm>
 #include <cmath>

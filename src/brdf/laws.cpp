@@ -1,6 +1,6 @@
 #include "brdf/laws.hpp"
 
-#include "core/chi_squared.hpp"
+#include "core/math.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "brdf/pictures.hpp"
 
-#include "core/luminance.hpp"
+#include "core/math.hpp"
 #include "render/renderer.hpp"
 
 #include <algorithm>

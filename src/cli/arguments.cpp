@@ -1,7 +1,7 @@
 #include "cli/arguments.hpp"
 
 #include "core/output.hpp"
-#include "glsl/overlay.hpp"
+#include "glsl/root.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>

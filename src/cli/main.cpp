@@ -1,7 +1,6 @@
 #include "cli/commands.hpp"
 #include "cli/version.hpp"
 #include "core/error.hpp"
-#include "core/library_output.hpp"
 #include "core/limits.hpp"
 #include "core/output.hpp"
 

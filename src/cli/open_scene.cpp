@@ -148,7 +148,9 @@ OpenScene open_scene(const RenderSettings& settings, PhaseTimes& times) {
     auto context = gl::open_context({settings.backend, settings.gl_debug});
     times.end("start");
     auto loading = std::async(std::launch::async, open, std::cref(settings));
-    const auto preloading = image::preload(); // last, since no thread can start while it has that lock
+    // Last, since no thread can start while it has that lock.
+    const auto preloading =
+        std::ranges::all_of(settings.outputs, image::is_png) ? std::future<void>() : image::preload();
     Opened opened = loading.get();
     times.end("wait for load");
     times.add("load (beside start)", opened.seconds);

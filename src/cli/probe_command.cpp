@@ -1,7 +1,7 @@
 #include "cli/commands.hpp"
 #include "cli/interruption.hpp"
 #include "cli/open_scene.hpp"
-#include "core/luminance.hpp"
+#include "core/math.hpp"
 #include "core/output.hpp"
 #include "core/text.hpp"
 #include "render/probe.hpp"

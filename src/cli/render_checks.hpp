@@ -8,7 +8,6 @@
 namespace sr::cli {
 
 struct RenderCommand : RenderSettings {
-    std::vector<std::string> outputs; // one rendering, written in each form
     bool json = false;
 };
 

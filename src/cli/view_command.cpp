@@ -6,7 +6,7 @@
 #include "cli/version.hpp"
 #include "core/error.hpp"
 #include "core/output.hpp"
-#include "gl/lost_display.hpp"
+#include "gl/window.hpp"
 #include "viewer/app.hpp"
 
 #include <CLI/CLI.hpp>
@@ -94,8 +94,7 @@ void converge_by_default(render::StopRule& stop) {
 }
 
 void view(const ViewCommand& command) {
-    const Interruption interruption; // its thread could not start while preload() has the loader's lock
-    const auto preloading = image::preload();
+    const Interruption interruption;
     viewer::Options options = viewer_options(command);
     if (!command.submission.empty()) take_assignment(options, command.submission);
     viewer::App app(std::move(options));

@@ -1,6 +1,5 @@
 #include "compare/flip.hpp"
 
-#include "core/luminance.hpp"
 #include "core/math.hpp"
 #include "image/display.hpp"
 

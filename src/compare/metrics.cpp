@@ -1,7 +1,7 @@
 #include "compare/metrics.hpp"
 
 #include "core/error.hpp"
-#include "image/relative_error.hpp"
+#include "image/image.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "compare/planes.hpp"
 
-#include "core/luminance.hpp"
+#include "core/math.hpp"
 #include "image/display.hpp"
 #include "image/srgb.hpp"
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <thread>
 
 namespace sr {
 
@@ -67,5 +68,19 @@ private:
 
 /// @throws Error naming the file if `count` is above the limit
 void check_limit(Limit limit, std::uint64_t count, const std::string& file);
+
+/// A limit on the memory of a process that runs the code of others. A limit of the system on address space
+/// would not do: drivers reserve far more than they use.
+///
+/// Ends this process by SIGKILL once its resident memory has grown by more than `bytes`. Looks every 2 ms;
+/// does nothing where there is no /proc/self/statm.
+class MemoryWatch {
+public:
+    /// @throws std::system_error if no thread starts
+    explicit MemoryWatch(std::uint64_t bytes);
+
+private:
+    std::jthread thread_;
+};
 
 } // namespace sr

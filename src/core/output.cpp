@@ -5,6 +5,7 @@
 
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
 #include <unistd.h>
@@ -57,6 +58,14 @@ void occupy_standard_streams() {
         [[maybe_unused]] const int opened =
             open("/dev/null", descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY);
     }
+}
+
+void silence_libraries() {
+#ifdef __GLIBC__
+    if (std::getenv("STERADIAN_LIBRARY_OUTPUT")) return;
+    // glibc's manual, section "Standard Streams": these are variables, to be set as any other.
+    if (std::FILE* nowhere = std::fopen("/dev/null", "we")) stderr = nowhere;
+#endif
 }
 
 } // namespace sr

@@ -34,4 +34,9 @@ void print_remark(fmt::format_string<Values...> format, Values&&... values) {
     write_remark(fmt::format(format, std::forward<Values>(values)...));
 }
 
+/// Discards what C libraries print to `stderr`, such as libpng's own line before the error that it returns.
+/// Our own remarks and sanitizers use the descriptor instead, which stays. Does nothing if
+/// STERADIAN_LIBRARY_OUTPUT is set, for those who debug a driver, and with C libraries other than glibc.
+void silence_libraries();
+
 } // namespace sr

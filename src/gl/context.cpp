@@ -1,7 +1,9 @@
 #include "gl/context.hpp"
 
 #include "core/error.hpp"
+#include "core/parallel.hpp"
 
+#include <array>
 #include <fmt/format.h>
 #include <glad/gl.h>
 
@@ -45,6 +47,90 @@ void Context::require_silence() const {
     throw Error(fmt::format("OpenGL says ({} message{}): {}", messages.size(),
                             messages.size() == 1 ? "" : "s", messages.front()),
                 "this is a bug in Steradian or in the driver, please report it");
+}
+
+namespace {
+
+struct Entry {
+    Backend backend;
+    const char* name;
+    std::unique_ptr<Context> (*open)(bool debug);
+};
+
+/// In the order in which `auto` tries them.
+constexpr std::array<Entry, 3> entries{{
+    {Backend::egl, "egl", open_egl},
+    {Backend::osmesa, "osmesa", open_osmesa},
+    {Backend::window, "window", open_window},
+}};
+
+} // namespace
+
+std::optional<Backend> backend_named(std::string_view name) {
+    if (name == "auto") return Backend::automatic;
+    for (const Entry& entry : entries)
+        if (name == entry.name) return entry.backend;
+    return std::nullopt;
+}
+
+const char* name_of(Backend backend) {
+    for (const Entry& entry : entries)
+        if (entry.backend == backend) return entry.name;
+    return "auto";
+}
+
+std::unique_ptr<Context> open_context(const ContextOptions& options) {
+    require_threads();
+    std::string failures;
+    for (const Entry& entry : entries) {
+        if (options.backend == entry.backend) return entry.open(options.debug);
+        if (options.backend != Backend::automatic) continue;
+        try {
+            return entry.open(options.debug);
+        } catch (const Error& error) {
+            failures += fmt::format("{}{}", failures.empty() ? "" : "; ", error.what());
+        }
+    }
+    throw Error(fmt::format("no OpenGL 4.1 here ({})", failures),
+                "install a driver, e.g. sudo apt-get install libegl1 libgl1-mesa-dri");
+}
+
+std::vector<BackendReport> report_backends() {
+    std::vector<BackendReport> reports;
+    for (const Entry& entry : entries) {
+        try {
+            reports.push_back({entry.name, entry.open(false)->info(), ""});
+        } catch (const Error& error) {
+            reports.push_back({entry.name, std::nullopt, error.what()});
+        }
+    }
+    return reports;
+}
+
+namespace {
+
+constexpr std::size_t most_messages = 100; // a failing call in a loop must not eat the memory
+
+void GLAD_API_PTR collect(GLenum source, GLenum type, GLuint, GLenum severity, GLsizei length,
+                          const GLchar* text, const void* log) {
+    if (severity == GL_DEBUG_SEVERITY_NOTIFICATION || type == GL_DEBUG_TYPE_PERFORMANCE) return;
+    if (source == GL_DEBUG_SOURCE_SHADER_COMPILER)
+        return; // Program tells that better, with the file and line
+    auto& messages = *static_cast<std::vector<std::string>*>(const_cast<void*>(log));
+    if (messages.size() < most_messages) messages.emplace_back(text, static_cast<std::size_t>(length));
+}
+
+} // namespace
+
+DebugLog::DebugLog() {
+    if (!GLAD_GL_KHR_debug) return;
+    glEnable(GL_DEBUG_OUTPUT);
+    glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
+    glDebugMessageCallback(collect, &messages_);
+}
+
+DebugLog::~DebugLog() {
+    if (GLAD_GL_KHR_debug) glDebugMessageCallback(nullptr, nullptr);
 }
 
 } // namespace sr::gl

@@ -1,7 +1,5 @@
 #pragma once
 // OpenGL 4.1 core contexts, chosen at run time.
-#include "gl/debug.hpp"
-
 #include <memory>
 #include <optional>
 #include <string>
@@ -35,6 +33,22 @@ struct ContextInfo {
 
     /// Returns whether GL itself runs on the CPU.
     bool is_software() const;
+};
+
+/// The driver's messages (KHR_debug): collects errors and warnings of the context that is current when it is
+/// made, for as long as it lives. Without KHR_debug it stays empty.
+class DebugLog {
+public:
+    DebugLog();
+    ~DebugLog();
+    DebugLog(const DebugLog&) = delete;
+    DebugLog& operator=(const DebugLog&) = delete;
+
+    /// Every message above notification level, oldest first. Performance hints are not among them.
+    const std::vector<std::string>& messages() const { return messages_; }
+
+private:
+    std::vector<std::string> messages_;
 };
 
 /// A current OpenGL 4.1 core context; only window.hpp gives it a visible surface. One at a time: opening one
@@ -83,5 +97,11 @@ struct BackendReport {
 
 /// Opens each backend in turn. No context is current afterwards.
 std::vector<BackendReport> report_backends();
+
+// The backends behind open_context(). Each throws Error if it does not work here.
+
+std::unique_ptr<Context> open_egl(bool debug);
+std::unique_ptr<Context> open_osmesa(bool debug);
+std::unique_ptr<Context> open_window(bool debug);
 
 } // namespace sr::gl

@@ -1,6 +1,6 @@
 // EGL without a window system: Mesa's surfaceless platform first, then EGL devices (the way to a GPU on a
 // server).
-#include "gl/backend.hpp"
+#include "gl/context.hpp"
 
 #include "core/error.hpp"
 #include "gl/shared_library.hpp"

@@ -1,5 +1,5 @@
 // OSMesa: Mesa's renderer into plain memory, found with dlopen because new Mesa versions no longer ship it.
-#include "gl/backend.hpp"
+#include "gl/context.hpp"
 
 #include "core/error.hpp"
 #include "gl/shared_library.hpp"

@@ -5,6 +5,7 @@
 #include "glsl/source.hpp"
 
 #include <memory>
+#include <string>
 
 namespace sr::gl {
 

@@ -2,12 +2,15 @@
 #include "gl/window.hpp"
 
 #include "core/error.hpp"
-#include "gl/backend.hpp"
+#include "gl/context.hpp"
+#include "gl/shared_library.hpp"
 
-#define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
+#include <atomic>
 #include <cstdlib>
 #include <fmt/format.h>
+
+#define GLFW_INCLUDE_NONE
 
 namespace sr::gl {
 namespace {
@@ -90,6 +93,25 @@ std::unique_ptr<Context> open_window(bool debug) {
     WindowOptions options;
     options.debug = debug;
     return std::make_unique<Window>(options);
+}
+
+namespace {
+
+std::atomic<void (*)()> end_of_display{nullptr}; // Xlib hands nothing of ours to its handler
+
+int lost(void* /*display*/) {
+    if (const auto end = end_of_display.load()) end();
+    return 0;
+}
+
+} // namespace
+
+void when_display_is_lost(void (*end)()) {
+    end_of_display = end;
+    using Handler = int(void*);
+    const auto xlib = SharedLibrary::open({"libX11.so.6"}); // the very one that GLFW has opened
+    if (!xlib) return;
+    if (auto* set_handler = xlib->function<Handler*(Handler*)>("XSetIOErrorHandler")) set_handler(lost);
 }
 
 } // namespace sr::gl

@@ -3,7 +3,13 @@
 #include "core/error.hpp"
 #include "core/file.hpp"
 
+#include <algorithm>
+#include <cstdint>
 #include <fmt/format.h>
+#include <numeric>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 namespace sr::glsl {
 
@@ -51,6 +57,95 @@ std::vector<std::string> Root::names() const {
 std::string Root::place_of(std::string_view name) const {
     if (const fs::path* folder = std::get_if<fs::path>(&place_)) return (*folder / name).string();
     return is_single_ ? label_ : fmt::format("{}/{}", label_, name);
+}
+
+namespace {
+
+/// The number of characters to insert, remove or replace (Wagner & Fischer 1974).
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+    std::vector<std::size_t> row(b.size() + 1);
+    std::iota(row.begin(), row.end(), std::size_t{0});
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        std::size_t diagonal = std::exchange(row[0], i + 1);
+        for (std::size_t j = 0; j < b.size(); ++j) {
+            const std::size_t replaced = diagonal + (a[i] != b[j]);
+            diagonal = std::exchange(row[j + 1], std::min({row[j] + 1, row[j + 1] + 1, replaced}));
+        }
+    }
+    return row.back();
+}
+
+std::string_view last_part(std::string_view name) { return name.substr(name.rfind('/') + 1); }
+
+/// A file in the wrong folder is nearer than one with another name.
+std::size_t distance(std::string_view name, std::string_view ours) {
+    return std::min(edit_distance(name, ours), 2 * edit_distance(last_part(name), last_part(ours)) + 1);
+}
+
+/// Some names below a folder, relative to it.
+std::vector<std::string> names_in(const fs::path& folder) {
+    constexpr std::size_t most = 1000, longest = 200;
+    std::vector<std::string> names;
+    std::error_code failure;
+    fs::recursive_directory_iterator entry(folder, fs::directory_options::skip_permission_denied, failure),
+        end;
+    for (; !failure && entry != end && names.size() < most; entry.increment(failure)) {
+        std::error_code ignored;
+        if (entry->is_directory(ignored)) continue;
+        std::string name = entry->path().lexically_relative(folder).generic_string();
+        if (name.size() < longest) names.push_back(std::move(name));
+    }
+    return names;
+}
+
+/// Returns whether a file in another of the folders includes one of these files of `folder`.
+bool is_included(const fs::path& folder, const std::vector<std::string>& names,
+                 const std::vector<std::string>& all) {
+    constexpr std::uintmax_t longest = 1 << 20;
+    for (const std::string& other : all) {
+        if (fs::path(other) == folder) continue;
+        for (const std::string& includer : names_in(other)) {
+            const fs::path file = fs::path(other) / includer;
+            std::error_code failure;
+            if (!fs::is_regular_file(file, failure) || fs::file_size(file, failure) > longest) continue;
+            const std::string text = read_text(file);
+            if (std::ranges::any_of(names, [&](const std::string& name) {
+                    return text.find('"' + name + '"') != std::string::npos;
+                }))
+                return true;
+        }
+    }
+    return false;
+}
+
+} // namespace
+
+std::optional<std::string> remark_on_overlay(const fs::path& folder, const Root& ours,
+                                             const std::vector<std::string>& all) {
+    const std::vector<std::string> known = ours.names();
+    std::error_code ignored;
+    for (const std::string& name : known)
+        if (fs::symlink_status(folder / name, ignored).type() != fs::file_type::not_found)
+            return std::nullopt;
+    const std::vector<std::string> names = names_in(folder);
+    if (names.empty())
+        return fmt::format(
+            "{}: the folder holds no files, so no shader is replaced: a file brdf/f_r.glsl in it "
+            "would replace the BRDF",
+            folder.string());
+    if (is_included(folder, names, all)) return std::nullopt;
+    std::size_t least = std::string::npos;
+    const std::string *nearest = nullptr, *meant = nullptr;
+    for (const std::string& name : names)
+        for (const std::string& our : known)
+            if (const std::size_t d = distance(name, our); d < least) {
+                least = d;
+                nearest = &name;
+                meant = &our;
+            }
+    return fmt::format("{}: no file in it has the name of a built-in shader, so none is replaced: rename {} "
+                       "if {} is meant",
+                       folder.string(), *nearest, *meant);
 }
 
 } // namespace sr::glsl

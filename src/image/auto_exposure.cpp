@@ -1,4 +1,4 @@
-#include "core/luminance.hpp"
+#include "core/math.hpp"
 #include "image/display.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "image/codec.hpp"
 
 #include "core/error.hpp"
-#include "core/threads.hpp"
+#include "core/parallel.hpp"
 
 #include <dlfcn.h>
 #ifdef __APPLE__

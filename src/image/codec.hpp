@@ -4,7 +4,6 @@
 #include "image/file.hpp"
 
 #include <filesystem>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -18,7 +17,6 @@ struct Codec {
                                         const std::string& name);
     /// Refuses images of more than `max_values` numbers.
     Image (*read)(const std::filesystem::path& file, std::uint64_t max_values);
-    DecodedTexture (*decode)(std::span<const std::uint8_t> bytes, const std::string& name);
 };
 
 /// The module's one symbol is a function of this type.

@@ -1,7 +1,7 @@
 #include "image/colormap.hpp"
 
 #include "core/error.hpp"
-#include "core/luminance.hpp"
+#include "core/math.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "image/display.hpp"
 
-#include "core/luminance.hpp"
+#include "core/math.hpp"
 #include "core/parallel.hpp"
 #include "image/log_table.hpp"
 #include "image/srgb.hpp"

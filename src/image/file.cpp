@@ -5,8 +5,9 @@
 #include "core/limits.hpp"
 #include "core/parallel.hpp"
 #include "image/codec.hpp"
-#include "image/half.hpp"
 #include "image/header.hpp"
+#include "image/jpeg.hpp"
+#include "image/png.hpp"
 #include "image/webp.hpp"
 #include "image/whole_file.hpp"
 
@@ -40,6 +41,8 @@ std::future<void> preload() {
     return started([] { codec(); });
 }
 
+bool is_png(const fs::path& file) { return format_of(file) == Format::png; }
+
 bool is_scene_referred(const fs::path& file) {
     const Format format = format_of(file);
     return format == Format::exr || format == Format::hdr;
@@ -52,6 +55,7 @@ void WholeFiles::add(const Image& image, const fs::path& file, SampleType type) 
     require(samples > 0 && image.pixels.size() == samples, "an image has as many samples as its size says");
     const bool is_half = format == Format::exr && type == SampleType::half;
     const bool is_clamped = is_half && half_overflow_count(image) > 0;
+    if (format == Format::png) return add(file, encode_png(image, file.string()));
     add(file, codec().encode(is_clamped ? within_half(image) : image, format, type, file.string()));
 }
 
@@ -89,7 +93,9 @@ std::uint64_t claimed_texels(std::span<const std::uint8_t> bytes) {
 }
 
 DecodedTexture decode_texture(std::span<const std::uint8_t> bytes, const std::string& name) {
-    return is_webp(bytes) ? decode_webp(bytes, name) : codec().decode(bytes, name);
+    if (is_webp(bytes)) return decode_webp(bytes, name);
+    return header_of(bytes, name).format == TextureFormat::png ? decode_png(bytes, name)
+                                                               : decode_jpeg(bytes, name);
 }
 
 } // namespace sr::image

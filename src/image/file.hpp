@@ -1,7 +1,9 @@
 #pragma once
-// Image files, through OpenImageIO.
+// Image files: PNG by libspng, JPEG textures by libjpeg-turbo, WebP by libwebp, all else by OpenImageIO.
 #include "image/image.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <future>
@@ -12,9 +14,9 @@
 
 namespace sr::image {
 
-/// Starts loading OpenImageIO on a thread of its own (some 170 ms), so that the first use of the functions
-/// below does not wait for all of it. Optional: they load it themselves. The future's end waits for the
-/// thread; its get() throws Error where they would.
+/// Starts loading OpenImageIO on a thread of its own (some 170 ms), so that the first read(), or write() of
+/// another format than PNG, does not wait for all of it. Optional: they load it themselves. The future's end
+/// waits for the thread; its get() throws Error where they would.
 [[nodiscard]] std::future<void> preload();
 
 /// How an .exr stores its values; the other formats have but one way each. `half` ends at 65504: larger
@@ -28,6 +30,10 @@ enum class SampleType { half, floating, integer8 };
 /// @throws Error if the extension is unknown or the file cannot be written (named: folder missing, disk full,
 /// …).
 void write(const Image& image, const std::filesystem::path& file, SampleType type);
+
+/// Returns whether the extension names PNG, which is written without OpenImageIO.
+/// @throws Error as is_scene_referred()
+bool is_png(const std::filesystem::path& file);
 
 /// Returns whether the format that the extension names holds scene-referred floats (.exr, .hdr).
 /// @throws Error for an extension that is not one of .exr .hdr .png .jpg .jpeg.
@@ -58,5 +64,22 @@ bool is_ktx2(std::span<const std::uint8_t> bytes);
 /// @throws Error for another format, a broken file, and one wider or higher than 16384 or of more than 2^26
 /// texels.
 DecodedTexture decode_texture(std::span<const std::uint8_t> bytes, const std::string& name);
+
+// The range of half floats, as .exr stores them on demand.
+
+inline constexpr float largest_half = 65504.0f; // IEEE 754 binary16
+
+/// Counts the values of the image beyond ±65504.
+inline std::size_t half_overflow_count(const Image& image) {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(image.pixels, [](float value) { return std::abs(value) > largest_half; }));
+}
+
+/// The image with those values at the end of the range. What is no number stays so.
+inline Image within_half(Image image) {
+    for (float& value : image.pixels)
+        if (std::abs(value) > largest_half) value = std::copysign(largest_half, value);
+    return image;
+}
 
 } // namespace sr::image

@@ -1,6 +1,7 @@
 #pragma once
 // Float images in memory.
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
@@ -38,5 +39,18 @@ private:
         return (static_cast<std::size_t>(y) * width + x) * static_cast<std::size_t>(channels);
     }
 };
+
+/// Converts display values in 0..1 to bytes. Values outside of it are clamped; NaN becomes 0.
+std::vector<std::uint8_t> as_bytes(const std::vector<float>& values);
+
+// Relative errors: one definition for comparing pictures and for pictures that know their own error.
+
+/// Returns the smallest denominator of a relative error: 1 % of the median magnitude of those colours that
+/// are not 0, so that neither a dark picture nor a bright lamp moves it. 0 if all are 0.
+double relative_floor(std::vector<float> colors);
+
+/// (difference / reference)², with the floor added in squares: what relMSE is the mean of. 0 for no
+/// difference.
+double relative_square(double difference, double reference, double floor);
 
 } // namespace sr::image

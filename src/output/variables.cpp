@@ -1,7 +1,7 @@
 #include "output/variables.hpp"
 
 #include "core/error.hpp"
-#include "core/luminance.hpp"
+#include "core/math.hpp"
 #include "image/colormap.hpp"
 #include "image/display.hpp"
 

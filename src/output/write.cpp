@@ -1,7 +1,7 @@
 #include "output/write.hpp"
 
 #include "core/output.hpp"
-#include "image/half.hpp"
+#include "image/file.hpp"
 #include "image/whole_file.hpp"
 
 namespace sr::output {

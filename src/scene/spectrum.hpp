@@ -1,6 +1,6 @@
 #pragma once
 // Spectra, their colour and how bright a watt of them is.
-#include "core/luminance.hpp"
+#include "core/math.hpp"
 
 #include <vector>
 

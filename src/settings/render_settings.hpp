@@ -24,9 +24,10 @@ inline constexpr std::array<Named<scene::Rig>, 4> rigs{{{"auto", scene::Rig::aut
 inline constexpr std::array<Named<render::Estimator>, 2> estimators{
     {{"sampled", render::Estimator::sampled}, {"analytic", render::Estimator::analytic}}};
 
-/// Each member but the scene is a row of the table in options.cpp.
+/// Each member but the first two is a row of the table in options.cpp.
 struct RenderSettings {
-    std::string scene; // a file
+    std::string scene;                // a file
+    std::vector<std::string> outputs; // files of `render`: one rendering, written in each form
     std::optional<int> scene_index;
     std::string camera;     // as PrepareOptions has it
     std::string variant;    // of KHR_materials_variants; empty: none

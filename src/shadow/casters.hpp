@@ -1,6 +1,6 @@
 #pragma once
 // Shadow casters: every triangle of a scene, in world space.
-#include "shadow/glass.hpp"
+#include "shadow/transparency.hpp"
 
 #include <array>
 #include <span>

@@ -1,7 +1,7 @@
 #include "viewer/app.hpp"
 
 #include "core/error.hpp"
-#include "core/luminance.hpp"
+#include "core/math.hpp"
 #include "viewer/config.hpp"
 #include "viewer/panels/help.hpp"
 

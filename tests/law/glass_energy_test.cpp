@@ -1,6 +1,6 @@
 // Glass by itself: what it reflects and what it lets through, together.
 #include "brdf/evaluator.hpp"
-#include "shadow/glass.hpp"
+#include "shadow/transparency.hpp"
 #include "support/address.hpp"
 #include "support/gl.hpp"
 

@@ -1,4 +1,3 @@
-#include "render/lobe.hpp"
 #include "render/probe.hpp"
 
 #include "support/address.hpp"

@@ -1,4 +1,4 @@
-#include "image/relative_error.hpp"
+#include "image/image.hpp"
 #include "render/adaptive/convergence.hpp"
 #include "support/address.hpp"
 #include "support/gl.hpp"

@@ -8,7 +8,6 @@ namespace sr::image::oiio {
 
 std::vector<std::uint8_t> encode(const Image& image, Format format, SampleType type, const std::string& name);
 Image read(const std::filesystem::path& file, std::uint64_t max_values);
-DecodedTexture decode(std::span<const std::uint8_t> bytes, const std::string& name);
 
 /// OpenImageIO's messages as part of one line.
 std::string one_line(std::string_view message);

@@ -11,12 +11,13 @@
 namespace sr::image::oiio {
 namespace {
 
+/// PNG is not written here (image/png.hpp).
 const char* oiio_name(Format format) {
     switch (format) {
     case Format::exr: return "openexr";
     case Format::hdr: return "hdr";
-    case Format::png: return "png";
     case Format::jpeg: return "jpeg";
+    case Format::png: break;
     }
     return "";
 }
@@ -31,18 +32,9 @@ Image as_rgb(const Image& image) {
     return rgb;
 }
 
-std::vector<std::uint8_t> as_bytes(const std::vector<float>& values) {
-    std::vector<std::uint8_t> bytes(values.size());
-    std::ranges::transform(values, bytes.begin(), [](float value) {
-        const float inside = value > 0.0f ? std::min(value, 1.0f) : 0.0f; // NaN too becomes 0
-        return static_cast<std::uint8_t>(inside * 255.0f + 0.5f);
-    });
-    return bytes;
-}
-
 OIIO::ImageSpec spec_of(const Image& image, Format format, SampleType type) {
     using OIIO::TypeDesc;
-    const bool is_display = format == Format::png || format == Format::jpeg;
+    const bool is_display = format == Format::jpeg;
     TypeDesc sample = is_display ? TypeDesc::UINT8 : TypeDesc::FLOAT;
     if (format == Format::exr && type == SampleType::half) sample = TypeDesc::HALF;
     OIIO::ImageSpec spec(image.width, image.height, image.channels, sample);
@@ -53,10 +45,6 @@ OIIO::ImageSpec spec_of(const Image& image, Format format, SampleType type) {
     spec.attribute("DateTime", ""); // or OpenImageIO writes the time of day, and no two files are the same
     // The compression levels were measured, see README.md.
     if (format == Format::exr) spec.attribute("compression", "zip:2");
-    if (format == Format::png) {
-        spec.attribute("png:compressionLevel", 1);
-        spec.attribute("png:filter", 0x10); // libpng's PNG_FILTER_SUB
-    }
     if (format == Format::jpeg) {
         spec.attribute("Compression", "jpeg:95");
         spec.attribute("jpeg:subsampling", "4:4:4");
@@ -70,8 +58,6 @@ std::vector<std::uint8_t> encode(const Image& given, Format format, SampleType t
                                  const std::string& name) {
     const Location where{name};
     const bool is_rgb_only = format == Format::hdr || format == Format::jpeg;
-    if (format == Format::png && given.channels > 4)
-        throw Error(where, fmt::format("PNG cannot hold {} channels", given.channels), "write an .exr");
     if (is_rgb_only && given.channels != 3) return encode(as_rgb(given), format, type, name);
 
     std::vector<unsigned char> bytes;
@@ -83,9 +69,9 @@ std::vector<std::uint8_t> encode(const Image& given, Format format, SampleType t
     output->set_ioproxy(&memory);
     bool is_done = output->open(name, spec_of(given, format, type));
     if (is_done) {
-        const bool is_display = format == Format::png || format == Format::jpeg;
-        is_done = is_display ? output->write_image(OIIO::TypeDesc::UINT8, as_bytes(given.pixels).data())
-                             : output->write_image(OIIO::TypeDesc::FLOAT, given.pixels.data());
+        is_done = format == Format::jpeg
+                      ? output->write_image(OIIO::TypeDesc::UINT8, as_bytes(given.pixels).data())
+                      : output->write_image(OIIO::TypeDesc::FLOAT, given.pixels.data());
         is_done = output->close() && is_done;
     }
     if (!is_done)

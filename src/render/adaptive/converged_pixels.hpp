@@ -1,7 +1,7 @@
 #pragma once
 // Pixels that have enough samples rest: nothing is drawn there any more.
 #include "gl/object.hpp"
-#include "render/pixel_rect.hpp"
+#include "render/film.hpp"
 
 #include <cstdint>
 #include <span>

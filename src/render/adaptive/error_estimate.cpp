@@ -1,7 +1,7 @@
 #include "render/adaptive/error_estimate.hpp"
 
 #include "core/error.hpp"
-#include "image/relative_error.hpp"
+#include "image/image.hpp"
 #include "render/sampling.hpp"
 
 #include <algorithm>

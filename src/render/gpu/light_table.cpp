@@ -1,6 +1,6 @@
 #include "render/gpu/light_table.hpp"
 
-#include "core/luminance.hpp"
+#include "core/math.hpp"
 #include "render/gpu/emission_maps.hpp"
 
 #include <algorithm>

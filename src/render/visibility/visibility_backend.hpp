@@ -2,7 +2,7 @@
 // How V(x, y) of the equation is found.
 #include "render/visibility/gpu_casters.hpp"
 #include "shadow/occlusion.hpp"
-#include "shadow/shadow_map_scene.hpp"
+#include "shadow/shadow_maps.hpp"
 
 #include <memory>
 #include <optional>

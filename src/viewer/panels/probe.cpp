@@ -1,6 +1,6 @@
 #include "viewer/panels/probe.hpp"
 
-#include "core/luminance.hpp"
+#include "core/math.hpp"
 #include "viewer/palette.hpp"
 #include "viewer/ui.hpp"
 

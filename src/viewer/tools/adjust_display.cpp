@@ -143,7 +143,7 @@ Changes AdjustDisplay::set_view(const output::Variable* view) {
     }
     ws_.display.view = view;
     if (shader == before) return Change::display;
-    ws_.display.comparison = Comparison::none;
+    ws_.display.comparison = ComparisonMode::none;
     return Change::materials;
 }
 

@@ -274,8 +274,8 @@ Assignment::Assignment(Workspace& workspace)
 
 /// True if the reference's render is shown beside the student's. A kept or loaded reference replaces it.
 bool Assignment::needs_reference() const {
-    const Comparison comparison = ws_.display.comparison;
-    return !ws_.reference && (comparison == Comparison::wipe || comparison == Comparison::difference);
+    const ComparisonMode comparison = ws_.display.comparison;
+    return !ws_.reference && (comparison == ComparisonMode::wipe || comparison == ComparisonMode::difference);
 }
 
 Activity Assignment::activity() const {
@@ -320,16 +320,16 @@ Changes Assignment::end_check() {
 }
 
 void Assignment::draw_comparison() {
-    const auto choice = [&](const char* label, Comparison comparison) {
+    const auto choice = [&](const char* label, ComparisonMode comparison) {
         if (ImGui::RadioButton(label, ws_.display.comparison == comparison))
             ws_.display.comparison = comparison;
     };
-    choice("yours", Comparison::none);
+    choice("yours", ComparisonMode::none);
     ImGui::SameLine();
-    choice("yours | reference", Comparison::wipe);
+    choice("yours | reference", ComparisonMode::wipe);
     ImGui::SameLine();
-    choice("difference", Comparison::difference);
-    if (ws_.display.comparison == Comparison::wipe)
+    choice("difference", ComparisonMode::difference);
+    if (ws_.display.comparison == ComparisonMode::wipe)
         ImGui::SliderFloat("##wipe", &ws_.display.wipe, 0.0f, 1.0f, "%.2f");
 }
 

@@ -5,7 +5,7 @@
 #include "compare/planes.hpp"
 #include "core/error.hpp"
 #include "image/file.hpp"
-#include "render/provenance.hpp"
+#include "settings/render_settings.hpp"
 #include "viewer/panels/file_dialog.hpp"
 #include "viewer/tools/tool.hpp"
 
@@ -28,7 +28,7 @@ struct FlipMap {
 
 namespace {
 
-/// In the order of Comparison.
+/// In the order of ComparisonMode.
 constexpr std::array modes{"render alone", "wipe", "difference", "FLIP map"};
 
 constexpr const char* how_to_compare = "Press B to cycle comparisons.";
@@ -132,7 +132,7 @@ std::optional<Changes> Compare::handle(const Event& event) {
     if (command == Command::compare) return next_mode();
     if (command != Command::cancel) return std::nullopt;
     dialog_.close();
-    ws_.display.comparison = Comparison::none;
+    ws_.display.comparison = ComparisonMode::none;
     return Change::display;
 }
 
@@ -143,7 +143,7 @@ Changes Compare::keep_render() {
                                       name_in(settings::estimators, ws_.options.rendering.estimator),
                                       ws_.camera->argument()),
                           render.film());
-    if (ws_.display.comparison == Comparison::none) ws_.display.comparison = Comparison::wipe;
+    if (ws_.display.comparison == ComparisonMode::none) ws_.display.comparison = ComparisonMode::wipe;
     ws_.messages.notify(fmt::format("Reference kept. {}", how_to_compare));
     return Change::display;
 }
@@ -151,7 +151,7 @@ Changes Compare::keep_render() {
 Changes Compare::load(const std::string& file) {
     try {
         ws_.reference = read_reference(file);
-        if (ws_.display.comparison == Comparison::none) ws_.display.comparison = Comparison::wipe;
+        if (ws_.display.comparison == ComparisonMode::none) ws_.display.comparison = ComparisonMode::wipe;
         ws_.messages.clear_error();
         ws_.messages.notify(fmt::format("Comparing with {}. {}", ws_.reference->name(), how_to_compare));
     } catch (const Error& error) {
@@ -165,8 +165,8 @@ Changes Compare::next_mode() {
     // There is no FLIP map against the reference of an assignment, which still gathers samples.
     const std::size_t count = ws_.reference ? modes.size() : modes.size() - 1;
     const std::size_t next = (static_cast<std::size_t>(ws_.display.comparison) + 1) % count;
-    ws_.display.comparison = static_cast<Comparison>(next);
-    if (ws_.display.comparison == Comparison::flip) begin_flip();
+    ws_.display.comparison = static_cast<ComparisonMode>(next);
+    if (ws_.display.comparison == ComparisonMode::flip) begin_flip();
     ws_.messages.notify(fmt::format("Comparison: {}.", modes[next]));
     return Change::display;
 }
@@ -194,7 +194,7 @@ Changes Compare::update(double /*seconds*/) {
 }
 
 FilmSum Compare::reference_film() const {
-    if (ws_.display.comparison == Comparison::flip) return flip_ ? flip_->sum() : FilmSum{};
+    if (ws_.display.comparison == ComparisonMode::flip) return flip_ ? flip_->sum() : FilmSum{};
     return ws_.reference ? ws_.reference->sum() : FilmSum{};
 }
 
@@ -235,15 +235,15 @@ Changes Compare::draw_modes() {
     ImGui::TextDisabled("reference: %s", ws_.reference->name().c_str());
     int mode = static_cast<int>(ws_.display.comparison);
     if (ImGui::Combo("show", &mode, modes.data(), static_cast<int>(modes.size()))) {
-        ws_.display.comparison = static_cast<Comparison>(mode);
-        if (ws_.display.comparison == Comparison::flip) begin_flip();
+        ws_.display.comparison = static_cast<ComparisonMode>(mode);
+        if (ws_.display.comparison == ComparisonMode::flip) begin_flip();
         changes |= Change::display;
     }
-    if (ws_.display.comparison == Comparison::wipe)
+    if (ws_.display.comparison == ComparisonMode::wipe)
         ImGui::SliderFloat("wipe", &ws_.display.wipe, 0.0f, 1.0f, "%.2f");
-    if (ws_.display.comparison == Comparison::difference)
+    if (ws_.display.comparison == ComparisonMode::difference)
         ImGui::TextWrapped("Blue: darker than the reference. Orange: brighter. Saturated at half of it.");
-    if (ws_.display.comparison == Comparison::flip) {
+    if (ws_.display.comparison == ComparisonMode::flip) {
         ImGui::TextWrapped("%s", flip_result_.c_str());
         if (ImGui::Button("compute again")) begin_flip();
     }

@@ -1,7 +1,7 @@
 // Probe tool: evaluates the equation at a pixel that is clicked.
 #include "viewer/panels/probe.hpp"
-#include "core/luminance.hpp"
-#include "render/lobe.hpp"
+#include "core/math.hpp"
+#include "render/probe.hpp"
 #include "viewer/tools/tool.hpp"
 
 #define GLFW_INCLUDE_NONE

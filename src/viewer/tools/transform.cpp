@@ -26,7 +26,7 @@ vec3 towards_eye(vec3 point, const Projection& projection) {
 }
 
 /// Intersection of a ray with the plane through `center` with this normal; absent if there is none.
-std::optional<vec3> on_plane(vec3 center, vec3 normal, const Ray& ray) {
+std::optional<vec3> on_plane(vec3 center, vec3 normal, const PickRay& ray) {
     const float along = glm::dot(ray.direction, normal);
     const float distance = glm::dot(center - ray.origin, normal) / along;
     if (!std::isfinite(distance) || distance <= 0.0f) return std::nullopt;

@@ -9,7 +9,8 @@ namespace sr::viewer {
 namespace {
 
 std::string constants(const image::ToneCurve* /*in another file*/, const output::Variable* view,
-                      Comparison comparison, bool is_scaled, bool is_reference_displayed, bool is_resting) {
+                      ComparisonMode comparison, bool is_scaled, bool is_reference_displayed,
+                      bool is_resting) {
     const bool is_false_color = view && view->display == output::Display::false_color;
     return fmt::format("const bool is_false_color = {};\n"
                        "const int comparison = {};\nconst bool is_scaled = {};\n"
@@ -54,7 +55,7 @@ Presenter::Codes::Codes(int columns, int rows) : width(columns), height(rows) {
 
 void Presenter::draw(const FilmSum& film, const FilmSum& reference, const DisplaySettings& settings,
                      int width, int height) {
-    const bool is_compared = reference.sum && settings.comparison != Comparison::none;
+    const bool is_compared = reference.sum && settings.comparison != ComparisonMode::none;
     if (is_compared || (film.width == width && film.height == height)) {
         glBindFramebuffer(GL_FRAMEBUFFER, 0);
         return fill(film, reference, settings, width, height);
@@ -75,11 +76,11 @@ void Presenter::fill(const FilmSum& film, const FilmSum& reference, const Displa
     glDisable(GL_CULL_FACE);
     glDisable(GL_BLEND);
     glDisable(GL_SCISSOR_TEST);
-    const bool is_compared = reference.sum && settings.comparison != Comparison::none;
+    const bool is_compared = reference.sum && settings.comparison != ComparisonMode::none;
     const auto fits = [&](const FilmSum& f) { return f.width == width && f.height == height; };
     const bool is_scaled = !fits(film) || (is_compared && !fits(reference));
     const gl::Program& used =
-        program({settings.curve, settings.view, is_compared ? settings.comparison : Comparison::none,
+        program({settings.curve, settings.view, is_compared ? settings.comparison : ComparisonMode::none,
                  is_scaled, is_compared && reference.is_display_referred, film.frozen_weights != nullptr});
     used.use();
     const auto weight = [](const FilmSum& f) { return 1.0f / static_cast<float>(f.samples); };

@@ -14,7 +14,7 @@
 
 namespace sr::viewer {
 
-enum class Comparison { none, wipe, difference, flip };
+enum class ComparisonMode { none, wipe, difference, flip };
 
 /// How a film is shown.
 struct DisplaySettings {
@@ -22,7 +22,7 @@ struct DisplaySettings {
     const image::ToneCurve* curve = &image::default_tone_curve();
     const output::Variable* view = nullptr; // what the film holds; null: radiance
     image::Decades decades;                 // of Display::false_color
-    Comparison comparison = Comparison::none;
+    ComparisonMode comparison = ComparisonMode::none;
     float wipe = 0.5f; // where the reference begins, 0 to 1
 };
 
@@ -51,7 +51,8 @@ public:
 private:
     /// Constants of a program: curve, view, comparison, whether films are scaled, whether the reference is
     /// display-referred, whether pixels are frozen.
-    using Choice = std::tuple<const image::ToneCurve*, const output::Variable*, Comparison, bool, bool, bool>;
+    using Choice =
+        std::tuple<const image::ToneCurve*, const output::Variable*, ComparisonMode, bool, bool, bool>;
     const gl::Program& program(const Choice& choice);
     void fill(const FilmSum& film, const FilmSum& reference, const DisplaySettings& settings, int width,
               int height);

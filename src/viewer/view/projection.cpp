@@ -14,7 +14,7 @@ struct Corners {
 
 /// Möller & Trumbore 1997, "Fast, Minimum Storage Ray/Triangle Intersection": the distance along the ray in
 /// its direction's length; negative where it passes by.
-float distance_to(const Corners& t, const Ray& ray) {
+float distance_to(const Corners& t, const PickRay& ray) {
     constexpr float missed = -1.0f;
     const vec3 e1 = t.b - t.a, e2 = t.c - t.a;
     const vec3 p = glm::cross(ray.direction, e2);
@@ -79,11 +79,11 @@ float distance_to_segment(vec2 p, vec2 a, vec2 b) {
     return glm::distance(p, a + t * along);
 }
 
-float along_axis(vec3 center, int axis, const Ray& pointer) {
+float along_axis(vec3 center, int axis, const PickRay& pointer) {
     return along_line(center, axis_direction(axis), pointer);
 }
 
-float along_line(vec3 center, vec3 a, const Ray& pointer) {
+float along_line(vec3 center, vec3 a, const PickRay& pointer) {
     // The point of one line that is closest to another: both differences are perpendicular to both lines.
     const vec3 d = pointer.direction, w = center - pointer.origin;
     const float between = glm::dot(a, d);
@@ -92,7 +92,7 @@ float along_line(vec3 center, vec3 a, const Ray& pointer) {
     return (between * glm::dot(d, w) - glm::dot(a, w)) / denominator;
 }
 
-std::optional<Hit> first_hit(const scene::Scene& scene, const Ray& ray) {
+std::optional<Hit> first_hit(const scene::Scene& scene, const PickRay& ray) {
     float nearest = std::numeric_limits<float>::infinity();
     std::optional<Hit> hit;
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {
@@ -100,8 +100,8 @@ std::optional<Hit> first_hit(const scene::Scene& scene, const Ray& ray) {
         const scene::Mesh& mesh = scene.meshes[static_cast<std::size_t>(instance.mesh)];
         // In object space with the direction's length kept, distances are the world's.
         const mat4 to_object = glm::inverse(instance.world_from_object);
-        const Ray local{vec3(to_object * vec4(ray.origin, 1.0f)),
-                        vec3(to_object * vec4(ray.direction, 0.0f))};
+        const PickRay local{vec3(to_object * vec4(ray.origin, 1.0f)),
+                            vec3(to_object * vec4(ray.direction, 0.0f))};
         for (std::size_t t = 0; t + 2 < mesh.indices.size(); t += 3) {
             const Corners corners = corners_of(mesh, t);
             const float distance = distance_to(corners, local);

@@ -21,7 +21,7 @@ struct Projection {
 
     /// Place of a point in the window; absent behind the camera.
     std::optional<vec2> operator()(vec3 point) const;
-    Ray ray(vec2 at) const { return ray_through(camera, aspect_ratio, at / window); }
+    PickRay ray(vec2 at) const { return ray_through(camera, aspect_ratio, at / window); }
 };
 
 /// Length of so many pixels at a point, across the view [m]; absent behind the camera.
@@ -40,8 +40,8 @@ std::optional<std::array<Arrow, 3>> arrows_at(vec3 center, const Projection& pro
 
 /// Coordinate of the pointer on the line through `center` along the unit vector `along` [m], where the two
 /// lines are closest.
-float along_line(vec3 center, vec3 along, const Ray& pointer);
-float along_axis(vec3 center, int axis, const Ray& pointer);
+float along_line(vec3 center, vec3 along, const PickRay& pointer);
+float along_axis(vec3 center, int axis, const PickRay& pointer);
 
 /// Distance of p to the segment from a to b.
 float distance_to_segment(vec2 p, vec2 a, vec2 b);
@@ -55,6 +55,6 @@ struct Hit {
 
 /// Finds the first surface along a ray, transparent ones included, by a test of every triangle: about a
 /// millisecond for 100,000 triangles, and no acceleration structure to update.
-std::optional<Hit> first_hit(const scene::Scene& scene, const Ray& ray);
+std::optional<Hit> first_hit(const scene::Scene& scene, const PickRay& ray);
 
 } // namespace sr::viewer

@@ -128,7 +128,7 @@ std::optional<vec2> projected(const scene::Camera& camera, float aspect_ratio, v
     return vec2(0.5f + 0.5f * flat.x, 0.5f - 0.5f * flat.y);
 }
 
-Ray ray_through(const scene::Camera& camera, float aspect_ratio, vec2 place) {
+PickRay ray_through(const scene::Camera& camera, float aspect_ratio, vec2 place) {
     const mat4& m = camera.world_from_camera;
     const vec2 half = scene::half_extent(camera, aspect_ratio);
     const vec2 at = half * vec2(2.0f * place.x - 1.0f, 1.0f - 2.0f * place.y);

@@ -63,12 +63,12 @@ void face(Viewpoint& view, Side side);
 /// Returns the place of a point in a picture: x, y from 0 at the upper left to 1; absent behind the camera.
 std::optional<vec2> projected(const scene::Camera& camera, float aspect_ratio, vec3 point);
 
-struct Ray {
+struct PickRay {
     vec3 origin{0.0f};
     vec3 direction{0.0f, 0.0f, -1.0f}; // unit
 };
 
 /// The ray through a place of the picture, x, y from 0 at the upper left to 1.
-Ray ray_through(const scene::Camera& camera, float aspect_ratio, vec2 place);
+PickRay ray_through(const scene::Camera& camera, float aspect_ratio, vec2 place);
 
 } // namespace sr::viewer

@@ -1,4 +1,4 @@
-#include "core/luminance.hpp"
+#include "core/math.hpp"
 #include "image/display.hpp"
 #include "image/log_table.hpp"
 #include "support/address.hpp"

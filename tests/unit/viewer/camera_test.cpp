@@ -140,7 +140,7 @@ const Test rays("unit.viewer.viewpoint.rays_go_through_their_pixels", [] {
     for (int i = 0; i < 100; ++i) {
         const scene::Camera camera = camera_of(any_view(random));
         const vec2 place(0.3f, 0.8f);
-        const Ray ray = ray_through(camera, aspect, place);
+        const PickRay ray = ray_through(camera, aspect, place);
         const auto seen = projected(camera, aspect, ray.origin + 2.0f * ray.direction);
         ASSERT_TRUE(seen);
         EXPECT_LT(glm::distance(*seen, place), 1e-4f);

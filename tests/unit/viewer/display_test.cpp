@@ -1,5 +1,5 @@
 // The window shows the picture that files get.
-#include "core/luminance.hpp"
+#include "core/math.hpp"
 #include "image/colormap.hpp"
 #include "image/display.hpp"
 #include "output/variables.hpp"

@@ -1,4 +1,4 @@
-#include "core/chi_squared.hpp"
+#include "core/math.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,12 +1,39 @@
 #pragma once
-// Glass as shadows see it: KHR_materials_transmission with its textures, bilinear in the full-size image.
-// Keep in sync with shaders/surface/glass.glsl, which has the equation, and shaders/visibility/glass.glsl.
-#include "shadow/alpha.hpp"
+// Surfaces that shadows see through: alpha, and glass (KHR_materials_transmission). Textures are read
+// bilinear, in full size.
+#include "scene/scene.hpp"
 
 #include <array>
 #include <span>
 
 namespace sr::shadow {
+
+// Alpha: base colour factor × texture × vertex colour. Keep in sync with shaders/visibility/alpha.glsl.
+
+/// Where the alphas of a texture, or another of its channels, lie among those of all.
+struct AlphaMap {
+    int first = 0;
+    int width = 0;
+    int height = 0;
+    scene::Wrap wrap_u = scene::Wrap::repeat;
+    scene::Wrap wrap_v = scene::Wrap::repeat;
+};
+
+/// One corner of a triangle that is not opaque.
+struct AlphaCorner {
+    vec2 uv{0.0f};      // where the map is read, the texture's transform applied
+    float alpha = 1.0f; // base colour factor × vertex colour
+};
+
+/// Alpha at `uv` of the map whose texels these are, in [0, 1].
+float map_alpha(const AlphaMap& map, const std::vector<std::uint16_t>& texels, vec2 uv);
+
+/// A channel (0 to 3) of an image; 8 bits are widened exactly. `is_srgb`: decoded to linear light.
+std::vector<std::uint16_t> channel_of(const scene::TextureImage& image, std::size_t channel,
+                                      bool is_srgb = false);
+
+// Glass. Keep in sync with shaders/surface/glass.glsl, which has the equation, and
+// shaders/visibility/glass.glsl.
 
 /// Data shared by the triangles of one glass instance. Maps: indices into Casters::alpha_maps;
 /// negative: none.

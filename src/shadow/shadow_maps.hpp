@@ -1,6 +1,7 @@
 #pragma once
 // The views of the scene from a point on an emitter that depth maps are drawn in.
 #include "scene/lights/light.hpp"
+#include "shadow/casters.hpp"
 
 #include <span>
 
@@ -46,5 +47,25 @@ mat4 clip_from_world(const MapView& view, int face);
 
 /// Returns whether any of the ball may be in the face's picture.
 bool may_see(const MapView& view, int face, const Ball& ball);
+
+// Contents of the depth maps: the lights, and for each light the surfaces that it reaches.
+
+struct ShadowMapScene {
+    std::vector<scene::Light> lights;
+    std::vector<Ball> casters;   // around each caster
+    Ball all;                    // around all of them
+    std::vector<Ball> receivers; // around what each light shines on: surfaces that reflect, but its own
+};
+
+/// `casters` are those of the scene under these lights.
+ShadowMapScene map_stage_of(const scene::Scene& scene, std::span<const scene::Light> lights,
+                            const Casters& casters);
+
+/// Returns whether the caster can stand in the way of that light; the only surface of a flat or convex
+/// emitter cannot stand in its own.
+bool stands_in_light(const Caster& caster, int light);
+
+/// Returns whether it is drawn into the maps of that light. Glass is not: it has a colour, which rays tell.
+bool is_in_maps(const Caster& caster, int light);
 
 } // namespace sr::shadow
