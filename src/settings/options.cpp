@@ -141,17 +141,24 @@ constexpr Value choice() {
                 }};
 }
 
-/// A value with functions of its own for reading and writing.
+using Words = std::vector<Word> (*)();
+
+/// A value with functions of its own for reading and writing; `parse` gives an optional or a pointer to a
+/// row.
 template<auto parse, auto write, auto... path>
-constexpr Value parsed(const char* type) {
-    return {.type = type,
-            .read =
-                [](const Value&, S& s, const std::string& given) {
-                    const auto value = parse(given);
-                    if (value) member<path...>(s) = *value;
-                    return value.has_value();
-                },
-            .write = [](const S& s) { return written<write>(member<path...>(s)); }};
+constexpr Value parsed(const char* type, Words words = nullptr) {
+    const auto read = [](const Value&, S& s, const std::string& given) {
+        const auto value = parse(given);
+        if constexpr (std::is_pointer_v<std::remove_cvref_t<decltype(value)>>) {
+            if (value) member<path...>(s) = value;
+        } else {
+            if (value) member<path...>(s) = *value;
+        }
+        return static_cast<bool>(value);
+    };
+    return {.type = type, .words = words, .read = read, .write = [](const S& s) {
+                return written<write>(member<path...>(s));
+            }};
 }
 
 constexpr std::array exr_types{Named<image::SampleType>{"half", image::SampleType::half},
@@ -163,69 +170,40 @@ constexpr std::array backends{gl::Backend::automatic, gl::Backend::egl, gl::Back
                               gl::Backend::window};
 constexpr std::array layers{Named<bool>{"lights", true}};
 
-/// EV100, or "auto" for an absent one.
-constexpr Value exposure{.type = "EV|auto",
-                         .read =
-                             [](const Value&, S& s, const std::string& given) {
-                                 const auto ev100 = parsed_number(given);
-                                 if (given != "auto" && (!ev100 || std::abs(*ev100) > 1e6)) return false;
-                                 s.ev100.reset();
-                                 if (ev100) s.ev100 = static_cast<float>(*ev100);
-                                 return true;
-                             },
-                         .write = [](const S& s) { return s.ev100 ? fmt::format("{}", *s.ev100) : "auto"; }};
+/// EV100, or an absent one for "auto".
+std::optional<std::optional<float>> parsed_exposure(const std::string& given) {
+    if (given == "auto") return std::optional<float>();
+    const auto ev100 = parsed_number(given);
+    if (!ev100 || std::abs(*ev100) > 1e6) return std::nullopt;
+    return static_cast<float>(*ev100);
+}
 
-constexpr Value tone_curve{.words =
-                               [] {
-                                   std::vector<Word> words;
-                                   for (const auto& curve : image::tone_curves())
-                                       words.push_back({curve.name});
-                                   return words;
-                               },
-                           .read =
-                               [](const Value&, S& s, const std::string& given) {
-                                   if (const auto* curve = image::tone_curve_named(given))
-                                       s.tone_curve = curve;
-                                   return image::tone_curve_named(given) != nullptr;
-                               },
-                           .write = [](const S& s) { return std::string(s.tone_curve->name); }};
+std::string curve_text(const image::ToneCurve* curve) { return std::string(curve->name); }
+std::vector<Word> curve_words() {
+    std::vector<Word> words;
+    for (const image::ToneCurve& curve : image::tone_curves()) words.push_back({curve.name});
+    return words;
+}
 
-constexpr Value aovs{.type = "NAME,NAME...",
-                     .words =
-                         [] {
-                             std::vector<Word> words;
-                             for (const output::Variable& variable : output::all_variables())
-                                 if (output::aov_named(variable.name)) words.push_back({variable.name});
-                             return words;
-                         },
-                     .read =
-                         [](const Value&, S& s, const std::string& given) {
-                             auto variables = output::parsed_aovs(given);
-                             if (variables) s.aovs = *std::move(variables);
-                             return variables.has_value();
-                         },
-                     .write =
-                         [](const S& s) {
-                             std::vector<std::string_view> names;
-                             for (const output::Variable* variable : s.aovs) names.push_back(variable->name);
-                             return fmt::format("{}", fmt::join(names, ","));
-                         }};
+std::string aovs_text(const output::Variables& variables) {
+    std::vector<std::string_view> names;
+    for (const output::Variable* variable : variables) names.emplace_back(variable->name);
+    return fmt::format("{}", fmt::join(names, ","));
+}
+std::vector<Word> aov_words() {
+    std::vector<Word> words;
+    for (const output::Variable& variable : output::all_variables())
+        if (output::aov_named(variable.name)) words.push_back({variable.name});
+    return words;
+}
 
-constexpr Value view{.type = "NAME",
-                     .words =
-                         [] {
-                             std::vector<Word> words;
-                             for (const output::Variable& variable : output::all_variables())
-                                 if (output::view_named(variable.name))
-                                     words.push_back({variable.name, variable.what});
-                             return words;
-                         },
-                     .read =
-                         [](const Value&, S& s, const std::string& given) {
-                             if (const auto* variable = output::view_named(given)) s.view = variable;
-                             return output::view_named(given) != nullptr;
-                         },
-                     .write = [](const S& s) { return std::string(s.view ? s.view->name : ""); }};
+std::string view_text(const output::Variable* view) { return view ? view->name : ""; }
+std::vector<Word> view_words() {
+    std::vector<Word> words;
+    for (const output::Variable& variable : output::all_variables())
+        if (output::view_named(variable.name)) words.push_back({variable.name, variable.what});
+    return words;
+}
 
 constexpr double no_limit = 1e300;
 constexpr unsigned by_all = by_render | by_view | by_probe;
@@ -303,20 +281,24 @@ constexpr std::array options{
     Option{"time", "Picture", by_render | by_view,
            parsed<parsed_duration, duration_text, &S::stop, &render::StopRule::seconds>("SECONDS|2s|5min"),
            "stop after this long; loading and --layers do not count"},
-    Option{"exposure", "Picture", by_render | by_view | by_suites, exposure,
-           "EV100 for .png, .jpg and windows; auto makes the log-average middle grey"},
-    Option{"tone_curve", "Picture", by_render | by_view | by_suites, tone_curve,
+    Option{
+        "exposure", "Picture", by_render | by_view | by_suites,
+        parsed<parsed_exposure, [](float ev100) { return fmt::format("{}", ev100); }, &S::ev100>("EV|auto"),
+        "EV100 for .png, .jpg and windows (default: auto, which makes the log-average middle grey)"},
+    Option{"tone_curve", "Picture", by_render | by_view | by_suites,
+           parsed<image::tone_curve_named, curve_text, &S::tone_curve>("", curve_words),
            "tone curve for .png, .jpg and windows"},
     Option{"exr_type", "Picture", by_render | by_suites, choice<exr_types, &S::exr_type>(),
            "type of the numbers in .exr; half keeps files small"},
     Option{"layers", "Picture", by_render, choice<layers, &S::has_light_layers>(),
            "add a layer for each light and one for emission to .exr files; their sum is the picture"},
-    Option{"aov", "Picture", by_render, aovs,
+    Option{"aov", "Picture", by_render,
+           parsed<output::parsed_aovs, aovs_text, &S::aovs>("NAME,NAME...", aov_words),
            "add channels to .exr files, separated by commas; src/output/README.md describes them"},
     Option{"view",
            "Picture",
            by_render,
-           view,
+           parsed<output::view_named, view_text, &S::view>("NAME", view_words),
            "one term of the equation instead of radiance, as numbers in .exr and .hdr",
            nullptr,
            {"view"}},
