@@ -16,11 +16,11 @@ endif()
 option(STERADIAN_SANITIZE "Build with AddressSanitizer and UndefinedBehaviorSanitizer" OFF)
 option(STERADIAN_WERROR "Treat warnings as errors" OFF)
 
-add_library(sr_settings INTERFACE)
+add_library(sr_compile_settings INTERFACE)
 if(MSVC)
-  target_compile_options(sr_settings INTERFACE /W4 /utf-8)
+  target_compile_options(sr_compile_settings INTERFACE /W4 /utf-8)
 else()
-  target_compile_options(sr_settings INTERFACE -Wall -Wextra -Wpedantic
+  target_compile_options(sr_compile_settings INTERFACE -Wall -Wextra -Wpedantic
                                                # Of files that are compiled together, what is local to one shadows nothing of another's.
                                                $<$<CXX_COMPILER_ID:GNU>:-Wshadow=local> -Wconversion -Wno-sign-conversion
                                                $<$<BOOL:${STERADIAN_WERROR}>:-Werror>
@@ -28,9 +28,9 @@ else()
                                                $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
 endif()
 if(STERADIAN_SANITIZE)
-  target_compile_options(sr_settings INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=undefined
+  target_compile_options(sr_compile_settings INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=undefined
                                                -fno-omit-frame-pointer)
-  target_link_options(sr_settings INTERFACE -fsanitize=address,undefined)
+  target_link_options(sr_compile_settings INTERFACE -fsanitize=address,undefined)
 endif()
 
 # What runs once or waits for others need not be fast. -O1 takes a quarter off the time that templates compile; with

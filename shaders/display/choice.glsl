@@ -1,6 +1,5 @@
 // The display settings, as constants that the viewer overlays: software GL executes both sides of every branch, and a window
 // is drawn at every frame.
-const int shown_curve = 2;             // as in tone_curve.glsl
 const bool is_false_color = false;
 const int view_kind = 0;               // as in view.glsl
 const float view_without = 0.0;        // a quotient without divisor

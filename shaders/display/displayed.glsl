@@ -1,5 +1,5 @@
 // From radiance to the code values of a screen, as src/image/display.cpp does it for 8-bit files.
-#include "display/tone_curve.glsl"
+#include "display/shown_curve.glsl"
 
 // IEC 61966-2-1.
 vec3 srgb_encoded(vec3 light) {
@@ -9,7 +9,10 @@ vec3 srgb_encoded(vec3 light) {
 
 bool is_finite(vec3 v) { return !any(isnan(v)) && !any(isinf(v)); }
 
+// Linear light of a screen.
+vec3 toned(vec3 exposed) { return shown_curve(max(exposed, 0.0)); }
+
 // `exposure` is 1 / (1.2 * 2^EV100) (Lagarde & de Rousiers 2014, section 5.1.2). Holes come out magenta.
-vec3 displayed(vec3 L, float exposure, int curve) {
-    return is_finite(L) ? srgb_encoded(toned(L * exposure, curve)) : vec3(1.0, 0.0, 1.0);
+vec3 displayed(vec3 L, float exposure) {
+    return is_finite(L) ? srgb_encoded(toned(L * exposure)) : vec3(1.0, 0.0, 1.0);
 }

@@ -43,7 +43,7 @@ vec4 other_radiance() { return radiance(other_sum, other_weight, false); }
 vec3 shown(vec4 film) {
     if (view_kind != exposed_view) return view_color(film);
     vec3 L = film.rgb;
-    if (!is_false_color) return displayed(L, exposure, shown_curve);
+    if (!is_false_color) return displayed(L, exposure);
     if (!is_finite(L)) return vec3(1.0, 0.0, 1.0);
     return luminance_color(luminance(L), decades);
 }
@@ -67,7 +67,7 @@ void main() {
     vec3 L = film.rgb;
     vec3 color = shown(film);
     if (comparison == 2) {
-        vec3 here = is_other_displayed ? clamp(toned(L * exposure, shown_curve), 0.0, 1.0) : L;
+        vec3 here = is_other_displayed ? clamp(toned(L * exposure), 0.0, 1.0) : L;
         color = difference(here, other_radiance().rgb);
     }
     if (comparison == 3) color = colormap(other_radiance().r);

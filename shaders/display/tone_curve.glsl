@@ -1,10 +1,7 @@
-// Exposed linear Rec. 709 to linear light of a screen in 0..1: the twins of src/image/tone_curve.cpp, which has the
-// sources; unit.viewer.display holds the two together.
+// Tone curves: exposed linear Rec. 709, not negative, to linear light of a screen in 0..1. Keep in sync with
+// src/image/display.cpp, which has the sources; unit.viewer.display compares the two.
 
-const int linear_curve = 0;
-const int aces_curve = 1;
-const int neutral_curve = 2;
-const int agx_curve = 3;
+vec3 linear(vec3 x) { return x; }
 
 // Narkowicz 2015, "ACES Filmic Tone Mapping Curve".
 vec3 aces(vec3 x) { return clamp(x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14), 0.0, 1.0); }
@@ -37,12 +34,4 @@ vec3 agx(vec3 exposed) {
     vec3 x = (ev - min_ev) / (max_ev - min_ev);
     vec3 y = (((((15.5 * x - 40.14) * x + 31.96) * x - 6.868) * x + 0.4298) * x + 0.1191) * x - 0.00232;
     return pow(clamp(outset * clamp(y, 0.0, 1.0), 0.0, 1.0), vec3(2.2));
-}
-
-vec3 toned(vec3 exposed, int curve) {
-    vec3 x = max(exposed, 0.0);
-    if (curve == aces_curve) return aces(x);
-    if (curve == neutral_curve) return neutral(x);
-    if (curve == agx_curve) return agx(x);
-    return x;
 }

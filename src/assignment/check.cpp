@@ -90,9 +90,8 @@ std::string first_line(const fs::path& file) {
 ordered_json marked_by_children(const Assignment& assignment, const fs::path& submission,
                                 const CheckOptions& options) {
     const ResultsFolder scratch;
-    const auto is_stopped = [&] { return options.is_stopped && options.is_stopped(); };
     ordered_json tasks = ordered_json::array();
-    while (tasks.size() < assignment.tasks.size() && !is_stopped()) {
+    while (tasks.size() < assignment.tasks.size() && !options.stop.stop_requested()) {
         const fs::path results = scratch.path / fmt::format("{}.jsonl", tasks.size()),
                        log = scratch.path / "log";
         std::vector<std::string> words{options.program.string(), "assignment", "mark",
@@ -101,10 +100,14 @@ ordered_json marked_by_children(const Assignment& assignment, const fs::path& su
             words.push_back(assignment.tasks[i].id);
         if (options.keeps_pictures) words.emplace_back("--pictures");
         Results found(results, options, tasks);
-        const auto end = golden::run_process({words, fs::current_path(), log, 3600.0,
-                                              [&] { return is_stopped() || found.is_standing_still(); }});
+        std::stop_source ending; // of this child
+        const std::stop_callback ending_with_check(options.stop, [&] { ending.request_stop(); });
+        const auto end =
+            golden::run_process({words, fs::current_path(), log, 3600.0, ending.get_token(), [&] {
+                                     if (found.is_standing_still()) ending.request_stop();
+                                 }});
         found.take();
-        if (tasks.size() == assignment.tasks.size() || is_stopped()) break;
+        if (tasks.size() == assignment.tasks.size() || options.stop.stop_requested()) break;
         if (end.way == golden::ProcessEnd::Way::not_started)
             throw Error("the process that checks " + end.text(), "raise the system's limits on processes");
         if (end.way == golden::ProcessEnd::Way::exited)

@@ -8,6 +8,7 @@
 #include <functional>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -18,11 +19,11 @@ struct CheckOptions {
     double time_limit = 20.0;      // [s] of one task
     bool keeps_pictures = false;   // in the result of image checks, for reports
     std::function<void(const nlohmann::ordered_json& task)>
-        on_task;                      // called as soon as a task is marked; may be empty
-    std::function<bool()> is_stopped; // asked often; once true, the check ends. Empty: never
+        on_task;          // called as soon as a task is marked; may be empty
+    std::stop_token stop; // ends the check
 };
 
-/// Checks a submission. @return the sum of all tasks (mark.hpp); absent if `is_stopped` ended the check
+/// Checks a submission. @return the sum of all tasks (mark.hpp); absent if it was stopped
 /// @throws Error if the submission has no label, or the assignment itself is at fault
 std::optional<nlohmann::ordered_json> check_submission(const std::filesystem::path& submission,
                                                        const CheckOptions& options);

@@ -3,30 +3,63 @@
 #include "core/output.hpp"
 #include "glsl/root.hpp"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdlib>
+#include <fmt/format.h>
+#include <utility>
 
 namespace sr::cli {
 namespace {
 
-std::optional<int> parsed_extent(std::string_view text) {
-    int value = 0;
-    const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (failure != std::errc{} || end != text.data() + text.size() || value < 1 || value > 65536)
-        return std::nullopt;
-    return value;
+using settings::Option;
+
+/// The help of an option, with the words that its type does not name.
+std::string help_of(const Option& option, settings::Taker taker) {
+    std::string text = taker == settings::by_view && option.view_help ? option.view_help : option.help;
+    if (!option.value.words || !*option.value.type) return text;
+    const char* separator = ": ";
+    for (const settings::Word& word : option.value.words()) {
+        text += fmt::format("{}{}", std::exchange(separator, ", "), word.name);
+        if (!word.what.empty()) text += fmt::format(" ({})", word.what);
+    }
+    return text;
 }
 
-std::optional<float> parsed_number(const std::string& text) {
-    char* end = nullptr;
-    const float value = std::strtof(text.c_str(), &end);
-    if (text.empty() || *end != '\0' || !std::isfinite(value)) return std::nullopt;
-    return value;
+void take_over(const Option& option, RenderSettings& settings, const std::string& text) {
+    if (!option.value.read(option.value, settings, text))
+        throw CLI::ValidationError(option.flag(),
+                                   fmt::format("'{}' is not {}", text, settings::allowed_by(option.value)));
 }
 
 } // namespace
+
+void declare(CLI::App& command, settings::Taker taker, RenderSettings& settings) {
+    for (const Option& option : settings::all_options()) {
+        if (!(option.takers & taker)) continue;
+        const auto take = [&option, &settings](const std::string& text) {
+            take_over(option, settings, text);
+        };
+        const std::string flag = option.flag(), help = help_of(option, taker);
+        CLI::Option* declared = nullptr;
+        if (option.value.kind == settings::Value::Kind::flag)
+            declared = command.add_flag_callback(
+                flag, [take] { take(""); }, help);
+        else if (option.value.kind == settings::Value::Kind::list)
+            declared = command
+                           .add_option_function<std::vector<std::string>>(
+                               flag, [take](const auto& texts) { std::ranges::for_each(texts, take); }, help)
+                           ->allow_extra_args(false);
+        else
+            declared = command.add_option_function<std::string>(flag, take, help);
+        declared->group(option.group);
+        if (option.value.kind == settings::Value::Kind::flag) continue;
+        declared->type_name(settings::type_of(option.value));
+        if (taker != settings::by_view || !option.view_help)
+            declared->default_str(settings::default_of(option));
+    }
+}
 
 Size picture_size(std::optional<float> aspect_ratio) {
     constexpr int rows = 720;
@@ -34,46 +67,8 @@ Size picture_size(std::optional<float> aspect_ratio) {
     return {std::clamp(static_cast<int>(std::lround(rows * aspect)), 1, 16 * rows), rows};
 }
 
-std::optional<Size> parsed_size(const std::string& text) {
-    const auto cross = text.find('x');
-    if (cross == std::string::npos) return std::nullopt;
-    const auto width = parsed_extent(std::string_view(text).substr(0, cross));
-    const auto height = parsed_extent(std::string_view(text).substr(cross + 1));
-    if (!width || !height) return std::nullopt;
-    return Size{*width, *height};
-}
-
 std::string refusal_of_number(const std::string& text) {
     return std::isfinite(std::strtod(text.c_str(), nullptr)) ? "" : "'" + text + "' is not a finite number";
-}
-
-std::optional<vec3> parsed_color(const std::string& text) {
-    std::vector<float> numbers;
-    for (std::size_t begin = 0; begin <= text.size();) {
-        const auto comma = std::min(text.find(',', begin), text.size());
-        const auto number = parsed_number(text.substr(begin, comma - begin));
-        if (!number) return std::nullopt;
-        numbers.push_back(*number);
-        begin = comma + 1;
-    }
-    if (numbers.size() == 1) return vec3(numbers[0]);
-    if (numbers.size() == 3) return vec3(numbers[0], numbers[1], numbers[2]);
-    return std::nullopt;
-}
-
-std::optional<double> parsed_percentage(const std::string& text) {
-    if (!text.ends_with('%')) return std::nullopt;
-    const auto number = parsed_number(text.substr(0, text.size() - 1));
-    if (!number || *number <= 0.0f || *number >= 100.0f) return std::nullopt;
-    return 0.01 * static_cast<double>(*number);
-}
-
-std::optional<double> parsed_duration(const std::string& text) {
-    const auto unit = std::min(text.find_first_of("sm"), text.size());
-    const auto number = parsed_number(text.substr(0, unit));
-    const std::string_view name = std::string_view(text).substr(unit);
-    if (!number || *number <= 0.0f || (!name.empty() && name != "s" && name != "min")) return std::nullopt;
-    return (name == "min" ? 60.0 : 1.0) * static_cast<double>(*number);
 }
 
 std::vector<glsl::Root> shader_path(const std::vector<std::string>& folders) {

@@ -18,6 +18,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <stop_token>
 #include <thread>
 
 namespace sr::cli {
@@ -84,7 +85,7 @@ bool show(const ordered_json& result, const AssignmentArguments& arguments) {
 ExitStatus check_once(const AssignmentArguments& arguments) {
     const Interruption interruption;
     assignment::CheckOptions options = options_of(arguments);
-    options.is_stopped = [&] { return interruption.has_come(); };
+    options.stop = interruption.token();
     const auto result = assignment::check_submission(arguments.folder, options);
     if (!result) return interrupted;
     return show(*result, arguments) ? done : failed_check;
@@ -96,23 +97,26 @@ ExitStatus check_and_watch(const AssignmentArguments& arguments) {
     viewer::Watch saves;
     saves.set(assignment::files_of(arguments.folder));
     assignment::CheckOptions options = options_of(arguments);
-    bool is_outdated = false;
-    options.is_stopped = [&] {
-        is_outdated = is_outdated || saves.has_changed();
-        return is_outdated || interruption.has_come();
-    };
     options.on_task = [](const ordered_json& task) {
         print_remark("  {} {:g}/{:g} {}", task["id"].get<std::string>(), task["points"].get<double>(),
                      task["of"].get<double>(), task["status"].get<std::string>());
     };
     while (!interruption.has_come()) {
-        is_outdated = false;
+        std::stop_source ending; // of this check, by a save or by Ctrl-C
+        const std::stop_callback on_interruption(interruption.token(), [&] { ending.request_stop(); });
+        const std::jthread watching([&](const std::stop_token& end) {
+            while (!end.stop_requested() && !ending.stop_requested()) {
+                std::this_thread::sleep_for(std::chrono::milliseconds(50));
+                if (saves.has_changed()) ending.request_stop();
+            }
+        });
+        options.stop = ending.get_token();
         print_remark("checking {}", arguments.folder);
         if (const auto result = assignment::check_submission(arguments.folder, options)) {
             show(*result, arguments);
             print_remark("saving a file checks again; Ctrl-C ends");
         }
-        while (!options.is_stopped()) std::this_thread::sleep_for(std::chrono::milliseconds(50));
+        while (!ending.stop_requested()) std::this_thread::sleep_for(std::chrono::milliseconds(50));
     }
     return done;
 }
@@ -199,17 +203,18 @@ void add_check(CLI::App& app, const std::shared_ptr<AssignmentArguments>& argume
 
 void add_assignment_command(CLI::App& app) {
     const auto arguments = std::make_shared<AssignmentArguments>();
-    CLI::App* command = app.add_subcommand("assignment", "the equation as a course: tasks in GLSL, checked");
+    CLI::App* command =
+        app.add_subcommand("assignment", "take or run the course: tasks in GLSL, with checks");
     command->require_subcommand(1);
-    command->add_subcommand("list", "the assignments there are")->callback(list_assignments);
+    command->add_subcommand("list", "list the assignments")->callback(list_assignments);
     CLI::App* making = command->add_subcommand("new", "make a student's folder");
     add_name(*making, *arguments);
     making->add_option("DIR", arguments->folder, "a new folder")->required();
     making->add_option("--student", arguments->student,
-                       "the student's id, which chooses the numbers that are theirs");
+                       "the student's id, which chooses this student's numbers");
     making->callback([arguments] { make_new(*arguments); });
     add_check(*command, arguments);
-    CLI::App* packing = command->add_subcommand("pack", "make the file to hand in, and say what it is worth");
+    CLI::App* packing = command->add_subcommand("pack", "make the file to hand in, and print its points");
     packing->add_option("DIR", arguments->folder, "a folder that `new` made")->required();
     packing->add_option("-o,--output", arguments->output,
                         "a .zip file (default: ASSIGNMENT-STUDENT.zip here)");

@@ -53,7 +53,7 @@ void choose(BrdfCommand& command) {
     } else if (const auto model = scene::model_named(command.name); model && *model != Model::merl) {
         tested.material.model = *model;
     } else {
-        throw CLI::ValidationError("NAME", "'" + command.name + "' is no BRDF: --help lists them");
+        throw CLI::ValidationError("NAME", "'" + command.name + "' is not a BRDF: --help lists the names");
     }
     if (tested.material.model == Model::conductor)
         tested.material.conductor = scene::fitted_ior(*scene::measured_metal(command.metal));
@@ -82,9 +82,8 @@ void write_outputs(const BrdfCommand& command, brdf::BrdfEvaluator& evaluator) {
         } else {
             const image::Image film = brdf::lit_sphere(command.tested, 256, command.samples);
             const bool is_linear = image::is_scene_referred(output);
-            files.add(is_linear ? film
-                                : image::displayed(film, image::auto_ev100(film), image::ToneCurve::neutral),
-                      output, is_linear ? image::SampleType::floating : image::SampleType::integer8);
+            files.add(is_linear ? film : image::displayed(film, image::auto_ev100(film)), output,
+                      is_linear ? image::SampleType::floating : image::SampleType::integer8);
         }
     }
     files.put_in_place();
@@ -157,7 +156,7 @@ ExitStatus look_at(BrdfCommand& command) {
     else
         print(json);
     if (!command.tested.has_sampling())
-        print_remark("{}: its sampling is not checked: it declares none", command.name);
+        print_remark("{}: the sampling is not checked: the shader declares none", command.name);
     const bool is_lawful =
         std::ranges::all_of(laws, [](const brdf::Law& law) { return law.holds() || law.is_waived; });
     return is_lawful ? done : failed_check;
@@ -185,7 +184,7 @@ void declare_parameters(CLI::App& command, BrdfCommand& o) {
             .add_option_function<std::string>(
                 name,
                 [name, take](const std::string& text) {
-                    const auto value = parsed_color(text);
+                    const auto value = settings::parsed_color(text);
                     if (!value) throw CLI::ValidationError(name, "'" + text + "' is not R,G,B or a number");
                     take(*value);
                 },
@@ -247,43 +246,41 @@ void declare_parameters(CLI::App& command, BrdfCommand& o) {
         ->check(CLI::IsMember(metals))
         ->capture_default_str();
     command.add_flag("--energy-compensation", o.tested.has_energy_compensation,
-                     "gltf, ggx and conductor give back what bounces twice between microfacets");
+                     "compensate gltf, ggx and conductor for energy lost to multiple scattering");
 }
 
 } // namespace
 
 void add_brdf_command(CLI::App& app) {
     const auto options = std::make_shared<BrdfCommand>();
-    CLI::App* command = app.add_subcommand("brdf", "one BRDF by itself: its lobe, its albedo, its laws");
+    CLI::App* command = app.add_subcommand(
+        "brdf", "plot one BRDF and check its laws: lobe, albedo, reciprocity, energy, sampling");
     command
-        ->add_option(
-            "NAME", options->name,
-            model_names()
-                + "; a .glsl file of your own that declares f_r; a .binary file of the MERL database")
+        ->add_option("NAME", options->name,
+                     model_names() + "; a .glsl file that declares f_r; a .binary file of the MERL database")
         ->required();
     command
-        ->add_option("-o,--output", options->outputs,
-                     ".svg: its lobe for four views; .png, .jpg, .exr, .hdr: a lit ball; .binary: the BRDF "
-                     "as a MERL file "
-                     "(repeatable)")
+        ->add_option(
+            "-o,--output", options->outputs,
+            ".svg: the lobe for four views; .png, .jpg, .exr, .hdr: a lit ball; .binary: the BRDF as a "
+            "MERL file (repeatable)")
         ->allow_extra_args(false);
     declare_parameters(*command, *options);
     command->add_option("--samples", options->samples, "of the lit ball's pixels")
         ->check(CLI::Range(1, 65536))
         ->capture_default_str();
     command->add_flag("--json", options->json, "print JSON");
-    command->footer("Laws: reciprocity (f_r stays when wi and wo change places), negativity (none), energy "
-                    "(no view gets more\n"
-                    "back than arrives), and of the sampling: normalisation (its density integrates to 1) "
-                    "and χ² (it draws\n"
-                    "what its density says). Exit status 1 if one is broken.\n\n"
-                    "Examples:\n"
-                    "  steradian brdf ggx --roughness 0.3 -o lobe.svg -o ball.png\n"
-                    "  steradian brdf gltf --metallic 1 --anisotropy 0.8 --roughness 0.2 --json\n"
-                    "  steradian brdf conductor --metal copper --roughness 0.4 -o ball.png\n"
-                    "  steradian brdf my_brdf.glsl -o lobe.svg          GLSL that declares "
-                    "vec3 f_r(Surface x, vec3 wi, vec3 wo)\n"
-                    "  steradian brdf gold-paint.binary -o ball.png     a measured one");
+    command->footer(
+        "Laws: reciprocity (f_r stays the same when wi and wo change places), negativity (f_r >= 0), energy\n"
+        "(no view gets back more than arrives). Laws of the sampling: normalisation (the density\n"
+        "integrates to 1), χ² (the samples follow the density). Exit status 1 if a law is broken.\n\n"
+        "Examples:\n"
+        "  steradian brdf ggx --roughness 0.3 -o lobe.svg -o ball.png\n"
+        "  steradian brdf gltf --metallic 1 --anisotropy 0.8 --roughness 0.2 --json\n"
+        "  steradian brdf conductor --metal copper --roughness 0.4 -o ball.png\n"
+        "  steradian brdf my_brdf.glsl -o lobe.svg          GLSL that declares "
+        "vec3 f_r(Surface x, vec3 wi, vec3 wo)\n"
+        "  steradian brdf gold-paint.binary -o ball.png     a measured one");
     command->callback([options] {
         const ExitStatus status = look_at(*options);
         if (status != done) throw CLI::RuntimeError(status);

@@ -1,6 +1,6 @@
 #include "cli/commands.hpp"
 #include "core/output.hpp"
-#include "output/variables.hpp"
+#include "settings/options.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -19,15 +19,13 @@ struct BashCases {
     std::string values;   // of each option
 };
 
-/// Returns the values of an option: those of its type "auto|egl", or the names that --aov and --view take.
+/// Returns the values of an option: the words of the table of options, or those of its type "auto|egl".
 std::vector<std::string> values_of(const CLI::Option& option) {
-    if (option.check_lname("aov")) return output::aov_names();
     std::vector<std::string> values;
-    if (option.check_lname("view")) {
-        for (const output::Variable& variable : output::all_variables())
-            if (output::view_named(variable.name)) values.emplace_back(variable.name);
-        return values;
-    }
+    for (const settings::Option& row : settings::all_options())
+        if (row.value.words && option.check_name(row.flag()))
+            for (const settings::Word& word : row.value.words()) values.emplace_back(word.name);
+    if (!values.empty()) return values;
     const std::string type = option.get_type_name();
     const bool is_list = type.find('|') != std::string::npos
                          && type.find_first_not_of("abcdefghijklmnopqrstuvwxyz-|") == std::string::npos;

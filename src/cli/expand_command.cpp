@@ -20,11 +20,9 @@ void add_expand_command(CLI::App& app) {
     const auto arguments = std::make_shared<Arguments>();
     CLI::App* command =
         app.add_subcommand("expand", "print a shader as the driver sees it, its includes expanded");
-    command->add_option("FILE", arguments->file, "a shader of the shader path, e.g. forward.frag")
+    command->add_option("FILE", arguments->file, "a shader of the shader path, such as forward.frag")
         ->required();
-    command
-        ->add_option("--shaders", arguments->shaders,
-                     "look in this folder before the built-in shaders (repeatable)")
+    command->add_option("--shaders", arguments->shaders, "look for shaders in this folder first (repeatable)")
         ->type_name("DIR")
         ->allow_extra_args(false);
     command->footer(

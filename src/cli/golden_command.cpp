@@ -59,7 +59,7 @@ ExitStatus run_suite(GoldenArguments& arguments) {
     options.program = running_program();
     options.output = arguments.output;
     options.on_result = print_line;
-    options.is_interrupted = [&] { return interruption.has_come(); };
+    options.stop = interruption.token();
     const auto begin = std::chrono::steady_clock::now();
     const auto result = golden::run(suite, options);
     if (!result) {
@@ -96,7 +96,7 @@ ExitStatus approve(GoldenArguments& arguments) {
     print_plan(plan, options.force);
     if (plan.approvals.empty()) print_data("nothing to approve: every test of the last run passed\n");
     if (!plan.is_allowed(options.force)) {
-        print_remark("nothing was approved: mend what is refused, or name the other tests{}",
+        print_remark("nothing was approved: correct the refused tests, or name the others{}",
                      options.force ? "" : ", or use --force where you know better");
         return failed_check;
     }
@@ -145,7 +145,8 @@ void add_run(CLI::App& app, const std::shared_ptr<GoldenArguments>& arguments) {
         ->check(CLI::Range(1, 256))
         ->capture_default_str();
     command
-        ->add_option("--shaders", arguments->run.shaders, "render with these shaders in front (repeatable)")
+        ->add_option("--shaders", arguments->run.shaders,
+                     "look for shaders in this folder first (repeatable)")
         ->allow_extra_args(false)
         ->type_name("DIR");
     command->footer(
@@ -168,11 +169,13 @@ void add_approve(CLI::App& app, const std::shared_ptr<GoldenArguments>& argument
                      "JUnit XML of law and truth tests (ctest --output-junit); a failing one refuses")
         ->type_name("FILE");
     command
-        ->add_option("--alternate", options.alternate,
-                     "keep them beside the goldens, for this driver alone; counted and named in every run")
+        ->add_option(
+            "--alternate", options.alternate,
+            "keep the candidates beside the goldens, for this driver alone; each run counts and names them")
         ->type_name("LABEL");
-    command->add_flag("--dry-run", arguments->dry_run, "show what would be done, and do nothing");
-    command->add_flag("--force", options.force, "approve against failing laws, or of another renderer");
+    command->add_flag("--dry-run", arguments->dry_run, "print what would be done, and write nothing");
+    command->add_flag("--force", options.force,
+                      "approve although laws fail, or although another renderer made the candidate");
     command->footer("All or nothing: if one test is refused, no golden is written.\n"
                     "Examples:\n  steradian golden approve suite.json --dry-run\n  steradian golden approve "
                     "suite.json cornell 'zoo*'");

@@ -3,9 +3,11 @@
 #include "core/error.hpp"
 #include "core/output.hpp"
 #include "gltf/asset.hpp"
+#include "gltf/read/environment.hpp"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cstdio>
+#include <filesystem>
 #include <fmt/format.h>
 #include <future>
 #include <numeric>
@@ -26,33 +28,34 @@ struct Opened {
 
 /// @throws Error if the animation ends before
 std::vector<int> frames_of(const gltf::Asset& asset, const std::vector<int>& animations,
-                           const RenderCommand& command) {
-    const FrameRange& range = *command.frames;
+                           const RenderSettings& settings) {
+    const settings::FrameRange& range = *settings.frames;
     constexpr int most = 1'000'000;
     const double end = asset.duration(animations);
-    int last = range.last.value_or(static_cast<int>(std::min(end * command.fps, 2.0 * most)));
+    int last = range.last.value_or(static_cast<int>(std::min(end * settings.fps, 2.0 * most)));
     // A last key that was rounded to 32 bits may lie just before its frame.
-    const auto next_second = static_cast<float>(seconds_of(last + 1, command));
+    const auto next_second = static_cast<float>(seconds_of(last + 1, settings));
     if (!range.last && next_second <= static_cast<float>(end)) ++last;
     if (last - range.first >= most)
-        throw Error({command.scene}, fmt::format("frames {} to {} are more than {}", range.first, last, most),
+        throw Error({settings.scene},
+                    fmt::format("frames {} to {} are more than {}", range.first, last, most),
                     "name fewer with --frames A:B, or a lower --fps");
     for (const int frame : {range.first, std::max(last, range.first)})
-        asset.require_within({animations, seconds_of(frame, command)});
+        asset.require_within({animations, seconds_of(frame, settings)});
     std::vector<int> frames(static_cast<std::size_t>(last - range.first) + 1);
     std::iota(frames.begin(), frames.end(), range.first);
     return frames;
 }
 
 /// Returns the bounds of the scene over these frames, or over 64 of them.
-scene::Bounds extent_of(Opened& opened, const RenderCommand& command) {
+scene::Bounds extent_of(Opened& opened, const RenderSettings& settings) {
     constexpr std::size_t most = 64;
     scene::Bounds all;
     const std::size_t count = std::min(opened.frames.size(), most);
     for (std::size_t i = 0; i < count; ++i) {
         const std::size_t frame = count == 1 ? 0 : i * (opened.frames.size() - 1) / (count - 1);
         opened.scene = opened.asset.evaluate(std::move(opened.scene),
-                                             {opened.animations, seconds_of(opened.frames[frame], command)});
+                                             {opened.animations, seconds_of(opened.frames[frame], settings)});
         const scene::Bounds bounds = scene::bounds_of(opened.scene);
         if (bounds.is_empty()) continue;
         all.extend(bounds.min);
@@ -61,44 +64,44 @@ scene::Bounds extent_of(Opened& opened, const RenderCommand& command) {
     return all;
 }
 
-Opened open(const RenderCommand& command) {
+Opened open(const RenderSettings& settings) {
     PhaseTimes times;
-    Opened opened{gltf::Asset(command.scene, {command.scene_index, command.variant, command.is_strict}),
+    Opened opened{gltf::Asset(settings.scene, {settings.scene_index, settings.variant, settings.is_strict}),
                   {},
                   {},
                   {},
                   {},
                   {}};
-    if (command.frames || command.at) opened.animations = opened.asset.animations_named(command.animation);
-    if (command.frames) opened.frames = frames_of(opened.asset, opened.animations, command);
-    opened.scene = gltf::build_scene(opened.asset, {{}, command.at, command.animation, {}});
-    opened.environment = command.environment.light();
-    if (command.frames) opened.extent = extent_of(opened, command);
+    if (settings.frames || settings.at) opened.animations = opened.asset.animations_named(settings.animation);
+    if (settings.frames) opened.frames = frames_of(opened.asset, opened.animations, settings);
+    opened.scene = gltf::build_scene(opened.asset, {{}, settings.at, settings.animation, {}});
+    opened.environment = environment_light(settings);
+    if (settings.frames) opened.extent = extent_of(opened, settings);
     opened.seconds = times.total();
     return opened;
 }
 
-scene::PrepareOptions stage_options(const RenderCommand& command, const Opened& opened) {
-    scene::PrepareOptions options{command.camera, command.rig};
-    if (command.size)
+scene::PrepareOptions stage_options(const RenderSettings& settings, const Opened& opened) {
+    scene::PrepareOptions options{settings.camera, settings.rig};
+    if (settings.size)
         options.aspect_ratio =
-            static_cast<float>(command.size->width) / static_cast<float>(command.size->height);
-    options.hide_emitters = command.hide_emitters;
+            static_cast<float>(settings.size->width) / static_cast<float>(settings.size->height);
+    options.hide_emitters = settings.hide_emitters;
     options.extent = opened.extent;
     options.environment = opened.environment;
     return options;
 }
 
 /// Says which lights the analytic estimator cannot do without noise.
-void remark_on_estimator(const RenderCommand& command, const scene::RenderScene& stage) {
-    if (command.rendering.estimator != render::Estimator::analytic) return;
+void remark_on_estimator(const RenderSettings& settings, const scene::RenderScene& stage) {
+    if (settings.rendering.estimator != render::Estimator::analytic) return;
     for (const scene::Light& light : stage.lights) {
         if (const auto* environment = std::get_if<scene::EnvironmentLight>(&light))
-            print_remark("{}: '{}' surrounds the scene: it is sampled{}", command.scene, environment->name,
+            print_remark("{}: '{}' surrounds the scene: it is sampled{}", settings.scene, environment->name,
                          environment->map ? "" : ", but for Lambert's surfaces");
         const auto* mesh = std::get_if<scene::MeshLight>(&light);
         if (mesh && mesh->triangles.size() > render::most_outlined_triangles)
-            print_remark("{}: '{}' has {} emissive triangles, more than {}: it is sampled", command.scene,
+            print_remark("{}: '{}' has {} emissive triangles, more than {}: it is sampled", settings.scene,
                          mesh->name, mesh->triangles.size(), render::most_outlined_triangles);
     }
 }
@@ -111,15 +114,43 @@ void tell_new_warnings(OpenScene& open) {
 
 } // namespace
 
-OpenScene open_scene(const RenderCommand& command, PhaseTimes& times) {
+void PhaseTimes::end(std::string phase) {
+    const auto now = Clock::now();
+    phases_.emplace_back(std::move(phase), std::chrono::duration<double>(now - last_).count());
+    last_ = now;
+}
+
+std::optional<scene::EnvironmentLight> environment_light(const RenderSettings& settings) {
+    const std::string& source = settings.environment;
+    if (source.empty()) return std::nullopt;
+    scene::EnvironmentLight light;
+    if (const auto color = settings::parsed_color(source)) {
+        light.name = "environment";
+        if (std::min({color->r, color->g, color->b}) < 0.0f)
+            throw CLI::ValidationError("--environment",
+                                       "'" + source + "' is a negative radiance: choose 0 or more");
+        light.L = *color;
+    } else {
+        light.name = std::filesystem::path(source).stem().string();
+        std::vector<std::string> warnings;
+        light.map = gltf::read_environment(source, warnings);
+        for (const std::string& warning : warnings) print_remark("{}", warning);
+    }
+    light.L *= settings.environment_strength;
+    light.rotation = glm::radians(settings.environment_rotation);
+    light.is_visible = !settings.hide_environment;
+    return light;
+}
+
+OpenScene open_scene(const RenderSettings& settings, PhaseTimes& times) {
     // The context first: the dynamic loader has one lock, and behind OpenImageIO a driver would wait for
     // long.
-    auto context = gl::open_context({command.backend, command.gl_debug});
+    auto context = gl::open_context({settings.backend, settings.gl_debug});
     times.end("start");
-    auto loading = std::async(std::launch::async, open, std::cref(command));
+    auto loading = std::async(std::launch::async, open, std::cref(settings));
     // Last, since no thread can start while it has that lock.
     const auto preloading =
-        std::ranges::all_of(command.outputs, image::is_png) ? std::future<void>() : image::preload();
+        std::ranges::all_of(settings.outputs, image::is_png) ? std::future<void>() : image::preload();
     Opened opened = loading.get();
     times.end("wait for load");
     times.add("load (beside start)", opened.seconds);
@@ -127,7 +158,7 @@ OpenScene open_scene(const RenderCommand& command, PhaseTimes& times) {
                      {},
                      {},
                      std::move(opened.asset),
-                     stage_options(command, opened),
+                     stage_options(settings, opened),
                      std::move(opened.animations),
                      std::move(opened.frames),
                      {}};
@@ -135,39 +166,39 @@ OpenScene open_scene(const RenderCommand& command, PhaseTimes& times) {
     result.stage.scene = std::move(opened.scene);
     if (result.frames.empty())
         result.stage =
-            scene::prepare_scene(std::move(result.stage.scene), command.scene, result.stage_options);
+            scene::prepare_scene(std::move(result.stage.scene), settings.scene, result.stage_options);
     else
-        show_frame(result, command, result.frames.front());
+        show_frame(result, settings, result.frames.front());
     result.stage_options.rig = result.stage.rig; // what lights the first frame lights all
     for (const std::string& remark : result.stage.remarks) write_remark(remark);
-    remark_on_estimator(command, result.stage);
-    result.size = command.size.value_or(picture_size(result.stage.camera.aspect_ratio()));
+    remark_on_estimator(settings, result.stage);
+    result.size = settings.size.value_or(picture_size(result.stage.camera.aspect_ratio()));
     times.end("stage");
     return result;
 }
 
-double seconds_of(int frame, const RenderCommand& command) { return frame / command.fps; }
+double seconds_of(int frame, const RenderSettings& settings) { return frame / settings.fps; }
 
-void show_frame(OpenScene& open, const RenderCommand& command, int frame) {
+void show_frame(OpenScene& open, const RenderSettings& settings, int frame) {
     scene::Scene posed =
-        open.asset.evaluate(std::move(open.stage.scene), {open.animations, seconds_of(frame, command)});
-    open.stage = scene::prepare_scene(std::move(posed), command.scene, open.stage_options);
+        open.asset.evaluate(std::move(open.stage.scene), {open.animations, seconds_of(frame, settings)});
+    open.stage = scene::prepare_scene(std::move(posed), settings.scene, open.stage_options);
     tell_new_warnings(open);
 }
 
-render::GpuScene uploaded(const OpenScene& open, const RenderCommand& command) {
-    return {open.stage.scene, open.stage.lights, command.visibility, command.has_energy_compensation};
+render::GpuScene uploaded(const OpenScene& open, const RenderSettings& settings) {
+    return {open.stage.scene, open.stage.lights, settings.visibility, settings.has_energy_compensation};
 }
 
-render::RenderOptions render_options(const RenderCommand& command, Size size) {
-    render::RenderOptions options = command.rendering;
+render::RenderOptions render_options(const RenderSettings& settings, Size size) {
+    render::RenderOptions options = settings.rendering;
     options.width = size.width;
     options.height = size.height;
-    options.samples = command.stop.samples;
-    options.estimates_error = command.asks_for_error();
-    options.shader_path = shader_path(command.shaders);
-    if (!command.shaders.empty()) options.trial = std::make_shared<gl::TrialCompiler>(command.backend);
-    if (command.view) options.shader = command.view->shader;
+    options.samples = settings.stop.samples;
+    options.estimates_error = settings.asks_for_error();
+    options.shader_path = shader_path(settings.shaders);
+    if (!settings.shaders.empty()) options.trial = std::make_shared<gl::TrialCompiler>(settings.backend);
+    if (settings.view) options.shader = settings.view->shader;
     return options;
 }
 

@@ -34,8 +34,9 @@ std::optional<PixelPlace> parsed_place(const std::string& text) {
 }
 
 struct ProbeCommand {
-    RenderCommand rendering;
+    RenderSettings rendering;
     PixelPlace pixel;
+    bool json = false;
 };
 
 ordered_json triple(vec3 v) { return {v.x, v.y, v.z}; }
@@ -133,21 +134,20 @@ ExitStatus probe(const ProbeCommand& command) {
     PhaseTimes times;
     const OpenScene open = open_scene(command.rendering, times);
     if (command.pixel.column >= open.size.width || command.pixel.row >= open.size.height)
-        throw CLI::ValidationError("--pixel",
-                                   fmt::format("{},{} is outside the picture of {}x{}", command.pixel.column,
-                                               command.pixel.row, open.size.width, open.size.height));
+        throw CLI::ValidationError("--pixel", fmt::format("'{},{}' is outside the picture of {}x{}",
+                                                          command.pixel.column, command.pixel.row,
+                                                          open.size.width, open.size.height));
     const render::GpuScene scene = uploaded(open, command.rendering);
     const Interruption interruption;
-    const auto terms =
-        render::probe(scene, open.stage.camera, render_options(command.rendering, open.size),
-                      command.pixel.column, command.pixel.row, [&] { return !interruption.has_come(); });
+    const auto terms = render::probe(scene, open.stage.camera, render_options(command.rendering, open.size),
+                                     command.pixel.column, command.pixel.row, interruption.token());
     open.context->require_silence();
     if (!terms) {
         print_remark("interrupted: nothing was printed");
         return interrupted;
     }
     if (terms->coverage == 0.0f) print_remark("no surface covers this pixel: it shows the background");
-    if (command.rendering.json)
+    if (command.json)
         write_json(
             as_json(command, open, *terms).dump(2, ' ', false, ordered_json::error_handler_t::replace));
     else
@@ -159,20 +159,22 @@ ExitStatus probe(const ProbeCommand& command) {
 
 void add_probe_command(CLI::App& app) {
     const auto options = std::make_shared<ProbeCommand>();
-    CLI::App* command = app.add_subcommand("probe", "the equation at one pixel, term by term");
-    declare_rendering(*command, options->rendering);
+    CLI::App* command = app.add_subcommand("probe", "print the equation at one pixel, term by term");
+    command->add_option("SCENE", options->rendering.scene, "a .gltf or .glb file")->required();
+    declare(*command, settings::by_probe, options->rendering);
     command
         ->add_option_function<std::string>(
             "--pixel",
             [options](const std::string& text) {
                 const auto place = parsed_place(text);
-                if (!place) throw CLI::ValidationError("--pixel", "'" + text + "' is not X,Y");
+                if (!place)
+                    throw CLI::ValidationError("--pixel", "'" + text + "' is not X,Y, such as 640,360");
                 options->pixel = *place;
             },
             "column and row, counted from the upper left corner, from 0")
         ->type_name("X,Y")
         ->required();
-    command->add_flag("--json", options->rendering.json, "print JSON");
+    command->add_flag("--json", options->json, "print JSON");
     command->footer(
         "The rows add up to the pixel that render writes with the same options. wi, cosθ and f_r are means,\n"
         "weighted by what arrives; x, n and wo are those of the pixel's centre.\n\n"

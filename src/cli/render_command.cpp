@@ -1,15 +1,15 @@
 #include "cli/commands.hpp"
+#include "cli/interruption.hpp"
 #include "cli/open_scene.hpp"
 #include "cli/render_checks.hpp"
-#include "cli/render_options.hpp"
-#include "cli/summary.hpp"
+#include "cli/sampling.hpp"
 #include "core/error.hpp"
 #include "core/output.hpp"
 #include "output/denoise.hpp"
 #include "output/planes.hpp"
 #include "output/write.hpp"
-#include "render/provenance.hpp"
 #include "render/renderer.hpp"
+#include "settings/provenance.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -29,7 +29,7 @@ using nlohmann::ordered_json;
 struct Picture {
     image::Image film;                  // R, G, B, A
     std::optional<image::Image> layers; // the film and further channels
-    render::SampleCounts samples;
+    settings::SampleCounts samples;
     Stop stop;
 };
 
@@ -37,20 +37,13 @@ struct Picture {
 void describe(Picture& picture, const RenderCommand& command, const scene::RenderScene& stage,
               const gl::ContextInfo& gl) {
     std::vector<image::Attribute> attributes =
-        render::attributes_of({.unit = output::unit_of(command.view, stage.scene.units),
-                               .camera = stage.camera.name,
-                               .estimator = command.rendering.estimator,
-                               .analytic_points = command.rendering.analytic_points,
-                               .visibility = command.visibility,
-                               .samples = picture.samples,
-                               .seed = command.rendering.seed,
-                               .error = picture.stop.error,
-                               .error_target = command.stop.error,
-                               .seconds = command.at,
-                               .stopped_by = picture.stop.by,
-                               .view = command.view ? command.view->name : "",
-                               .is_denoised = command.denoises},
-                              gl);
+        settings::attributes_of(command,
+                                {.unit = output::unit_of(command.view, stage.scene.units),
+                                 .camera = stage.camera.name,
+                                 .samples = picture.samples,
+                                 .error = picture.stop.error,
+                                 .stopped_by = picture.stop.by},
+                                gl);
     std::ranges::move(output::name_tables(command.aovs, stage.scene), std::back_inserter(attributes));
     picture.film.channel_names = {"R", "G", "B", "A"};
     picture.film.attributes = attributes;
@@ -78,21 +71,32 @@ void remark_on(const image::Image& film, const RenderCommand& command, const sce
                      stage.camera.name);
 }
 
+/// The value of an option: a text, a number, or true for a flag that is on; null if it is absent.
+ordered_json json_of(const settings::Option& option, const RenderSettings& settings) {
+    using Kind = settings::Value::Kind;
+    const std::string text = option.value.write(settings);
+    if (option.value.kind == Kind::flag) return !text.empty();
+    if (text.empty()) return nullptr;
+    const bool is_number = option.value.kind == Kind::number || option.value.kind == Kind::whole;
+    return is_number ? ordered_json::parse(text) : ordered_json(text);
+}
+
 ordered_json summary(const RenderCommand& command, const scene::RenderScene& stage,
                      const gl::Context& context, Size size) {
-    return {{"scene", command.scene},
-            {"outputs", command.outputs},
-            {"width", size.width},
-            {"height", size.height},
-            {"estimator", render::name_of(command.rendering.estimator)},
-            {"seed", command.rendering.seed},
-            {"unit", output::unit_of(command.view, stage.scene.units)},
-            {"camera", stage.camera.name},
-            {"lights", stage.lights.size()},
-            {"triangles", scene::triangle_count(stage.scene)},
-            {"backend", context.info().backend},
-            {"GL_RENDERER", context.info().renderer},
-            {"GL_VERSION", context.info().version}};
+    ordered_json json{{"scene", command.scene},
+                      {"outputs", command.outputs},
+                      {"width", size.width},
+                      {"height", size.height}};
+    for (const settings::Option& option : settings::all_options())
+        if (option.takers & settings::in_json) json[option.key] = json_of(option, command);
+    json.update({{"unit", output::unit_of(command.view, stage.scene.units)},
+                 {"camera", stage.camera.name},
+                 {"lights", stage.lights.size()},
+                 {"triangles", scene::triangle_count(stage.scene)},
+                 {"backend", context.info().backend},
+                 {"GL_RENDERER", context.info().renderer},
+                 {"GL_VERSION", context.info().version}});
+    return json;
 }
 
 ordered_json stopping(const Picture& picture) {
@@ -145,19 +149,18 @@ struct Work {
 std::vector<output::Plane> further_planes(const Work& work, const Picture& picture,
                                           const std::vector<int>& samples) {
     std::vector<output::Plane> planes;
-    const auto goes_on = [&] { return !work.interruption.has_come(); };
-    if (work.command.light_layers && goes_on()) {
+    const std::stop_token stop = work.interruption.token();
+    if (work.command.has_light_layers && !stop.stop_requested()) {
         planes = output::light_layers(output::layer_names(work.stage.lights, output::aov_names()),
                                       work.renderer, [&](const std::string& layer) {
-                                          return add_again(work.renderer, picture.samples.max,
-                                                           work.interruption, layer);
+                                          return add_again(work.renderer, picture.samples.max, stop, layer);
                                       });
         work.times.end("layers");
     }
-    if (!work.command.aovs.empty() && goes_on()) {
+    if (!work.command.aovs.empty() && !stop.stop_requested()) {
         const output::AovSource source{work.scene, work.stage.camera, work.options, samples,
                                        picture.stop.estimate};
-        std::ranges::move(output::aov_planes(work.command.aovs, source, goes_on), std::back_inserter(planes));
+        std::ranges::move(output::aov_planes(work.command.aovs, source, stop), std::back_inserter(planes));
         work.times.end("aovs");
     }
     return planes;
@@ -166,16 +169,16 @@ std::vector<output::Plane> further_planes(const Work& work, const Picture& pictu
 /// Takes the samples, and renders further channels. After an interruption it returns what is complete.
 Picture draw(const Work& work) {
     Picture picture;
-    picture.stop = add_samples(work.renderer, work.command.stop, work.interruption, work.what);
+    picture.stop = add_samples(work.renderer, work.command.stop, work.interruption.token(), work.what);
     const std::vector<int> samples = work.renderer.pixel_samples();
-    picture.samples = render::counted(samples);
+    picture.samples = settings::counted(samples);
     work.times.end("draw");
     picture.film = work.renderer.film();
     if (work.command.view) picture.film = output::numbers_of(*work.command.view, picture.film);
     work.times.end("read");
     if (work.command.denoises && !work.interruption.has_come()) {
         const output::AovSource source{work.scene, work.stage.camera, work.options, samples, {}};
-        picture.film = output::denoised(work.renderer, source, [&] { return !work.interruption.has_come(); });
+        picture.film = output::denoised(work.renderer, source, work.interruption.token());
         work.times.end("denoise");
     }
     const std::vector<output::Plane> planes = further_planes(work, picture, samples);
@@ -190,7 +193,7 @@ void remark_on_stop(const Picture& picture, const RenderCommand& command) {
     if (picture.stop.by == StoppedBy::interruption)
         print_remark("interrupted after {} of {} samples: what there is was written{}", samples,
                      command.stop.samples,
-                     command.light_layers || !command.aovs.empty() ? ", not all layers" : "");
+                     command.has_light_layers || !command.aovs.empty() ? ", not all layers" : "");
     else if (command.stop.error && picture.stop.by != StoppedBy::error)
         print_remark("{}: stopped by {} after {} samples with an estimated error of {:.3g} %, not {:.3g} %",
                      command.scene, name_of(picture.stop.by), samples,
@@ -313,7 +316,30 @@ ExitStatus render(const RenderCommand& command) {
 void add_render_command(CLI::App& app) {
     const auto options = std::make_shared<RenderCommand>();
     CLI::App* command = app.add_subcommand("render", "render a glTF scene offscreen, lit by its own lights");
-    declare(*command, *options);
+    command->add_option("SCENE", options->scene, "a .gltf or .glb file")->required();
+    command
+        ->add_option("-o,--output", options->outputs,
+                     "OUT.exr or .hdr for radiance, OUT.png or .jpg for a picture (repeatable)")
+        ->type_name("OUT")
+        ->allow_extra_args(false) // one a flag: what follows may be the scene
+        ->required();
+    command->add_flag("--json", options->json,
+                      "print a summary as JSON: times by phase, triangles, samples, …");
+    declare(*command, settings::by_render, *options);
+    command->get_option("--frames")->excludes(command->get_option("--at"));
+    command->get_option("--fps")->needs(command->get_option("--frames"));
+    command->footer(
+        "Examples:\n"
+        "  steradian render scene.glb -o picture.png\n"
+        "  steradian render scene.glb -o radiance.exr -o picture.png --samples 256 --size 1920x1080\n"
+        "  steradian render scene.glb -o converged.exr --error 0.5%\n"
+        "  steradian render scene.glb -o quick.png --time 2s --error 2%    (whichever comes first)\n"
+        "  steradian render scene.glb -o layers.exr --layers lights --aov depth,normal,object\n"
+        "  steradian render scene.glb -o luminance.png --view luminance\n"
+        "  steradian render scene.glb -o front.png --camera auto --exposure 9.5 --tone-curve agx\n"
+        "  steradian render dancer.glb -o pose.png --animation Walk --at 0.5\n"
+        "  steradian render dancer.glb -o walk.####.png --frames 0:47 --fps 24\n"
+        "  steradian render scene.glb -o mine.png --shaders my_shaders    (my_shaders/brdf/f_r.glsl wins)");
     command->callback([options, command] {
         if (command->count("--samples") == 0 && options->stop.asks_for_error())
             options->stop.samples = most_samples;

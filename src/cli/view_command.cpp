@@ -2,7 +2,7 @@
 #include "assignment/submission.hpp"
 #include "cli/commands.hpp"
 #include "cli/interruption.hpp"
-#include "cli/render_options.hpp"
+#include "cli/open_scene.hpp"
 #include "cli/version.hpp"
 #include "core/error.hpp"
 #include "core/output.hpp"
@@ -23,27 +23,24 @@ namespace {
 using nlohmann::ordered_json;
 
 struct ViewCommand {
-    RenderCommand rendering;
+    RenderSettings rendering;
     std::string submission; // a student's folder
     bool plays = false;
     bool is_fullscreen = false;
     bool has_inertia = false;
     bool is_verbose = false;
+    bool json = false;
 };
 
 viewer::Options viewer_options(const ViewCommand& command) {
-    const RenderCommand& r = command.rendering;
+    const RenderSettings& r = command.rendering;
     viewer::Options options;
-    static_cast<output::RenderSettings&>(options) = r;
-    options.environment = r.environment.light();
+    static_cast<RenderSettings&>(options) = r;
+    options.environment_light = environment_light(r);
     options.plays = command.plays;
     options.rendering.shader_path = shader_path(r.shaders); // says now what is wrong with the folders
     if (!r.shaders.empty())
         options.rendering.trial = std::make_shared<gl::TrialCompiler>(gl::Backend::window);
-    if (r.size) {
-        options.width = r.size->width;
-        options.height = r.size->height;
-    }
     options.is_fullscreen = command.is_fullscreen;
     options.has_inertia = command.has_inertia;
     options.is_verbose = command.is_verbose;
@@ -91,8 +88,8 @@ ordered_json summary(const viewer::Statistics& statistics) {
 }
 
 /// Default stopping rule of the viewer.
-void converge_by_default(StopRule& stop) {
-    stop.samples = stop.asks_for_error() ? most_samples : 256;
+void converge_by_default(render::StopRule& stop) {
+    stop.samples = stop.asks_for_error() ? render::most_samples : 256;
     if (!stop.asks_for_error()) stop.error = 0.005;
 }
 
@@ -106,36 +103,25 @@ void view(const ViewCommand& command) {
             "window: lost the connection to the display: start again with a DISPLAY that can be reached");
         std::_Exit(worlds_fault);
     });
-    app.run([&] { return interruption.has_come(); });
-    if (command.rendering.json) write_json(summary(app.statistics()).dump(2));
+    app.run(interruption.token());
+    if (command.json) write_json(summary(app.statistics()).dump(2));
 }
 
 } // namespace
 
 void add_view_command(CLI::App& app) {
     const auto options = std::make_shared<ViewCommand>();
-    CLI::App* command = app.add_subcommand("view", "look around in a scene, in a window");
-    declare_rendering(*command, options->rendering);
-    declare_stopping(*command, options->rendering);
-    declare_display(*command, options->rendering);
-    command->remove_option(command->get_option("--backend")); // there is but one with a window
-    command->get_option("--size")->description("size of the window (default: as it was last, or 1280x720)");
-    command->get_option("--samples")
-        ->description("samples a pixel of the converged picture; without --error and --time its error is not "
-                      "estimated (default: 256 or an --error of 0.5%, whichever comes first)")
-        ->default_str("");
-    command->get_option("--at")->description("open the animation at this time (default: the rest pose)");
-    command->get_option("--animation")
-        ->description("which one to play: by name or index, or all at once (default: the first)");
-    command->get_option("SCENE")->required(false);
+    CLI::App* command = app.add_subcommand("view", "show a scene in a window");
+    command->add_option("SCENE", options->rendering.scene, "a .gltf or .glb file");
+    declare(*command, settings::by_view, options->rendering);
     command->add_option(
         "--assignment", options->submission,
         "a student's folder: renders its scene with its shaders, shows marks and the reference");
-    command->add_flag("--play", options->plays, "play the animation, from --at or its beginning on");
-    command->add_flag("--inertia", options->has_inertia, "a view that is released in motion glides on");
+    command->add_flag("--play", options->plays, "play the animation, starting at --at or at its beginning");
+    command->add_flag("--inertia", options->has_inertia, "let the view glide on after a drag");
     command->add_flag("--fullscreen", options->is_fullscreen, "fill the screen (F11)");
     command->add_flag("-v,--verbose", options->is_verbose, "print messages to stderr, too");
-    command->add_flag("--json", options->rendering.json, "print timings as JSON at the end");
+    command->add_flag("--json", options->json, "print timings as JSON at the end");
     command->footer(
         "F1 or ? in the window shows all keys.\n\n"
         "Examples:\n"
@@ -148,7 +134,8 @@ void add_view_command(CLI::App& app) {
         "  steradian view scene.glb --error 0.1%              (until its error is that small)");
     command->callback([options, command] {
         if (options->rendering.scene.empty() && options->submission.empty())
-            throw CLI::ValidationError("SCENE", "name a scene, or a student's folder with --assignment");
+            throw CLI::ValidationError("SCENE",
+                                       "is missing: name a scene, or a student's folder with --assignment");
         if (command->count("--samples") == 0) converge_by_default(options->rendering.stop);
         view(*options);
     });

@@ -1,7 +1,7 @@
 #include "compare/flip.hpp"
 
 #include "core/math.hpp"
-#include "image/tone_curve.hpp"
+#include "image/display.hpp"
 
 #include <algorithm>
 #include <array>

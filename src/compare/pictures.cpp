@@ -27,8 +27,7 @@ vec3 error_color(float error) {
 Image shown(const Image& image, const CompareOptions& options, float ev100) {
     const auto layer = layer_of(image, options.layer);
     const Image colors = layer ? extract(image, layer->colors) : Image(image.width, image.height, 1);
-    if (options.encoding == Encoding::scene_referred)
-        return image::displayed(colors, ev100, image::ToneCurve::neutral);
+    if (options.encoding == Encoding::scene_referred) return image::displayed(colors, ev100);
     Image codes(colors.width, colors.height, 3);
     for (std::size_t i = 0; i < codes.pixels.size() / 3; ++i)
         for (std::size_t c = 0; c < 3; ++c) {

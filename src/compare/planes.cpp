@@ -82,8 +82,7 @@ Image codes_of(const Image& image) {
 DisplayedImages display(const Image& test, const Image& reference, bool is_light) {
     if (!is_light) return {codes_of(test), codes_of(reference)};
     const float ev100 = image::auto_ev100(reference);
-    return {image::displayed(test, ev100, image::ToneCurve::neutral),
-            image::displayed(reference, ev100, image::ToneCurve::neutral)};
+    return {image::displayed(test, ev100), image::displayed(reference, ev100)};
 }
 
 Image screen_light(const Image& codes) {

@@ -22,7 +22,11 @@ public:
         : name_(name), prefix_(prefix) {
         // O_NONBLOCK: a FIFO opens at once, and is refused by what it is.
         descriptor_ = open(file.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY);
-        if (descriptor_ < 0) refuse(errno);
+        std::error_code ignored;
+        if (const int cause = errno; descriptor_ < 0 && cause == ENOENT && fs::is_symlink(file, ignored))
+            fail("this symbolic link leads to no file", "name another file, or mend the link");
+        else if (descriptor_ < 0)
+            refuse(cause);
         struct stat status {};
         if (fstat(descriptor_, &status) != 0) refuse_open(errno);
         if (S_ISDIR(status.st_mode)) refuse_open(EISDIR);

@@ -284,7 +284,7 @@ std::vector<JsonObject> JsonObject::objects(const std::string& key) const {
     return result;
 }
 
-void JsonObject::allow_only(std::initializer_list<const char*> keys) const {
+void JsonObject::allow_only(const std::vector<const char*>& keys) const {
     for (const auto& [key, member] : value().items())
         if (std::ranges::find(keys, key) == keys.end())
             fail_at(key, fmt::format("unknown key \"{}\"", key),

@@ -100,7 +100,7 @@ public:
                                const std::filesystem::path& folder) const;
 
     /// @throws Error at the first member that is not among `keys`.
-    void allow_only(std::initializer_list<const char*> keys) const;
+    void allow_only(const std::vector<const char*>& keys) const;
 
     const nlohmann::json& value() const { return file_->root().at(place_); }
     [[noreturn]] void fail(const std::string& what, const std::string& what_to_do) const;

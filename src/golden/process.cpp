@@ -122,9 +122,11 @@ bool has_ended(pid_t child) {
 }
 
 /// Waits until the child has ended, `deadline` has passed or it is stopped. @return whether it has ended.
-bool wait_for(pid_t child, Clock::time_point deadline, const std::function<bool()>& is_stopped) {
+bool wait_for(pid_t child, Clock::time_point deadline, const std::stop_token& stop = {},
+              const std::function<void()>& while_running = {}) {
     while (!has_ended(child)) {
-        if (Clock::now() >= deadline || (is_stopped && is_stopped())) return false;
+        if (while_running) while_running();
+        if (Clock::now() >= deadline || stop.stop_requested()) return false;
         std::this_thread::sleep_for(3ms);
     }
     return true;
@@ -139,11 +141,10 @@ ProcessEnd run_process(const ProcessOptions& options) {
     ProcessEnd end;
     const auto limit =
         std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(options.time_limit));
-    if (!wait_for(child, begin + limit, options.is_stopped)) {
-        end.way = options.is_stopped && options.is_stopped() ? ProcessEnd::Way::stopped
-                                                             : ProcessEnd::Way::timed_out;
+    if (!wait_for(child, begin + limit, options.stop, options.while_running)) {
+        end.way = options.stop.stop_requested() ? ProcessEnd::Way::stopped : ProcessEnd::Way::timed_out;
         kill(-child, SIGTERM);
-        wait_for(child, Clock::now() + 500ms, {});
+        wait_for(child, Clock::now() + 500ms);
     }
     kill(-child, SIGKILL);
     int status = 0;

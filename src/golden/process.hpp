@@ -2,17 +2,19 @@
 // Child processes with a time limit.
 #include <filesystem>
 #include <functional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
 namespace sr::golden {
 
 struct ProcessOptions {
-    std::vector<std::string> words;   // the program (sought in PATH if it has no '/') and its arguments
-    std::filesystem::path folder;     // working directory
-    std::filesystem::path log;        // receives stdout and stderr
-    double time_limit = 60.0;         // [s]
-    std::function<bool()> is_stopped; // asked often; once true, the process is killed. Empty: never
+    std::vector<std::string> words;        // the program (sought in PATH if it has no '/') and its arguments
+    std::filesystem::path folder;          // working directory
+    std::filesystem::path log;             // receives stdout and stderr
+    double time_limit = 60.0;              // [s]
+    std::stop_token stop{};                // kills the process
+    std::function<void()> while_running{}; // called every few milliseconds; may request the stop
 };
 
 struct ProcessEnd {

@@ -188,7 +188,7 @@ bool make_image(TestResult& result, const Suite& suite, const GoldenTest& test, 
     process.folder = fs::absolute(suite.folder);
     process.log = log;
     process.time_limit = test.time_limit;
-    process.is_stopped = options.is_interrupted;
+    process.stop = options.stop;
     const ProcessEnd end = run_process(process);
     result.seconds = end.seconds;
     result.log = tail_of(log);
@@ -298,17 +298,16 @@ std::vector<GoldenTest> chosen_tests(const Suite& suite, const RunOptions& optio
 std::optional<RunResult> run(const Suite& suite, const RunOptions& options) {
     const std::vector<GoldenTest> tests = chosen_tests(suite, options);
     prepare(options.output);
-    const auto is_interrupted = [&] { return options.is_interrupted && options.is_interrupted(); };
     InOrder results(tests.size(), options.on_result);
     std::atomic<std::size_t> next{0};
     const auto work = [&] {
-        for (std::size_t i = next++; i < tests.size() && !is_interrupted(); i = next++) {
+        for (std::size_t i = next++; i < tests.size() && !options.stop.stop_requested(); i = next++) {
             TestResult result = run_test(suite, tests[i], options);
-            if (!is_interrupted()) results.put(i, std::move(result));
+            if (!options.stop.stop_requested()) results.put(i, std::move(result));
         }
     };
     on_threads(std::clamp(options.jobs, 1, static_cast<int>(tests.size())), work);
-    if (is_interrupted()) return std::nullopt;
+    if (options.stop.stop_requested()) return std::nullopt;
     return RunResult{suite.name, suite.file.string(), results.take()};
 }
 

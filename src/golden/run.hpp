@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <optional>
+#include <stop_token>
 
 namespace sr::golden {
 
@@ -15,8 +16,8 @@ struct RunOptions {
     std::vector<std::string> tags;    // only tests with one of these tags; empty: all
     std::vector<std::string> shaders; // overlay folders, put before those of every scene test
     std::function<void(const TestResult&)>
-        on_result;                        // called in the suite's order, from one thread at a time
-    std::function<bool()> is_interrupted; // asked often; once true, children are killed
+        on_result;        // called in the suite's order, from one thread at a time
+    std::stop_token stop; // kills the children and ends the run
 };
 
 /// Whether a pattern (* ? [a-z]) matches a name. A name always matches itself.
@@ -30,7 +31,7 @@ std::string fingerprint(const image::Image& image);
 std::vector<GoldenTest> chosen_tests(const Suite& suite, const RunOptions& options);
 
 /// Runs the chosen tests; a failing one does not end the others. Writes OUTPUT/candidates/NAME.exr and
-/// OUTPUT/logs/NAME.txt. Removes the results of an earlier run first. @return absent if it was interrupted.
+/// OUTPUT/logs/NAME.txt. Removes the results of an earlier run first. @return absent if it was stopped.
 /// @throws Error if the output folder cannot be written, or no test is chosen.
 std::optional<RunResult> run(const Suite& suite, const RunOptions& options);
 

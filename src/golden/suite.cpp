@@ -2,6 +2,7 @@
 
 #include "core/error.hpp"
 #include "core/json.hpp"
+#include "settings/options.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -13,26 +14,13 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-/// A key of a test that becomes an option of `steradian render`.
-struct RenderOption {
-    const char* key;
-    const char* option;
-};
-constexpr std::array render_options{
-    RenderOption{"camera", "--camera"},         RenderOption{"size", "--size"},
-    RenderOption{"samples", "--samples"},       RenderOption{"seed", "--seed"},
-    RenderOption{"background", "--background"}, RenderOption{"rig", "--rig"},
-    RenderOption{"estimator", "--estimator"},   RenderOption{"visibility", "--visibility"},
-    RenderOption{"exr_type", "--exr-type"},     RenderOption{"exposure", "--exposure"},
-    RenderOption{"tone_curve", "--tone-curve"}, RenderOption{"backend", "--backend"},
-};
-
 void allow_test_keys(const JsonObject& entry) {
-    entry.allow_only({"name",       "description", "tags",       "scene",      "command",         "format",
-                      "arguments",  "shaders",     "camera",     "size",       "samples",         "seed",
-                      "background", "rig",         "estimator",  "visibility", "exr_type",        "exposure",
-                      "tone_curve", "backend",     "time_limit", "tolerance",  "allow_nonfinite", "region",
-                      "mask",       "noise",       "pixels",     "guards",     "strict"});
+    std::vector<const char*> keys{"name",   "description", "tags",       "scene",     "command",
+                                  "format", "arguments",   "time_limit", "tolerance", "allow_nonfinite",
+                                  "region", "mask",        "noise",      "pixels",    "guards"};
+    for (const settings::Option& option : settings::all_options())
+        if (option.takers & settings::by_suites) keys.push_back(option.key);
+    entry.allow_only(keys);
 }
 
 /// The key in the test if it is there, else in the defaults.
@@ -40,7 +28,7 @@ const JsonObject& holder(const JsonObject& entry, const JsonObject& defaults, co
     return entry.has(key) ? entry : defaults;
 }
 
-/// The value of a render option as the command line takes it: a text, or a number as written.
+/// The value of an option as the command line takes it: a text, or a number as written.
 std::string option_value(const JsonObject& entry, const char* key) {
     const json& value = entry.value().at(key);
     if (value.is_string()) return value.get<std::string>();
@@ -49,21 +37,31 @@ std::string option_value(const JsonObject& entry, const char* key) {
     return value.dump();
 }
 
+/// Appends an option to the words of a command, if the test or the defaults have it.
+void append_option(std::vector<std::string>& words, const settings::Option& option, const JsonObject& entry,
+                   const JsonObject& defaults) {
+    using Kind = settings::Value::Kind;
+    const char* const key = option.key;
+    const JsonObject& place = holder(entry, defaults, key);
+    if (option.value.kind == Kind::flag) {
+        // A golden of a scene that has lost something would keep the loss.
+        const bool is_strict = std::string_view(key) == "strict";
+        if (place.flag(key, is_strict)) words.push_back(option.flag());
+    } else if (option.value.kind == Kind::list) {
+        for (const JsonObject* object : {&entry, &defaults})
+            for (std::string& text : object->texts(key))
+                words.insert(words.end(), {option.flag(), std::move(text)});
+    } else if (place.has(key)) {
+        words.insert(words.end(), {option.flag(), option_value(place, key)});
+    }
+}
+
 std::vector<std::string> render_command(const JsonObject& entry, const JsonObject& defaults) {
     std::vector<std::string> words{"{steradian}", "render", entry.required_text("scene"), "-o", "{out}"};
-    // A golden of a scene that has lost something would keep the loss.
-    if (holder(entry, defaults, "strict").flag("strict", true)) words.emplace_back("--strict");
-    for (const RenderOption& option : render_options)
-        for (const JsonObject* place : {&entry, &defaults})
-            if (place->has(option.key)) {
-                words.insert(words.end(), {option.option, option_value(*place, option.key)});
-                break;
-            }
-    for (const JsonObject* place : {&entry, &defaults}) {
-        for (const std::string& folder : place->texts("shaders"))
-            words.insert(words.end(), {"--shaders", folder});
+    for (const settings::Option& option : settings::all_options())
+        if (option.takers & settings::by_suites) append_option(words, option, entry, defaults);
+    for (const JsonObject* place : {&entry, &defaults})
         for (std::string& word : place->texts("arguments")) words.push_back(std::move(word));
-    }
     return words;
 }
 

@@ -16,12 +16,21 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void fail(const fs::path& file, int cause) {
+fs::path folder_of(const fs::path& file) {
+    return file.has_parent_path() ? file.parent_path() : fs::path(".");
+}
+
+/// @param target where the links of `file` lead
+[[noreturn]] void fail(const fs::path& file, const fs::path& target, int cause) {
     const Location where{file.string()};
-    const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+    const fs::path folder = folder_of(target);
+    std::error_code ignored;
     switch (cause) {
     case ENOENT:
     case ENOTDIR:
+        if (fs::is_directory(folder, ignored)) // such as /proc
+            throw Error(where, fmt::format("the folder {} takes no new files", folder.string()),
+                        "choose another folder");
         throw Error(where, fmt::format("there is no folder {}", folder.string()), "create it first");
     case EACCES:
     case EPERM:
@@ -48,10 +57,10 @@ fs::path end_of_links(const fs::path& file) {
     std::error_code failure;
     for (int i = 0; i < most && fs::is_symlink(fs::symlink_status(end, failure)); ++i) {
         const fs::path next = fs::read_symlink(end, failure);
-        if (failure) fail(file, failure.value());
+        if (failure) fail(file, end, failure.value());
         end = next.is_absolute() ? next : end.parent_path() / next;
     }
-    if (fs::is_symlink(fs::symlink_status(end, failure))) fail(file, ELOOP);
+    if (fs::is_symlink(fs::symlink_status(end, failure))) fail(file, end, ELOOP);
     return end;
 }
 
@@ -61,18 +70,14 @@ std::optional<struct stat> status_of(const fs::path& target, const fs::path& nam
     struct stat status {};
     if (stat(target.c_str(), &status) != 0) {
         if (errno == ENOENT) return std::nullopt;
-        fail(name, errno);
+        fail(name, target, errno);
     }
-    if (S_ISDIR(status.st_mode)) fail(name, EISDIR);
+    if (S_ISDIR(status.st_mode)) fail(name, target, EISDIR);
     if (!S_ISREG(status.st_mode)) throw Error({name.string()}, "this is not a regular file", "name a file");
     if (access(target.c_str(), W_OK) != 0)
         throw Error({name.string()}, fmt::format("the file cannot be replaced ({})", std::strerror(errno)),
                     "change its permissions, or name another file");
     return status;
-}
-
-fs::path folder_of(const fs::path& file) {
-    return file.has_parent_path() ? file.parent_path() : fs::path(".");
 }
 
 } // namespace
@@ -85,7 +90,7 @@ public:
         const auto before = status_of(target_, name_);
         path_ = folder_of(target_) / fmt::format(".steradian-{}-{}.tmp", getpid(), count++);
         descriptor_ = open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-        if (descriptor_ < 0) fail(name_, errno);
+        if (descriptor_ < 0) fail(name_, target_, errno);
         if (before) keep(*before);
     }
     Temporary(const Temporary&) = delete;
@@ -99,16 +104,16 @@ public:
         while (!bytes.empty()) {
             const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
             if (written < 0 && errno == EINTR) continue;
-            if (written < 0) fail(name_, errno);
+            if (written < 0) fail(name_, target_, errno);
             bytes = bytes.subspan(static_cast<std::size_t>(written));
         }
         const int closed = close(descriptor_); // some file systems tell here that the disk is full
         descriptor_ = -1;
-        if (closed != 0) fail(name_, errno);
+        if (closed != 0) fail(name_, target_, errno);
     }
 
     void put_in_place() {
-        if (rename(path_.c_str(), target_.c_str()) != 0) fail(name_, errno);
+        if (rename(path_.c_str(), target_.c_str()) != 0) fail(name_, target_, errno);
         is_in_place_ = true;
     }
 
@@ -117,7 +122,7 @@ private:
     void keep(const struct stat& before) const {
         constexpr mode_t permissions = 0777;
         [[maybe_unused]] const int owned = fchown(descriptor_, before.st_uid, before.st_gid);
-        if (fchmod(descriptor_, before.st_mode & permissions) != 0) fail(name_, errno);
+        if (fchmod(descriptor_, before.st_mode & permissions) != 0) fail(name_, target_, errno);
     }
 
     fs::path name_;   // as the user says it
@@ -155,9 +160,9 @@ void require_writable(const fs::path& file) {
     status_of(target, file);
     const fs::path folder = folder_of(target);
     struct stat status {};
-    if (stat(folder.c_str(), &status) != 0) fail(file, errno);
-    if (!S_ISDIR(status.st_mode)) fail(file, ENOTDIR);
-    if (access(folder.c_str(), W_OK | X_OK) != 0) fail(file, errno);
+    if (stat(folder.c_str(), &status) != 0) fail(file, target, errno);
+    if (!S_ISDIR(status.st_mode)) fail(file, target, ENOTDIR);
+    if (access(folder.c_str(), W_OK | X_OK) != 0) fail(file, target, errno);
 }
 
 } // namespace sr::image

@@ -8,7 +8,7 @@ namespace sr::output {
 namespace {
 
 /// The scene without shadows, under the lights [0, lights), with the samples that the picture has.
-image::Image without_shadows(const AovSource& source, int lights, const std::function<bool()>& goes_on) {
+image::Image without_shadows(const AovSource& source, int lights, const std::stop_token& stop) {
     render::RenderOptions options = source.options;
     options.has_shadows = false;
     render::Renderer renderer(source.scene, source.camera, options);
@@ -17,13 +17,13 @@ image::Image without_shadows(const AovSource& source, int lights, const std::fun
     do {
         renderer.add_sample();
         glFinish();
-    } while (renderer.sample_count() < samples && goes_on());
+    } while (renderer.sample_count() < samples && !stop.stop_requested());
     return renderer.film();
 }
 
-render::Guides guides_of(const AovSource& source, const std::function<bool()>& goes_on) {
+render::Guides guides_of(const AovSource& source, const std::stop_token& stop) {
     std::vector<Plane> planes =
-        aov_planes({aov_named("normal"), aov_named("depth"), aov_named("object")}, source, goes_on);
+        aov_planes({aov_named("normal"), aov_named("depth"), aov_named("object")}, source, stop);
     if (planes.empty()) return {};
     image::Image normals(source.options.width, source.options.height, 3);
     for (std::size_t i = 0; i < normals.pixels.size(); ++i) normals.pixels[i] = planes[i % 3].values[i / 3];
@@ -52,12 +52,12 @@ image::Image ratio_of(const image::Image& film, const image::Image& first_half, 
 } // namespace
 
 image::Image denoised(const render::Renderer& renderer, const AovSource& source,
-                      const std::function<bool()>& goes_on) {
+                      const std::stop_token& stop) {
     image::Image film = renderer.film();
-    const image::Image dark = without_shadows(source, 0, goes_on);
-    const image::Image bright = without_shadows(source, source.scene.light_count(), goes_on);
-    const render::Guides guides = guides_of(source, goes_on);
-    if (!goes_on()) return film;
+    const image::Image dark = without_shadows(source, 0, stop);
+    const image::Image bright = without_shadows(source, source.scene.light_count(), stop);
+    const render::Guides guides = guides_of(source, stop);
+    if (stop.stop_requested()) return film;
     const image::Image V =
         render::filtered_ratio(ratio_of(film, renderer.first_half(), dark, bright), guides);
     for (std::size_t i = 0; i < film.pixels.size(); ++i) {

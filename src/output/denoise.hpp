@@ -6,9 +6,8 @@ namespace sr::output {
 
 /// Filters V in L = L_e + L_r V. The analytic estimator gives L_r, the picture without shadows, free of
 /// noise. Renders the scene again without shadows and with the samples of `renderer`, which estimates its
-/// error and has no frozen pixels. `goes_on` is called after every sample and returns false to stop.
+/// error and has no frozen pixels. Returns the film as it is if it was stopped.
 /// @return the unfiltered film if it was stopped
-image::Image denoised(const render::Renderer& renderer, const AovSource& source,
-                      const std::function<bool()>& goes_on);
+image::Image denoised(const render::Renderer& renderer, const AovSource& source, const std::stop_token& stop);
 
 } // namespace sr::output

@@ -43,10 +43,7 @@ float axial_distance(float depth, const scene::Camera& camera) {
 /// Renders the pictures behind AOVs; the picture of ids only once.
 class Pictures {
 public:
-    Pictures(const AovSource& source, const std::function<bool()>& goes_on)
-        : source_(source), goes_on_(goes_on) {}
-
-    bool was_stopped() const { return was_stopped_; }
+    Pictures(const AovSource& source, const std::stop_token& stop) : source_(source), stop_(stop) {}
 
     const image::Image& numbers() {
         if (!numbers_) numbers_ = picture("views/ids_depth.frag", 1, 0);
@@ -72,15 +69,13 @@ private:
         do {
             renderer.add_sample();
             glFinish();
-            was_stopped_ = was_stopped_ || !goes_on_();
-        } while (!was_stopped_ && renderer.sample_count() < options.samples);
+        } while (!stop_.stop_requested() && renderer.sample_count() < options.samples);
         return renderer.film();
     }
 
     const AovSource& source_;
-    const std::function<bool()>& goes_on_;
+    const std::stop_token& stop_;
     std::optional<image::Image> numbers_;
-    bool was_stopped_ = false;
 };
 
 /// One value of each pixel, from its four channels.
@@ -193,13 +188,12 @@ std::vector<Plane> light_layers(const std::vector<std::string>& names, render::R
     return planes;
 }
 
-std::vector<Plane> aov_planes(const Variables& aovs, const AovSource& source,
-                              const std::function<bool()>& goes_on) {
-    Pictures pictures(source, goes_on);
+std::vector<Plane> aov_planes(const Variables& aovs, const AovSource& source, const std::stop_token& stop) {
+    Pictures pictures(source, stop);
     std::vector<Plane> planes;
     for (const Variable* aov : aovs) {
         std::ranges::move(planes_of(*aov, pictures, source), std::back_inserter(planes));
-        if (pictures.was_stopped()) return {};
+        if (stop.stop_requested()) return {};
     }
     return planes;
 }

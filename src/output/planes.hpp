@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -40,11 +41,9 @@ struct AovSource {
     std::optional<render::ErrorEstimate> error;
 };
 
-/// Renders the planes of `aovs`, in their order. `goes_on` is called after every sample and returns false to
-/// stop.
+/// Renders the planes of `aovs`, in their order.
 /// @return nothing if it was stopped
-std::vector<Plane> aov_planes(const Variables& aovs, const AovSource& source,
-                              const std::function<bool()>& goes_on);
+std::vector<Plane> aov_planes(const Variables& aovs, const AovSource& source, const std::stop_token& stop);
 
 /// Returns the names behind object and material indices, as JSON arrays: steradian:objects,
 /// steradian:materials.

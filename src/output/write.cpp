@@ -37,7 +37,7 @@ std::optional<float> write(const image::Image& film, const image::Image* layers,
             shown = colors_of(*settings.view, film);
         } else {
             if (!ev100) ev100 = settings.ev100 ? *settings.ev100 : image::auto_ev100(film);
-            shown = image::displayed(film, *ev100, settings.tone_curve);
+            shown = image::displayed(film, *ev100, *settings.tone_curve);
         }
         shown.attributes = film.attributes;
         whole.add(shown, file, image::SampleType::integer8);

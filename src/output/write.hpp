@@ -13,7 +13,7 @@ namespace sr::output {
 
 struct FileSettings {
     std::optional<float> ev100; // absent: automatic
-    image::ToneCurve tone_curve = image::ToneCurve::neutral;
+    const image::ToneCurve* tone_curve = &image::default_tone_curve();
     image::SampleType exr_type = image::SampleType::floating;
     const Variable* view = nullptr; // what the film holds; null: radiance
 };

@@ -45,7 +45,7 @@ vec3 quotient(vec3 a, vec3 b) {
 
 std::optional<PixelTerms> probe(const GpuScene& scene, const scene::Camera& camera,
                                 const RenderOptions& options, int column, int row,
-                                const std::function<bool()>& goes_on) {
+                                const std::stop_token& stop, const std::function<void()>& between_steps) {
     require(column >= 0 && column < options.width && row >= 0 && row < options.height,
             "the pixel is in the picture");
     const auto lights = static_cast<std::size_t>(scene.light_count());
@@ -62,12 +62,11 @@ std::optional<PixelTerms> probe(const GpuScene& scene, const scene::Camera& came
     terms.wo = at_centre("views/to_viewer.frag");
 
     // One shader after the other: each renderer has targets of its own.
-    bool goes = true;
     const auto for_each_light = [&](const char* shader, auto take) {
         Pixel pixel(scene, camera, options, shader, column, row);
-        for (std::size_t k = 0; k < lights && goes; ++k) {
+        for (std::size_t k = 0; k < lights && !stop.stop_requested(); ++k) {
             take(terms.lights[k], pixel.mean(options.samples, static_cast<int>(k), static_cast<int>(k) + 1));
-            goes = goes_on();
+            if (between_steps) between_steps();
         }
     };
     terms.lights.resize(lights);
@@ -92,11 +91,11 @@ std::optional<PixelTerms> probe(const GpuScene& scene, const scene::Camera& came
         t.V = film.z > 0.0f ? film.y / film.z : 1.0f;
     });
     for (LightTerms& t : terms.lights) t.V_color = vec3(t.V);
-    if (goes && scene.visibility_backend() && scene.visibility_backend()->casters().is_tinted())
+    if (scene.visibility_backend() && scene.visibility_backend()->casters().is_tinted())
         for_each_light("views/unshadowed.frag", [](LightTerms& t, vec4 film) {
             for (int c = 0; c < 3; ++c) t.V_color[c] = film[c] > 0.0f ? t.E[c] / film[c] : 1.0f;
         });
-    if (!goes) return std::nullopt;
+    if (stop.stop_requested()) return std::nullopt;
     return terms;
 }
 

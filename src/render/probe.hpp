@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <span>
+#include <stop_token>
 
 namespace sr::render {
 
@@ -31,12 +32,13 @@ struct PixelTerms {
 };
 
 /// Renders the pixel (column, row), counted from the picture's upper left corner, once for each term and
-/// light, with the samples that the whole picture would have. `goes_on` is called between the steps; false
-/// ends the work.
-/// @return absent if `goes_on` returned false
-std::optional<PixelTerms> probe(
-    const GpuScene& scene, const scene::Camera& camera, const RenderOptions& options, int column, int row,
-    const std::function<bool()>& goes_on = [] { return true; });
+/// light, with the samples that the whole picture would have. Calls `between_steps`, unless it is empty; it
+/// may request the stop.
+/// @return absent if it was stopped
+std::optional<PixelTerms> probe(const GpuScene& scene, const scene::Camera& camera,
+                                const RenderOptions& options, int column, int row,
+                                const std::stop_token& stop = {},
+                                const std::function<void()>& between_steps = {});
 
 // The BRDF of the surface at a pixel, direction by direction.
 

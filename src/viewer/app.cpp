@@ -25,8 +25,8 @@ gl::WindowOptions window_options(const Options& options) {
     const WindowSize last = remembered_size();
     gl::WindowOptions window;
     window.title = "Steradian";
-    window.width = options.width > 0 ? options.width : last.width > 0 ? last.width : 1280;
-    window.height = options.height > 0 ? options.height : last.height > 0 ? last.height : 720;
+    window.width = options.size ? options.size->width : last.width > 0 ? last.width : 1280;
+    window.height = options.size ? options.size->height : last.height > 0 ? last.height : 720;
     window.is_visible = true;
     window.is_fullscreen = options.is_fullscreen;
     window.debug = options.gl_debug;
@@ -71,10 +71,10 @@ App::~App() {
     remember_size({static_cast<int>(size.x), static_cast<int>(size.y)});
 }
 
-void App::run(const std::function<bool()>& is_interrupted) {
+void App::run(const std::stop_token& stop) {
     auto last = Clock::now();
     Changes drawn; // by panels of the frame before
-    while (!is_closing_ && !is_interrupted()) {
+    while (!is_closing_ && !stop.stop_requested()) {
         wait();
         const double seconds =
             std::chrono::duration<double>(Clock::now() - std::exchange(last, Clock::now())).count();

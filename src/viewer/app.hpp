@@ -3,7 +3,6 @@
 #include "viewer/tools/tool.hpp"
 
 #include <array>
-#include <functional>
 
 namespace sr::viewer {
 
@@ -15,9 +14,9 @@ public:
     App(const App&) = delete;
     App& operator=(const App&) = delete;
 
-    /// Runs until the window is closed or `is_interrupted` returns true. @throws Error if the first scene
+    /// Runs until the window is closed or `stop` is requested. @throws Error if the first scene
     /// cannot be shown
-    void run(const std::function<bool()>& is_interrupted);
+    void run(const std::stop_token& stop);
 
     const Statistics& statistics() const { return workspace_.statistics; }
 

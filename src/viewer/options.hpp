@@ -1,22 +1,20 @@
 #pragma once
 // Options of the viewer.
 #include "glsl/root.hpp"
-#include "output/render_settings.hpp"
+#include "settings/render_settings.hpp"
 
 namespace sr::viewer {
 
 /// `rendering` and `stop` are those of the converging render.
-struct Options : output::RenderSettings {
-    std::optional<scene::EnvironmentLight> environment; // as PrepareOptions has it
-    bool plays = false;                                 // from `at` or the beginning on
+struct Options : settings::RenderSettings {
+    std::optional<scene::EnvironmentLight> environment_light; // that `environment` names
+    bool plays = false;                                       // from `at` or the beginning on
     bool is_reloading = false; // parts that the file has lost are remarks instead of errors
     // Of an assignment.
     std::string submission;                 // a student's folder; empty if there is no assignment
     std::filesystem::path program;          // steradian, which checks the folder
     std::vector<glsl::Root> reference_path; // the reference's shaders
     bool shows_reference = false;           // renders with `reference_path` instead of `shaders`
-    int width = 0;                          // of the window [pixels]; 0: as last time, or 1280 × 720
-    int height = 0;
     bool is_fullscreen = false;
     bool has_inertia = false; // a view that is released in motion glides on
     bool is_verbose = false;  // messages go to stderr, too

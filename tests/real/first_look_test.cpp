@@ -31,7 +31,7 @@ struct Shares {
 };
 
 Shares shares_of(const image::Image& film) {
-    const image::Image screen = image::displayed(film, image::auto_ev100(film), image::ToneCurve::neutral);
+    const image::Image screen = image::displayed(film, image::auto_ev100(film));
     Shares shares;
     for (int y = 0; y < film.height; ++y)
         for (int x = 0; x < film.width; ++x) {

@@ -38,7 +38,7 @@ int main(int argc, char** argv) {
     }
     try {
         const Image film = read(argv[1]);
-        const Image screen = displayed(film, auto_ev100(film), ToneCurve::neutral);
+        const Image screen = displayed(film, auto_ev100(film));
         fmt::print("| format | ms, median | size |\n|---|---|---|\n");
         measure("EXR float", film, ".exr", SampleType::floating);
         measure("EXR half", film, ".exr", SampleType::half);

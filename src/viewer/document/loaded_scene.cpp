@@ -68,7 +68,7 @@ LoadedScene load_scene(const std::string& file, const Options& options, float as
     result.scene_index = options.scene_index;
     if (!result.animations.empty()) result.asset = std::move(asset);
     scene::PrepareOptions stage{options.camera, options.rig, aspect_ratio, options.hide_emitters};
-    stage.environment = options.environment;
+    stage.environment = options.environment_light;
     result.stage = scene::prepare_scene(std::move(scene), file, stage);
     result.remarks.insert(result.remarks.end(), result.stage.remarks.begin(), result.stage.remarks.end());
     result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

@@ -5,7 +5,6 @@
 #include "viewer/tools/tool.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <fmt/format.h>
 #include <imgui.h>
@@ -14,9 +13,6 @@ namespace sr::viewer {
 namespace {
 
 constexpr float exposure_step = 1.0f / 3.0f; // [EV]
-
-/// In the order of image::ToneCurve.
-constexpr std::array curves{"linear", "ACES", "neutral", "AgX"};
 
 /// Returns the view after `view` in the table; null, radiance, after the last one.
 const output::Variable* next_view(const output::Variable* view) {
@@ -79,8 +75,8 @@ std::optional<Changes> AdjustDisplay::handle(const Event& event) {
     case Command::brighter: exposure.fix(exposure.ev100() - exposure_step); break;
     case Command::auto_exposure: exposure.make_automatic(); break;
     case Command::next_tone_curve:
-        display.curve =
-            static_cast<image::ToneCurve>((static_cast<std::size_t>(display.curve) + 1) % curves.size());
+        if (++display.curve == image::tone_curves().data() + image::tone_curves().size())
+            display.curve = image::tone_curves().data();
         break;
     case Command::false_color: {
         const output::Variable* luminance = output::view_named("luminance");
@@ -106,9 +102,11 @@ Changes AdjustDisplay::draw_section() {
     ImGui::SameLine();
     float ev = exposure.ev100();
     if (ImGui::SliderFloat("EV100", &ev, -10.0f, 20.0f, "%.2f")) exposure.fix(ev);
-    int curve = static_cast<int>(display.curve);
-    if (ImGui::Combo("tone curve", &curve, curves.data(), static_cast<int>(curves.size())))
-        display.curve = static_cast<image::ToneCurve>(curve);
+    if (ImGui::BeginCombo("tone curve", display.curve->name.data())) {
+        for (const image::ToneCurve& curve : image::tone_curves())
+            if (ImGui::Selectable(curve.name.data(), &curve == display.curve)) display.curve = &curve;
+        ImGui::EndCombo();
+    }
     const Changes changes = draw_views();
     if (!display.view || display.view->display != output::Display::false_color) return changes;
     image::Decades& decades = display.decades;

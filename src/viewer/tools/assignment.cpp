@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <chrono>
 #include <filesystem>
 #include <fmt/format.h>
@@ -65,7 +64,7 @@ public:
 private:
     /// State that the thread writes.
     struct Run {
-        std::atomic<bool> is_stopped{false};
+        std::stop_source stop;
         std::mutex mutex;
         std::vector<TaskMark> found;
     };
@@ -177,18 +176,18 @@ Checker::Checker(std::filesystem::path submission, std::filesystem::path program
     : submission_(std::move(submission)), program_(std::move(program)) {}
 
 Checker::~Checker() {
-    if (run_) run_->is_stopped = true; // the future waits for the thread
+    if (run_) run_->stop.request_stop(); // the future waits for the thread
 }
 
 void Checker::begin() {
-    if (run_) run_->is_stopped = true;
+    if (run_) run_->stop.request_stop();
     if (ending_.valid()) ending_.wait();
     run_ = std::make_shared<Run>();
     taken_ = 0;
     has_ended_ = false;
     assignment::CheckOptions options;
     options.program = program_;
-    options.is_stopped = [run = run_] { return run->is_stopped.load(); };
+    options.stop = run_->stop.get_token();
     options.on_task = [run = run_](const ordered_json& task) {
         const std::lock_guard lock(run->mutex);
         run->found.push_back(mark_of(task));

@@ -5,7 +5,7 @@
 #include "compare/planes.hpp"
 #include "core/error.hpp"
 #include "image/file.hpp"
-#include "render/provenance.hpp"
+#include "settings/render_settings.hpp"
 #include "viewer/panels/file_dialog.hpp"
 #include "viewer/tools/tool.hpp"
 
@@ -140,7 +140,7 @@ Changes Compare::keep_render() {
     const ProgressiveRender& render = ws_.scene->render();
     if (render.sample_count() == 0) return {};
     ws_.reference.emplace(fmt::format("{} samples, {}, {}", render.sample_count(),
-                                      render::name_of(ws_.options.rendering.estimator),
+                                      name_in(settings::estimators, ws_.options.rendering.estimator),
                                       ws_.camera->argument()),
                           render.film());
     if (ws_.display.comparison == ComparisonMode::none) ws_.display.comparison = ComparisonMode::wipe;

@@ -2,7 +2,7 @@
 #include "core/error.hpp"
 #include "gltf/uri.hpp"
 #include "output/write.hpp"
-#include "render/provenance.hpp"
+#include "settings/provenance.hpp"
 #include "viewer/config.hpp"
 #include "viewer/document/watch.hpp"
 #include "viewer/panels/file_dialog.hpp"
@@ -85,25 +85,22 @@ Changes Files::update(double /*seconds*/) {
 /// Writes the render with its provenance.
 Changes Files::write(const std::string& extension) {
     const ProgressiveRender& render = ws_.scene->render();
-    const render::RenderOptions& rendering = ws_.options.rendering;
     const int samples = render.sample_count();
     const output::Variable* const view = ws_.display.view;
     const scene::UnitSystem units = ws_.scene->stage().scene.units;
     image::Image film = view ? output::numbers_of(*view, render.film()) : render.film();
     film.channel_names = {"R", "G", "B", "A"};
-    film.attributes = render::attributes_of({.unit = output::unit_of(view, units),
-                                             .camera = ws_.camera->argument(),
-                                             .estimator = rendering.estimator,
-                                             .analytic_points = rendering.analytic_points,
-                                             .visibility = ws_.options.visibility,
-                                             .samples = {static_cast<double>(samples), samples, samples},
-                                             .seed = rendering.seed,
-                                             .error = render.error(),
-                                             .error_target = render.rule().error,
-                                             .seconds = ws_.playback.seconds,
-                                             .stopped_by = render.stopped_by(),
-                                             .view = view ? view->name : ""},
-                                            ws_.window.info());
+    settings::RenderSettings settings = ws_.options;
+    settings.at = ws_.playback.seconds;
+    settings.stop = render.rule();
+    settings.view = view;
+    film.attributes = settings::attributes_of(settings,
+                                              {.unit = output::unit_of(view, units),
+                                               .camera = ws_.camera->argument(),
+                                               .samples = {static_cast<double>(samples), samples, samples},
+                                               .error = render.error(),
+                                               .stopped_by = render.stopped_by()},
+                                              ws_.window.info());
     const std::string file = free_name(ws_.scene->loaded().file, extension);
     try {
         output::write(film, nullptr, {file},

@@ -64,19 +64,21 @@ void Probe::probe(int column, int row) {
     render::RenderOptions options = ws_.render_options();
     options.samples = std::min(options.samples, max_samples);
     options.estimates_error = false;
-    const auto goes_on = [this] {
+    std::stop_source stop;
+    const auto take_events = [&] {
         glfwPollEvents();
-        return !ws_.input.has_cancel();
+        if (ws_.input.has_cancel()) stop.request_stop();
     };
     const render::GpuScene& gpu = ws_.scene->gpu();
     const scene::Camera& camera = ws_.camera->camera();
-    auto terms = render::probe(gpu, camera, options, column, row, goes_on);
+    auto terms = render::probe(gpu, camera, options, column, row, stop.get_token(), take_events);
     if (!terms) return ws_.messages.notify("Probe cancelled.");
     panel_.result = ProbeResult{*std::move(terms), {}, {}, column, row, ws_.height, options.samples};
     if (!ws_.options.submission.empty() && !ws_.options.shows_reference) {
         render::RenderOptions reference = options;
         reference.shader_path = ws_.options.reference_path;
-        panel_.result->reference = render::probe(gpu, camera, reference, column, row, goes_on);
+        panel_.result->reference =
+            render::probe(gpu, camera, reference, column, row, stop.get_token(), take_events);
     }
     panel_.result->lobe = lobe_of(panel_.result->terms, options, column, row);
     ws_.messages.notify(fmt::format("Probed pixel {},{}.", column, row));

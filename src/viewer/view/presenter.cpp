@@ -8,14 +8,15 @@
 namespace sr::viewer {
 namespace {
 
-std::string constants(image::ToneCurve curve, const output::Variable* view, ComparisonMode comparison,
-                      bool is_scaled, bool is_reference_displayed, bool has_frozen_pixels) {
+std::string constants(const image::ToneCurve* /*in another file*/, const output::Variable* view,
+                      ComparisonMode comparison, bool is_scaled, bool is_reference_displayed,
+                      bool has_frozen_pixels) {
     const bool is_false_color = view && view->display == output::Display::false_color;
-    return fmt::format("const int shown_curve = {};\nconst bool is_false_color = {};\n"
+    return fmt::format("const bool is_false_color = {};\n"
                        "const int comparison = {};\nconst bool is_scaled = {};\n"
                        "const bool is_other_displayed = {};\nconst bool has_frozen_pixels = {};\n{}{}",
-                       static_cast<int>(curve), is_false_color, static_cast<int>(comparison), is_scaled,
-                       is_reference_displayed, has_frozen_pixels, image::colormap_glsl(), view_glsl(view));
+                       is_false_color, static_cast<int>(comparison), is_scaled, is_reference_displayed,
+                       has_frozen_pixels, image::colormap_glsl(), view_glsl(view));
 }
 
 } // namespace
@@ -32,7 +33,9 @@ std::string view_glsl(const output::Variable* view) {
 const gl::Program& Presenter::program(const Choice& choice) {
     if (const auto found = programs_.find(choice); found != programs_.end()) return found->second;
     const std::array path{
-        glsl::Root::memory("screen", {{"display/choice.glsl", std::apply(constants, choice)}}),
+        glsl::Root::memory("screen",
+                           {{"display/choice.glsl", std::apply(constants, choice)},
+                            {"display/shown_curve.glsl", image::tone_curve_glsl(*std::get<0>(choice))}}),
         glsl::embedded()};
     gl::Program program("screen", glsl::expand(path, "fullscreen.vert"),
                         glsl::expand(path, "display/screen.frag"));

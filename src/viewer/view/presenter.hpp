@@ -19,7 +19,7 @@ enum class ComparisonMode { none, wipe, difference, flip };
 /// How a film is shown.
 struct DisplaySettings {
     float ev100 = 0.0f;
-    image::ToneCurve curve = image::ToneCurve::neutral;
+    const image::ToneCurve* curve = &image::default_tone_curve();
     const output::Variable* view = nullptr; // what the film holds; null: radiance
     image::Decades decades;                 // of Display::false_color
     ComparisonMode comparison = ComparisonMode::none;
@@ -51,7 +51,8 @@ public:
 private:
     /// Constants of a program: curve, view, comparison, whether films are scaled, whether the reference is
     /// display-referred, whether pixels are frozen.
-    using Choice = std::tuple<image::ToneCurve, const output::Variable*, ComparisonMode, bool, bool, bool>;
+    using Choice =
+        std::tuple<const image::ToneCurve*, const output::Variable*, ComparisonMode, bool, bool, bool>;
     const gl::Program& program(const Choice& choice);
     void fill(const FilmSum& film, const FilmSum& reference, const DisplaySettings& settings, int width,
               int height);

@@ -41,9 +41,8 @@ std::map<std::string, std::vector<float>> planes_of(const Table& table, const sc
     options.width = options.height = size;
     const output::AovSource source{scene, camera, options, std::vector<int>(size * size, 4), {}};
     std::map<std::string, std::vector<float>> planes;
-    for (output::Plane& plane :
-         output::aov_planes(*output::parsed_aovs("depth,normal,albedo,visibility,irradiance,object,material"),
-                            source, [] { return true; }))
+    for (output::Plane& plane : output::aov_planes(
+             *output::parsed_aovs("depth,normal,albedo,visibility,irradiance,object,material"), source, {}))
         planes[plane.name] = std::move(plane.values);
     return planes;
 }

@@ -41,8 +41,8 @@ Films films_of(const Shade& shade, int samples, bool denoises) {
     for (int i = 0; i < samples; ++i) renderer.add_sample();
     Films films{renderer.film(), {}};
     if (denoises)
-        films.denoised = output::denoised(renderer, {scene, camera, options, renderer.pixel_samples(), {}},
-                                          [] { return true; });
+        films.denoised =
+            output::denoised(renderer, {scene, camera, options, renderer.pixel_samples(), {}}, {});
     return films;
 }
 

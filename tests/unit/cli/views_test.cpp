@@ -90,7 +90,7 @@ const Test readme("unit.cli.views.readme_has_the_table", [] {
         ++rows;
     for (const output::Variable& variable : output::all_variables())
         EXPECT_NE(text.find(readme_row(variable)), std::string::npos) << readme_row(variable);
-    EXPECT_EQ(rows, output::all_variables().size() + 5) << "a row of each variable and of each file";
+    EXPECT_EQ(rows, output::all_variables().size() + 4) << "a row of each variable and of each file";
 });
 
 } // namespace

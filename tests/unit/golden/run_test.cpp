@@ -112,7 +112,12 @@ const Test interrupted("unit.golden.run.an_interruption_kills_children_and_leave
     written(golden::results_file(folder / "out"), "of an earlier run");
     auto options = run_options(folder / "out");
     const auto begin = Clock::now();
-    options.is_interrupted = [&] { return seconds_since(begin) > 0.2; };
+    std::stop_source stop;
+    options.stop = stop.get_token();
+    const std::jthread interruption([&] {
+        std::this_thread::sleep_for(std::chrono::milliseconds(200));
+        stop.request_stop();
+    });
     EXPECT_FALSE(golden::run(suite, options).has_value());
     EXPECT_LT(seconds_since(begin), 5.0);
     EXPECT_FALSE(fs::exists(golden::results_file(folder / "out")))

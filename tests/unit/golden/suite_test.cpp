@@ -85,9 +85,13 @@ const Test impossible("unit.golden.suite.refuses_what_cannot_work", [] {
 const Test schema("unit.golden.suite.schema_has_the_same_keys", [] {
     const auto file = read_text(assets_folder() / "golden_suite.schema.json");
     const auto json = nlohmann::json::parse(file);
-    const auto keys_of = [](const nlohmann::json& object) {
+    const auto keys_of = [&](const nlohmann::json& object) {
         std::set<std::string> keys;
         for (const auto& [key, value] : object.at("properties").items()) keys.insert(key);
+        for (const auto& part : object.value("allOf", nlohmann::json::array())) {
+            const auto place = nlohmann::json::json_pointer(part.at("$ref").get<std::string>().substr(1));
+            for (const auto& [key, value] : json.at(place).at("properties").items()) keys.insert(key);
+        }
         return keys;
     };
     const auto known = [](const std::string& text) { // "…: known here are a, b, c"

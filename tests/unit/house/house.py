@@ -76,7 +76,7 @@ def links_of(root: Path) -> dict[str, set[str]]:
     for file in sorted((root / "src").glob("*/CMakeLists.txt")):
         call = re.search(r"sr_library\((\w+)(.*?)\)", file.read_text(), re.DOTALL)
         if call:
-            links[call.group(1)] = set(re.findall(r"\bsr_(\w+)", call.group(2))) - {"settings", "glad"}
+            links[call.group(1)] = set(re.findall(r"\bsr_(\w+)", call.group(2))) - {"compile_settings", "glad"}
     return links
 
 

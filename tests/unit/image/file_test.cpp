@@ -152,6 +152,22 @@ const Test missing_folder("unit.image.file.missing_folder", [] {
               (folder / "a.png").string() + ": there is no folder " + folder.string() + ": create it first");
 });
 
+const Test folder_takes_no_files("unit.image.file.a_folder_that_takes_no_files_is_named_so", [] {
+    const char* const of_root = "/proc/a.png: the folder /proc takes no new files: choose another folder";
+    const char* const of_others =
+        "/proc/a.png: no permission to write in /proc: choose a folder of yours, or "
+        "change its permissions";
+    EXPECT_EQ(failure("/proc/a.png", ramp(1, 1, 3)), geteuid() == 0 ? of_root : of_others);
+});
+
+const Test link_into_a_missing_folder("unit.image.file.a_link_into_a_missing_folder_names_it", [] {
+    const auto folder = sr::testing::scratch_folder("missing_link");
+    fs::create_symlink(folder / "none" / "b.png", folder / "a.png");
+    EXPECT_EQ(failure(folder / "a.png", ramp(1, 1, 3)), (folder / "a.png").string() + ": there is no folder "
+                                                            + (folder / "none").string()
+                                                            + ": create it first");
+});
+
 const Test target_is_a_folder("unit.image.file.target_is_a_folder", [] {
     const auto folder = sr::testing::scratch_folder("is_folder");
     fs::create_directory(folder / "a.png");

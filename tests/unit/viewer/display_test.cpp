@@ -33,18 +33,18 @@ const Test equals_the_files("unit.viewer.display.equals_the_files", [] {
     image::Image film(static_cast<int>(table.size()), 1, 3);
     for (std::size_t i = 0; i < table.size(); ++i)
         for (std::size_t c = 0; c < 3; ++c) film.pixels[3 * i + c] = table[i][static_cast<int>(c)];
-    for (int curve = 0; curve < 4; ++curve) {
+    for (const image::ToneCurve& curve : image::tone_curves()) {
         std::vector<sr::testing::Row> rows;
-        for (const vec3 L : table)
-            rows.push_back({vec4(L, image::exposure_factor(ev100)), vec4(static_cast<float>(curve))});
-        const auto shown = sr::testing::evaluate("#include \"display/displayed.glsl\"\n",
-                                                 "return vec4(displayed(a.rgb, a.w, int(b.x)), 1.0);", rows);
-        const image::Image expected = image::displayed(film, ev100, static_cast<image::ToneCurve>(curve));
+        for (const vec3 L : table) rows.push_back({vec4(L, image::exposure_factor(ev100))});
+        const auto shown = sr::testing::evaluate(
+            "#include \"display/displayed.glsl\"\n", "return vec4(displayed(a.rgb, a.w), 1.0);", rows,
+            nullptr, {{"display/shown_curve.glsl", image::tone_curve_glsl(curve)}});
+        const image::Image expected = image::displayed(film, ev100, curve);
         for (std::size_t i = 0; i < table.size(); ++i)
             for (int c = 0; c < 3; ++c) // a hundredth of an 8-bit step
                 EXPECT_NEAR(shown[i][c], expected.at(static_cast<int>(i), 0)[static_cast<std::size_t>(c)],
                             4e-5f)
-                    << "curve " << curve << ", " << table[i].r << " " << table[i].g << " " << table[i].b;
+                    << "curve " << curve.name << ", " << table[i].r << " " << table[i].g << " " << table[i].b;
     }
 });
 

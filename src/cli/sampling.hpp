@@ -1,9 +1,9 @@
 #pragma once
 // Sampling loops of `steradian render`, with a progress bar.
-#include "cli/interruption.hpp"
 #include "render/adaptive/convergence.hpp"
 
 #include <optional>
+#include <stop_token>
 #include <string>
 
 namespace sr::cli {
@@ -18,13 +18,12 @@ struct Stop {
     std::optional<render::ErrorEstimate> estimate; // of the final samples
 };
 
-/// Adds samples, at least one, until the rule or the interruption ends it. The renderer knows its error if
+/// Adds samples, at least one, until the rule or a stop ends it. The renderer knows its error if
 /// the rule needs it.
-Stop add_samples(render::Renderer& renderer, const StopRule& rule, const Interruption& interruption,
+Stop add_samples(render::Renderer& renderer, const StopRule& rule, const std::stop_token& stop,
                  const std::string& what);
 
-/// Repeats the `count` samples that the renderer had before repeat(). @return false after an interruption
-bool add_again(render::Renderer& renderer, int count, const Interruption& interruption,
-               const std::string& what);
+/// Repeats the `count` samples that the renderer had before repeat(). @return false if it was stopped
+bool add_again(render::Renderer& renderer, int count, const std::stop_token& stop, const std::string& what);
 
 } // namespace sr::cli
