@@ -69,7 +69,7 @@ FlipMap flip_map(const image::Image& film, const DisplaySettings& display, const
     const float pixels_per_degree = compare::CompareOptions{}.pixels_per_degree;
     compare::Plane plane;
     if (is_display_referred) {
-        image::Image shown = image::displayed(film, display.ev100, display.curve);
+        image::Image shown = image::displayed(film, display.ev100, *display.curve);
         for (float& value : shown.pixels) value = compare::srgb_decoded(value);
         plane = compare::flip(shown, reference, pixels_per_degree);
     } else {
