@@ -72,6 +72,8 @@ int cell_of(vec3 l) {
 const Test weight("law.brdf.ggx.sample_weights_stay_below_one", [] {
     const auto rows = width_and_cosine_rows();
     const auto weights = evaluate(R"(
+#include "base/sampling.glsl"
+#include "brdf/ggx_sampling.glsl")",
                                   R"(
         vec3 n = vec3(0.0, 0.0, 1.0);
         vec3 wo = vec3(sqrt(1.0 - a.y * a.y), 0.0, a.y);
