@@ -81,9 +81,10 @@ std::optional<AnimatedProperty> weights_at(Document& document, const Tokens& tok
     return AnimatedProperty(list, "", *index, 1, PropertyKind::numbers);
 }
 
-json to_json(PropertyKind kind, std::span<const double> numbers) {
+/// `is_list`: the property is an array, if only of one number, as the weights of a mesh with one target are.
+json to_json(PropertyKind kind, std::span<const double> numbers, bool is_list) {
     if (kind == PropertyKind::flag) return numbers[0] != 0.0;
-    return numbers.size() == 1 ? json(numbers[0]) : json(std::vector<double>(numbers.begin(), numbers.end()));
+    return is_list ? json(std::vector<double>(numbers.begin(), numbers.end())) : json(numbers[0]);
 }
 
 } // namespace
@@ -99,7 +100,8 @@ AnimatedProperty::AnimatedProperty(json& parent, std::string key, std::size_t in
 
 void AnimatedProperty::set(std::span<const double> numbers) {
     require(numbers.size() == width_, "a property is set to as many numbers as it has");
-    (parent_->is_array() ? (*parent_)[index_] : (*parent_)[key_]) = to_json(kind_, numbers);
+    const bool is_list = width_ > 1 || (rest_ && rest_->is_array());
+    (parent_->is_array() ? (*parent_)[index_] : (*parent_)[key_]) = to_json(kind_, numbers, is_list);
 }
 
 void AnimatedProperty::reset() {

@@ -125,7 +125,7 @@ class CommandLine(unittest.TestCase):
         (self.folder / "brdf" / "f_r.glsl").write_text(
             '#include "surface/surface.glsl"\nvec3 f_r(Surface x, vec3 wi, vec3 wo) { return vec3(0.1); }\n')
         result = self.render("a.png", "--estimator", "analytic", "--shaders", self.folder)
-        self.assert_refused(result, "f_r.glsl", "lobes.glsl", "sampled")
+        self.assert_refused(result, "f_r.glsl", "lobes", "sampled")
 
     def test_a_missing_include_names_who_asks(self):
         (self.folder / "visibility").mkdir()

@@ -208,7 +208,7 @@ class Hostile(cli_test.CommandLine):
         self.assertEqual(self.rendered_with("helpers", "--shaders", self.folder / "real").stderr, "")
         (self.folder / "a.exr").unlink()
         self.linked("nowhere", self.overlay("", folder="dangling"))
-        self.assert_refused(self.rendered_with("dangling"), "brdf/f_r.glsl: no such file")
+        self.assert_refused(self.rendered_with("dangling"), "brdf/f_r.glsl: this symbolic link leads to no file")
 
     def test_a_term_needs_no_includes_for_its_signature(self):
         terms = {"brdf/f_r.glsl": "vec3 f_r(Surface x, vec3 wi, vec3 wo) { return vec3(0.1); }\n",

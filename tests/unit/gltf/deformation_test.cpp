@@ -191,6 +191,18 @@ const Test moved("unit.gltf.morph.weights_are_animated", [] {
     expect_near(load(made, options).scene.meshes.at(0).positions.at(2), vec3(0.5, 3.5, 1));
 });
 
+const Test single("unit.gltf.morph.the_weight_of_a_single_target_is_animated", [] {
+    MadeGltf made = morphing();
+    made.primitive()["targets"].erase(1);
+    const json sampler{{"input", made.floats({0, 2}, "SCALAR")}, {"output", made.floats({0, 1}, "SCALAR")}};
+    made.root["animations"] = json::array(
+        {{{"samplers", json::array({sampler})},
+          {"channels", json::array({{{"sampler", 0}, {"target", {{"node", 0}, {"path", "weights"}}}}})}}});
+    gltf::LoadOptions options;
+    options.at = 1.0;
+    expect_near(load(made, options).scene.meshes.at(0).positions.at(0), vec3(0.5, 0, 0));
+});
+
 const Test short_target("unit.gltf.morph.a_target_needs_every_vertex", [] {
     MadeGltf made = morphing();
     made.primitive()["targets"][0]["POSITION"] = made.floats({1, 0, 0}, "VEC3");
