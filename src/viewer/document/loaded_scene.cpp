@@ -77,7 +77,7 @@ LoadedScene load_scene(const std::string& file, const Options& options, float as
 
 void pose(LoadedScene& loaded, const gltf::AnimationTime& moment) {
     require(loaded.asset.has_value(), "something moves");
-    loaded.asset->pose(loaded.stage.scene, moment);
+    loaded.asset->evaluate_into(loaded.stage.scene, moment);
     record_contents(loaded, loaded.stage.scene, *loaded.asset);
     loaded.moment = moment;
 }
