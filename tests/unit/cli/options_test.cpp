@@ -62,8 +62,9 @@ const Test refuses("unit.cli.options.refuse_what_they_do_not_allow", [] {
         EXPECT_EQ(value.read(value, settings, "no such"), is_free) << option.key;
         if (value.kind != Value::Kind::whole && value.kind != Value::Kind::number) continue;
         for (const double outside : {value.min - 1.0, value.max + 1.0})
-            if (outside < value.min || outside > value.max) // a limit beyond all doubles has no neighbour
+            if (outside < value.min || outside > value.max) { // a limit beyond all doubles has no neighbour
                 EXPECT_FALSE(value.read(value, settings, fmt::format("{}", outside))) << option.key;
+            }
         for (const char* text : {"nan", "inf", "1e999", "", "1x"})
             EXPECT_FALSE(value.read(value, settings, text)) << option.key << " " << text;
     }
