@@ -262,6 +262,7 @@ NoiseScores score_noise(const AlignedImages& images, const std::vector<Image>& n
     std::vector<Deviation> blocks(columns * rows * colors), totals(colors);
 
     NoiseScores scores;
+    for (const double v : variance) scores.errors.push_back(static_cast<float>(std::sqrt(v)));
     scores.pixels.reserve(images.compared.size());
     for (const std::size_t i : images.compared) {
         double largest = 0.0;

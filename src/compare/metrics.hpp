@@ -83,6 +83,7 @@ struct NoiseScores {
     double max_block = 0.0;
     double total = 0.0;
     NoiseLimits limits;
+    std::vector<float> errors; // standard error of t - r by pixel and colour
 };
 
 inline constexpr int noise_block = 16; // [pixels] edge of a block

@@ -24,6 +24,7 @@ struct Measurements {
 };
 
 /// The error of each compared pixel over its limit, the largest of all tolerances on pixels; 1 just passes.
+/// A pixel that an edge explains has at most 1.
 PixelValues errors_over_limits(const AlignedImages& images, const Measurements& measurements,
                                std::span<const Tolerance> tolerances);
 

@@ -110,13 +110,13 @@ std::string renderer_of(const image::Image& image) {
     return text;
 }
 
-compare::CompareOptions compare_options(const GoldenTest& test) {
+compare::CompareOptions compare_options(const GoldenTest& test, const image::Image& candidate,
+                                        const image::Image& reference) {
     compare::CompareOptions options;
+    compare::set_encoding(options, candidate, reference);
     options.tolerances = test.tolerances;
     options.allow_nonfinite = test.allow_nonfinite;
     options.region = test.region;
-    options.encoding =
-        test.extension == ".png" ? compare::Encoding::display_referred : compare::Encoding::scene_referred;
     if (!test.mask.empty()) options.mask = image::read(test.mask);
     for (const fs::path& file : test.noise) options.noise.push_back(image::read(file));
     return options;
@@ -142,7 +142,7 @@ bool passes_alternate(TestResult& result, const image::Image& candidate, const S
         const image::Image reference = image::read(file);
         const std::string renderer = renderer_of(reference);
         if (renderer.empty() || driver_of(renderer) != driver_of(result.candidate_renderer)) continue;
-        const compare::Comparison comparison = compare::compare(candidate, reference, compare_options(test));
+        const compare::Comparison comparison = compare::compare(candidate, reference, compare_options(test, candidate, reference));
         if (!comparison.passed) continue;
         result.alternate = label;
         result.golden = seen_from(suite, file);
@@ -167,7 +167,7 @@ void judge(TestResult& result, const image::Image& candidate, const Suite& suite
     }
     const image::Image reference = image::read(golden);
     result.golden_renderer = renderer_of(reference);
-    const compare::Comparison comparison = compare::compare(candidate, reference, compare_options(test));
+    const compare::Comparison comparison = compare::compare(candidate, reference, compare_options(test, candidate, reference));
     result.comparison = compare::json_of(comparison);
     const bool agrees = comparison.passed || passes_alternate(result, candidate, suite, test);
     result.outcome = agrees && wrong.empty() ? Outcome::passed : Outcome::differs;
