@@ -162,7 +162,7 @@ render::RenderOptions render_options(const RenderCommand& command, Size size) {
     options.width = size.width;
     options.height = size.height;
     options.samples = command.stop.samples;
-    options.estimates_error = command.asks_for_error();
+    options.estimates_error = command.stop.asks_for_error() || command.denoises;
     options.shader_path = shader_path(command.shaders);
     if (!command.shaders.empty()) options.trial = std::make_shared<gl::TrialCompiler>(command.backend);
     if (command.view) options.shader = command.view->shader;

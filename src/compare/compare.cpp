@@ -100,6 +100,8 @@ void judge(const AlignedImages& images, Measurements& measurements, const Compar
         return;
     }
     const auto tolerances = tolerances_in_use(options);
+    measurements.even_energy_ratio =
+        energy_ratios(images, pixels_at_edges(images, measurements, tolerances));
     const PixelValues errors =
         errors_over_limits(images, measurements, pixel_tolerances(tolerances, options));
     std::vector<bool> fails;

@@ -21,16 +21,20 @@ void for_each_neighbour(const AlignedImages& images, std::size_t pixel, const Vi
 
 using PixelAt = std::span<const float> (AlignedImages::*)(std::size_t) const;
 
-/// True if every channel of `values` lies within the 3×3 pixels of an image, or within the slack of them.
+/// True if every channel of `values` lies within the 3×3 pixels of an image, or within the slack of them, or
+/// within `share` of the pixel's change.
 bool is_within_neighbours(const AlignedImages& images, std::size_t pixel, std::span<const float> values,
-                          PixelAt at, const Slack& slack) {
+                          PixelAt at, const Slack& slack, float share) {
     for (std::size_t c = 0; c < values.size(); ++c) {
         float low = (images.*at)(pixel)[c], high = low;
         for_each_neighbour(images, pixel, [&](std::size_t i) {
             low = std::min(low, (images.*at)(i)[c]);
             high = std::max(high, (images.*at)(i)[c]);
         });
-        if (values[c] < low - slack(pixel, c, low) || values[c] > high + slack(pixel, c, high)) return false;
+        const float change = share * std::abs(images.test_at(pixel)[c] - images.reference_at(pixel)[c]);
+        if (values[c] < low - std::max(slack(pixel, c, low), change)
+            || values[c] > high + std::max(slack(pixel, c, high), change))
+            return false;
     }
     return true;
 }
@@ -68,8 +72,9 @@ bool is_explained(const AlignedImages& images, std::size_t pixel,
                   const std::unordered_set<std::size_t>& failing, const Slack& slack) {
     const std::size_t cluster = cluster_of(images, pixel, failing).size();
     return cluster <= max_edge_cluster && has_two_sides(images, pixel, cluster == 1 ? 2 : 3)
-           && is_within_neighbours(images, pixel, images.test_at(pixel), &AlignedImages::reference_at, slack)
-           && is_within_neighbours(images, pixel, images.reference_at(pixel), &AlignedImages::test_at, slack);
+           && is_within_neighbours(images, pixel, images.test_at(pixel), &AlignedImages::reference_at, slack, 0.0f)
+           && is_within_neighbours(images, pixel, images.reference_at(pixel), &AlignedImages::test_at, slack,
+                                   max_lost_share);
 }
 
 } // namespace

@@ -64,19 +64,6 @@ std::string seen_from(const Suite& suite, const fs::path& file) {
     return (failure ? file : relative).generic_string();
 }
 
-constexpr int first_option = 5; // of {steradian} render SCENE -o {out} …
-
-std::vector<std::string> command_words(const GoldenTest& test, const RunOptions& options,
-                                       std::string_view program, std::string_view out) {
-    std::vector<std::string> words;
-    for (const std::string& word : test.command)
-        words.push_back(replace_all(replace_all(word, "{steradian}", program), "{out}", out));
-    if (!test.scene.empty())
-        for (auto folder = options.shaders.rbegin(); folder != options.shaders.rend(); ++folder)
-            words.insert(words.begin() + first_option, {"--shaders", fs::absolute(*folder).string()});
-    return words;
-}
-
 /// The last lines of a log: at most 4000 bytes.
 std::string tail_of(const fs::path& log) {
     constexpr std::size_t max_size = 4000;
@@ -270,7 +257,20 @@ private:
     const std::function<void(const TestResult&)>& pass_on_;
 };
 
+constexpr int first_option = 5; // of {steradian} render SCENE -o {out} …
+
 } // namespace
+
+std::vector<std::string> command_words(const GoldenTest& test, const RunOptions& options,
+                                       std::string_view program, std::string_view out) {
+    std::vector<std::string> words;
+    for (const std::string& word : test.command)
+        words.push_back(replace_all(replace_all(word, "{steradian}", program), "{out}", out));
+    if (!test.scene.empty())
+        for (auto folder = options.shaders.rbegin(); folder != options.shaders.rend(); ++folder)
+            words.insert(words.begin() + first_option, {"--shaders", fs::absolute(*folder).string()});
+    return words;
+}
 
 std::string fingerprint(const image::Image& image) {
     const std::string header = fmt::format("{}x{}x{} {}\n", image.width, image.height, image.channels,

@@ -1,7 +1,7 @@
 // The pixels and channels that are compared, and the messages for images that cannot be.
 #include "compare/align.hpp"
 #include "compare/compare.hpp"
-#include "compare/metrics.hpp"
+#include "compare/noise.hpp"
 #include "compare/pictures.hpp"
 #include "core/error.hpp"
 #include "image/colormap.hpp"
