@@ -15,6 +15,7 @@ using image::Image;
 
 constexpr double false_alarms = 1e-3; // of all comparisons of equal images
 constexpr double rounding = 1e-6;     // relative; eight units in the last place of a float
+constexpr double max_score = 5.0;     // of a pixel in a sum of scores, so that no single one decides
 constexpr double many_seeds = 1e6;    // as good as a known standard error
 constexpr const char* seeds_attribute = "steradian:seeds";
 
@@ -129,44 +130,58 @@ struct Deviation {
 /// The sums of a comparison, by colour.
 struct DeviationSums {
     std::vector<Deviation> blocks; // block by block, all colours of each
+    std::vector<Deviation> scores; // the same of differences in standard errors
     std::vector<Deviation> totals;
+
+    DeviationSums(const Blocks& image_blocks, std::size_t colors)
+        : blocks(image_blocks.count * colors), scores(image_blocks.count * colors), totals(colors) {}
 };
 
-/// Replaces the variances of sums, which add those of pixels as if these were independent, by what is known.
-void correct(DeviationSums& sums, const std::vector<Noise>& noise, const Blocks& blocks, std::size_t colors,
-             const std::vector<std::size_t>& compared) {
-    if (std::ranges::all_of(noise, &Noise::is_number)) return;
-    const auto know = [&](auto layer) {
-        return std::ranges::all_of(noise, [&](const Noise& n) { return n.is_number() || (n.*layer).has_value(); });
-    };
-    if (know(&Noise::blocks))
-        for (const std::size_t i : compared) // all pixels of a block say the same
-            for (std::size_t c = 0; c < colors; ++c) {
-                Deviation& block = sums.blocks[blocks.of(i) * colors + c];
-                double variance = 0.0;
-                for (const Noise& n : noise) {
-                    const double mean = n.is_number() ? 0.0 : n.error(*n.blocks, i, c);
-                    variance += mean * mean * block.count * block.count;
-                }
-                block.variance = std::max(block.variance, variance);
-            }
-    for (std::size_t c = 0; c < colors; ++c) {
-        Deviation& total = sums.totals[c];
-        double variance = 0.0;
-        if (know(&Noise::whole)) {
-            for (const Noise& n : noise) {
-                const double mean = n.is_number() ? 0.0 : n.error(*n.whole, 0, c);
-                variance += mean * mean * total.count * total.count;
-            }
-        } else {
-            const double mean = total.difference / total.count;
-            for (std::size_t b = c; b < sums.blocks.size(); b += colors) {
-                const double rest = sums.blocks[b].difference - mean * sums.blocks[b].count;
-                variance += rest * rest;
-            }
-        }
-        total.variance = std::max(total.variance, variance);
+bool all_know(const std::vector<Noise>& noise, std::optional<Image> Noise::*layer) {
+    return std::ranges::all_of(noise, [&](const Noise& n) { return n.is_number() || (n.*layer).has_value(); });
+}
+
+/// The variance of a sum of `count` values, of whose mean the layer holds the standard error.
+double variance_of_sum(const std::vector<Noise>& noise, std::optional<Image> Noise::*layer, std::size_t pixel,
+                       std::size_t color, double count) {
+    double variance = 0.0;
+    for (const Noise& n : noise) {
+        const double error = n.is_number() ? 0.0 : n.error(*(n.*layer), pixel, color);
+        variance += error * error * count * count;
     }
+    return variance;
+}
+
+/// Replaces the variances of blocks, which add those of pixels as if these were independent, by known ones.
+void correct_blocks(DeviationSums& sums, const std::vector<Noise>& noise, const Blocks& blocks, std::size_t colors,
+                    const std::vector<std::size_t>& compared) {
+    for (const std::size_t i : compared) // all pixels of a block say the same
+        for (std::size_t c = 0; c < colors; ++c) {
+            Deviation& block = sums.blocks[blocks.of(i) * colors + c];
+            block.variance = std::max(block.variance, variance_of_sum(noise, &Noise::blocks, i, c, block.count));
+        }
+}
+
+/// z of the sum of one colour over the image.
+double total_z(const DeviationSums& sums, const std::vector<Noise>& noise, std::size_t colors, std::size_t c,
+               double degrees_of_freedom) {
+    Deviation total = sums.totals[c];
+    if (std::ranges::all_of(noise, &Noise::is_number)) return total.t();
+    if (all_know(noise, &Noise::whole)) {
+        total.variance = std::max(total.variance, variance_of_sum(noise, &Noise::whole, 0, c, total.count));
+        return z_of_t(total.t(), degrees_of_freedom);
+    }
+    // Batch means: the blocks' own scatter tells how much a sum of pixels that err alike may scatter.
+    Deviation score;
+    for (std::size_t b = c; b < sums.scores.size(); b += colors) score += sums.scores[b];
+    const double mean = score.difference / score.count;
+    double scatter = 0.0, blocks = 0.0;
+    for (std::size_t b = c; b < sums.scores.size(); b += colors, blocks += 1.0) {
+        const double rest = sums.scores[b].difference - mean * sums.scores[b].count;
+        scatter += rest * rest;
+    }
+    score.variance = std::max(score.variance, scatter);
+    return z_of_t(score.t(), std::max(1.0, blocks - 1.0));
 }
 
 } // namespace
@@ -192,9 +207,9 @@ NoiseScores score_noise(const AlignedImages& images, const std::vector<Image>& g
     std::vector<Noise> noise;
     for (const Image& image : given) noise.push_back(read_noise(image, images));
     const double n = std::ranges::min_element(noise, {}, &Noise::degrees_of_freedom)->degrees_of_freedom;
-    DeviationSums sums{std::vector<Deviation>(blocks.count * colors), std::vector<Deviation>(colors)};
+    DeviationSums sums(blocks, colors);
     NoiseScores scores;
-    scores.judges_blocks = std::ranges::all_of(noise, [](const Noise& known) { return known.is_number() || known.blocks; });
+    scores.judges_blocks = all_know(noise, &Noise::blocks);
     scores.pixels.reserve(images.compared.size());
     scores.errors.assign(images.pixels.size() * colors, 0.0f);
     for (const std::size_t i : images.compared) {
@@ -205,14 +220,17 @@ NoiseScores score_noise(const AlignedImages& images, const std::vector<Image>& g
             for (const Noise& known : noise) deviation.variance += pooled_variance(known, i, c);
             largest = std::max(largest, z_of_t(deviation.t(), n));
             scores.errors[i * colors + c] = static_cast<float>(std::sqrt(deviation.variance));
+            const double z = std::clamp(std::copysign(deviation.t(), deviation.difference), -max_score, max_score);
             sums.blocks[blocks.of(i) * colors + c] += deviation;
+            sums.scores[blocks.of(i) * colors + c] += {z, 1.0, 1.0};
             sums.totals[c] += deviation;
         }
         scores.pixels.push_back(static_cast<float>(largest));
     }
-    correct(sums, noise, blocks, colors, images.compared);
+    if (scores.judges_blocks) correct_blocks(sums, noise, blocks, colors, images.compared);
     for (const Deviation& block : sums.blocks) scores.max_block = std::max(scores.max_block, z_of_t(block.t(), n));
-    for (const Deviation& total : sums.totals) scores.total = std::max(scores.total, z_of_t(total.t(), n));
+    for (std::size_t c = 0; c < colors; ++c)
+        scores.total = std::max(scores.total, total_z(sums, noise, colors, c, n));
     const double chance = false_alarms / 3.0 / static_cast<double>(colors);
     scores.limits = {
         two_sided_z(chance / static_cast<double>(std::max<std::size_t>(images.compared.size(), 1))),

@@ -57,7 +57,7 @@ struct NoiseScores {
 ///
 /// A pixel's variance is no less than the mean over the 3×3 pixels around it: a few seeds can agree by chance. A
 /// noise image without "steradian:seeds" has as many seeds as the scatter of neighbours' variances tells. One
-/// without errors of blocks has no verdict on them, and the error of the whole is that of the blocks' differences
+/// without errors of blocks has no verdict on them, and the error of the whole is the scatter of the blocks' scores
 /// around their mean. A number (1×1) is noise that is independent from pixel to pixel.
 /// @throws Error if a noise image is neither of the images' size nor 1×1, or has a value that is negative or
 /// not finite.

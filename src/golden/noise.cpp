@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view placeholder = "{seed}";
+constexpr std::string_view seed_word = "{seed}";
 
 /// The command of a test with this seed.
 std::vector<std::string> words_with_seed(const GoldenTest& test, const Suite& suite,
@@ -28,8 +28,8 @@ std::vector<std::string> words_with_seed(const GoldenTest& test, const Suite& su
     }
     bool has_seed = false;
     for (std::string& word : words)
-        if (const auto at = word.find(placeholder); at != std::string::npos) {
-            word.replace(at, placeholder.size(), seed);
+        if (const auto at = word.find(seed_word); at != std::string::npos) {
+            word.replace(at, seed_word.size(), seed);
             has_seed = true;
         }
     if (!has_seed)

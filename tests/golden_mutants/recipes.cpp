@@ -91,7 +91,7 @@ void shuffle_patch(Image& image, int left, int top, int edge) {
     for (int y = top; y < top + edge; ++y)
         for (int x = left; x < left + edge; ++x)
             if (random.uniform() < 0.5f)
-                std::swap_ranges(image.at(x, y).begin(), image.at(x, y).end(), image.at(x + 1, y).begin());
+                std::swap_ranges(image.at(x, y).begin(), image.at(x, y).end(), image.at(x + 1, y + 1).begin());
 }
 
 void dead_column(Image& image, float value) { fill(image, image.width * 5 / 9, 0, 1, image.height, value); }

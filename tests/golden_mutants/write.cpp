@@ -1,9 +1,12 @@
 // Writes every mutant as two image files, and what it must get and gets here as JSON, for
 // tools/golden/others.py. With sizes, the mutants of the three bases at each of them; with --verdicts no files.
+#include "compare/align.hpp"
+#include "compare/planes.hpp"
 #include "core/error.hpp"
 #include "golden_mutants/recipes.hpp"
 #include "image/file.hpp"
 
+#include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
@@ -13,12 +16,27 @@ namespace {
 
 using sr::testing::Mutant;
 
+/// R, G and B, finite; grey becomes R, G and B.
+sr::image::Image colors_of(const sr::image::Image& image) {
+    std::vector<int> channels;
+    for (const std::size_t channel : sr::compare::color_channels(image)) channels.push_back(static_cast<int>(channel));
+    sr::image::Image colors = sr::compare::extract(image, channels);
+    for (float& value : colors.pixels)
+        if (!std::isfinite(value)) value = 0.0f;
+    return colors;
+}
+
 void write_files(const Mutant& mutant, const std::filesystem::path& folder, const std::string& name) {
     const auto write = [&](const sr::image::Image& image, const char* role) {
         sr::image::write(image, folder / (name + role), sr::image::SampleType::floating);
     };
     write(mutant.test, ".test.exr");
     write(mutant.reference, ".reference.exr");
+    const bool is_light = mutant.options.encoding == sr::compare::Encoding::scene_referred;
+    const auto test = colors_of(mutant.test), reference = colors_of(mutant.reference);
+    const auto shown = sr::compare::display(test, reference, is_light); // each at the reference's exposure
+    sr::image::write(shown.test, folder / (name + ".test.png"), sr::image::SampleType::integer8);
+    sr::image::write(shown.reference, folder / (name + ".reference.png"), sr::image::SampleType::integer8);
 }
 
 nlohmann::ordered_json row_of(const Mutant& mutant, const std::string& name) {

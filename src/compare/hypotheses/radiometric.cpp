@@ -250,7 +250,7 @@ void hypotheses_blank_part(const DiagnosisInput& in, Hypotheses& out) {
                                 right, top, bottom),
                     rest,
                     {}},
-                   1});
+                   3});
 }
 
 void hypotheses_curves(const DiagnosisInput& in, Hypotheses& out) {
