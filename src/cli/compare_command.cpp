@@ -191,13 +191,13 @@ void declare_judgement(CLI::App& command, CompareCommand& o) {
     command.add_option("TEST", o.test, "the image in question, any format")->required();
     command.add_option("REF", o.reference, "the image that is right")->required();
     command
-        .add_option(
-            "--max,--min", o.limits,
-            "a limit, instead of the default ones (repeatable): rel, abs, z, flip or hdr_flip, with "
-            "@PERCENT% "
-            "of the pixels that must keep it, rel, abs and z also with @edges, which forgives a few pixels at "
-            "edges; flip, hdr_flip (means), mean_rel, mean_abs, rmse, rel_mse, "
-            "energy, density; ssim is at least so much")
+        .add_option("--max,--min", o.limits,
+                    "a limit, instead of the default ones (repeatable): rel, abs, z, flip or hdr_flip, with "
+                    "@PERCENT% "
+                    "of the pixels that must keep it, rel, abs and z also with @edges, which forgives a few "
+                    "pixels at "
+                    "edges; flip, hdr_flip (means), mean_rel, mean_abs, rmse, rel_mse, "
+                    "energy, density; ssim is at least so much")
         ->type_name("NAME=LIMIT[@PERCENT%|@edges]")
         ->allow_extra_args(false)
         ->check(refusal_of_limit);
@@ -223,9 +223,10 @@ void declare_scope(CLI::App& command, CompareCommand& o) {
                     "compare only this layer of both files (NAME.R, NAME.G, NAME.B)")
         ->type_name("NAME");
     command
-        .add_option("--other-layers", o.other_layers,
-                    "compare only these layers beside the picture, separated by commas, or none (default: all "
-                    "of REF)")
+        .add_option(
+            "--other-layers", o.other_layers,
+            "compare only these layers beside the picture, separated by commas, or none (default: all "
+            "of REF)")
         ->type_name("NAME,NAME|none");
     command
         .add_option(
@@ -258,7 +259,8 @@ void add_compare_command(CLI::App& app) {
         ->check(refusal_of_picture);
     command->add_flag("--json", o->json, "print JSON");
     command->footer(
-        "Default limits: of light rel=0.01@edges and energy=0.005, of codes for a screen abs=0.0079@edges (of\n"
+        "Default limits: of light rel=0.01@edges and energy=0.005, of codes for a screen abs=0.0079@edges "
+        "(of\n"
         "16 bits 0.001) and energy=0.01, with --noise z=auto@edges. Where a share of the pixels may fail,\n"
         "density=0.25 is added. Alpha and all layers of REF are compared, too.\n\n"
         "Examples:\n"

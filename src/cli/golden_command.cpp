@@ -208,8 +208,9 @@ void add_noise(CLI::App& app, const std::shared_ptr<GoldenArguments>& arguments)
     command->add_option("--seeds", arguments->seeds, "pictures of each test")
         ->check(CLI::Range(2, 1000))
         ->capture_default_str();
-    command->footer("Writes the standard errors of one picture: of its pixels, of blocks of 16x16 and of the whole.\n"
-                    "Example:\n  steradian golden noise suite.json --filter cornell --seeds 12");
+    command->footer(
+        "Writes the standard errors of one picture: of its pixels, of blocks of 16x16 and of the whole.\n"
+        "Example:\n  steradian golden noise suite.json --filter cornell --seeds 12");
     command->callback([arguments] {
         if (const ExitStatus status = make_noise(*arguments); status != done) throw CLI::RuntimeError(status);
     });

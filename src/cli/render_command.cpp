@@ -142,8 +142,8 @@ struct Work {
 };
 
 /// Estimates the error of the picture for --aov error. A picture that does not stop by its error is of one
-/// sequence of samples; a second rendering of as many samples in two halves tells the error and leaves it as it
-/// is.
+/// sequence of samples; a second rendering of as many samples in two halves tells the error and leaves it as
+/// it is.
 void estimate_error(const Work& work, Picture& picture) {
     if (picture.stop.estimate || !output::holds(work.command.aovs, output::Finish::error)) return;
     render::RenderOptions options = work.options;

@@ -229,7 +229,9 @@ std::vector<OtherLayer> other_layers(const Image& test, const Image& reference) 
     std::vector<OtherLayer> layers;
     for (std::size_t i = 0; i < names.size(); ++i) {
         const int channel = static_cast<int>(i);
-        if (picture && (picture->alpha == channel || std::ranges::find(picture->colors, channel) != picture->colors.end()))
+        if (picture
+            && (picture->alpha == channel
+                || std::ranges::find(picture->colors, channel) != picture->colors.end()))
             continue;
         const auto dot = names[i].rfind('.');
         const std::string name = dot == std::string::npos ? std::string() : names[i].substr(0, dot);

@@ -58,11 +58,12 @@ private:
     }
 };
 
-/// A layer beside the picture, or the picture's channels that are neither colour nor alpha (its name is empty).
+/// A layer beside the picture, or the picture's channels that are neither colour nor alpha (its name is
+/// empty).
 struct OtherLayer {
     std::string name;
-    std::vector<int> reference; // channels
-    std::vector<int> test;      // the same; without those in `missing`
+    std::vector<int> reference;       // channels
+    std::vector<int> test;            // the same; without those in `missing`
     std::vector<std::string> missing; // channels that the test lacks
 };
 

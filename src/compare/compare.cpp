@@ -100,8 +100,7 @@ void judge(const AlignedImages& images, Measurements& measurements, const Compar
         return;
     }
     const auto tolerances = tolerances_in_use(options);
-    measurements.even_energy_ratio =
-        energy_ratios(images, pixels_at_edges(images, measurements, tolerances));
+    measurements.even_energy_ratio = energy_ratios(images, pixels_at_edges(images, measurements, tolerances));
     const PixelValues errors =
         errors_over_limits(images, measurements, pixel_tolerances(tolerances, options));
     std::vector<bool> fails;
@@ -117,9 +116,8 @@ void judge(const AlignedImages& images, Measurements& measurements, const Compar
 /// The limits on rel and abs, which are for any channel; the default ones if there are none.
 std::vector<Tolerance> layer_tolerances(const CompareOptions& options) {
     std::vector<Tolerance> tolerances = tolerances_in_use(options);
-    std::erase_if(tolerances, [](const Tolerance& t) {
-        return t.measure != Measure::rel && t.measure != Measure::abs;
-    });
+    std::erase_if(tolerances,
+                  [](const Tolerance& t) { return t.measure != Measure::rel && t.measure != Measure::abs; });
     return tolerances.empty() ? default_tolerances(options.encoding, false, options.bits) : tolerances;
 }
 
@@ -166,7 +164,8 @@ void judge_other_channels(const Image& test, const Image& reference, const Compa
     if (!missing.empty())
         comparison.verdicts.push_back({false, "all channels of the reference: the test lacks " + missing});
     else if (compared > 0 && failing == comparison.verdicts.size())
-        comparison.verdicts.push_back({true, fmt::format("other layers: {} of {} agree", compared, compared)});
+        comparison.verdicts.push_back(
+            {true, fmt::format("other layers: {} of {} agree", compared, compared)});
 }
 
 } // namespace

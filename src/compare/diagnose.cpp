@@ -134,8 +134,8 @@ std::optional<Diagnosis> best_of(Hypotheses tried) {
 
 bool fails(float error) { return !(error <= 1.0f); } // NaN too
 
-/// Values that do not fit into a half float: one image has them, the other has its largest number or infinity,
-/// and no other pixel fails.
+/// Values that do not fit into a half float: one image has them, the other has its largest number or
+/// infinity, and no other pixel fails.
 std::optional<Diagnosis> half_overflow(const Image& error, const Image& test, const Image& reference,
                                        const std::string& layer) {
     const auto ends = [](float value) { return std::abs(value) >= image::largest_half; };
@@ -158,12 +158,13 @@ std::optional<Diagnosis> half_overflow(const Image& error, const Image& test, co
         }
     }
     if (overflows == 0) return std::nullopt;
-    return Diagnosis{"half_overflow",
-                     fmt::format("{} values of the {} do not fit into a half float, which ends at 65504: write "
-                                 "32-bit floats",
-                                 overflows, is_of_test ? "test" : "reference"),
-                     0.0,
-                     {}};
+    return Diagnosis{
+        "half_overflow",
+        fmt::format("{} values of the {} do not fit into a half float, which ends at 65504: write "
+                    "32-bit floats",
+                    overflows, is_of_test ? "test" : "reference"),
+        0.0,
+        {}};
 }
 
 /// Alpha is gone from the test, or the same everywhere, and the colours agree.
@@ -182,7 +183,8 @@ std::optional<Diagnosis> lost_alpha(const AlignedImages& images, const Image& er
             if (images.test_at(i)[c] != images.reference_at(i)[c]) return std::nullopt;
     }
     if (!varies) return std::nullopt;
-    return Diagnosis{"alpha_lost", fmt::format("alpha is {:.4g} everywhere in the test, the colours agree", first),
+    return Diagnosis{"alpha_lost",
+                     fmt::format("alpha is {:.4g} everywhere in the test, the colours agree", first),
                      0.0,
                      {}};
 }

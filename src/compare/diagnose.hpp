@@ -26,8 +26,8 @@ std::optional<Diagnosis> diagnose(const AlignedImages& images, const image::Imag
                                   const image::Image& test, const image::Image& reference,
                                   const CompareOptions& options, const PixelValues* z);
 
-/// Finds whether the test is the reference turned on its side, or at another size. Here the residual is relative to an image of
-/// one colour, the reference's mean.
+/// Finds whether the test is the reference turned on its side, or at another size. Here the residual is
+/// relative to an image of one colour, the reference's mean.
 std::optional<Diagnosis> diagnose_unequal_sizes(const image::Image& test, const image::Image& reference,
                                                 const CompareOptions& options);
 

@@ -72,7 +72,8 @@ bool is_explained(const AlignedImages& images, std::size_t pixel,
                   const std::unordered_set<std::size_t>& failing, const Slack& slack) {
     const std::size_t cluster = cluster_of(images, pixel, failing).size();
     return cluster <= max_edge_cluster && has_two_sides(images, pixel, cluster == 1 ? 2 : 3)
-           && is_within_neighbours(images, pixel, images.test_at(pixel), &AlignedImages::reference_at, slack, 0.0f)
+           && is_within_neighbours(images, pixel, images.test_at(pixel), &AlignedImages::reference_at, slack,
+                                   0.0f)
            && is_within_neighbours(images, pixel, images.reference_at(pixel), &AlignedImages::test_at, slack,
                                    max_lost_share);
 }
@@ -82,8 +83,9 @@ bool is_explained(const AlignedImages& images, std::size_t pixel,
 EdgeJudgement judge_edges(const AlignedImages& images, const std::vector<bool>& fails, const Slack& slack) {
     EdgeJudgement judgement;
     judgement.failing = static_cast<std::size_t>(std::ranges::count(fails, true));
-    judgement.max_count = std::min(
-        max_at_edges, static_cast<std::size_t>(max_share_at_edges * static_cast<double>(fails.size()) + 1e-9));
+    judgement.max_count =
+        std::min(max_at_edges,
+                 static_cast<std::size_t>(max_share_at_edges * static_cast<double>(fails.size()) + 1e-9));
     judgement.unexplained = judgement.failing;
     if (judgement.failing == 0 || judgement.failing > judgement.max_count) return judgement;
     std::unordered_set<std::size_t> failing;
@@ -91,8 +93,8 @@ EdgeJudgement judge_edges(const AlignedImages& images, const std::vector<bool>& 
         if (fails[k]) failing.insert(images.compared[k]);
     judgement.unexplained = static_cast<std::size_t>(std::ranges::count_if(
         failing, [&](std::size_t pixel) { return !is_explained(images, pixel, failing, slack); }));
-    const double window = std::min(density_window, images.reference.width)
-                          * std::min(density_window, images.reference.height);
+    const double window =
+        std::min(density_window, images.reference.width) * std::min(density_window, images.reference.height);
     judgement.is_crowded = densest_window(images, fails) * window > max_at_edges_nearby + 0.5;
     return judgement;
 }

@@ -59,8 +59,8 @@ std::optional<Image> errors_in(const Image& noise, const std::string& name, int 
     return errors;
 }
 
-/// The degrees of freedom of variances whose neighbours scatter as these do: ln s² of ν degrees of freedom has
-/// the variance 2/ν, nearly, and so a median distance of 0.6745 √(4/ν) from its neighbour's.
+/// The degrees of freedom of variances whose neighbours scatter as these do: ln s² of ν degrees of freedom
+/// has the variance 2/ν, nearly, and so a median distance of 0.6745 √(4/ν) from its neighbour's.
 double degrees_by_scatter(const Image& errors) {
     std::vector<double> distances;
     const auto channels = static_cast<std::size_t>(errors.channels);
@@ -138,7 +138,8 @@ struct DeviationSums {
 };
 
 bool all_know(const std::vector<Noise>& noise, std::optional<Image> Noise::*layer) {
-    return std::ranges::all_of(noise, [&](const Noise& n) { return n.is_number() || (n.*layer).has_value(); });
+    return std::ranges::all_of(noise,
+                               [&](const Noise& n) { return n.is_number() || (n.*layer).has_value(); });
 }
 
 /// The variance of a sum of `count` values, of whose mean the layer holds the standard error.
@@ -153,12 +154,13 @@ double variance_of_sum(const std::vector<Noise>& noise, std::optional<Image> Noi
 }
 
 /// Replaces the variances of blocks, which add those of pixels as if these were independent, by known ones.
-void correct_blocks(DeviationSums& sums, const std::vector<Noise>& noise, const Blocks& blocks, std::size_t colors,
-                    const std::vector<std::size_t>& compared) {
+void correct_blocks(DeviationSums& sums, const std::vector<Noise>& noise, const Blocks& blocks,
+                    std::size_t colors, const std::vector<std::size_t>& compared) {
     for (const std::size_t i : compared) // all pixels of a block say the same
         for (std::size_t c = 0; c < colors; ++c) {
             Deviation& block = sums.blocks[blocks.of(i) * colors + c];
-            block.variance = std::max(block.variance, variance_of_sum(noise, &Noise::blocks, i, c, block.count));
+            block.variance =
+                std::max(block.variance, variance_of_sum(noise, &Noise::blocks, i, c, block.count));
         }
 }
 
@@ -216,11 +218,13 @@ NoiseScores score_noise(const AlignedImages& images, const std::vector<Image>& g
         double largest = 0.0;
         for (std::size_t c = 0; c < colors; ++c) {
             const double r = images.reference_at(i)[c];
-            Deviation deviation{static_cast<double>(images.test_at(i)[c]) - r, rounding * rounding * r * r, 1.0};
+            Deviation deviation{static_cast<double>(images.test_at(i)[c]) - r, rounding * rounding * r * r,
+                                1.0};
             for (const Noise& known : noise) deviation.variance += pooled_variance(known, i, c);
             largest = std::max(largest, z_of_t(deviation.t(), n));
             scores.errors[i * colors + c] = static_cast<float>(std::sqrt(deviation.variance));
-            const double z = std::clamp(std::copysign(deviation.t(), deviation.difference), -max_score, max_score);
+            const double z =
+                std::clamp(std::copysign(deviation.t(), deviation.difference), -max_score, max_score);
             sums.blocks[blocks.of(i) * colors + c] += deviation;
             sums.scores[blocks.of(i) * colors + c] += {z, 1.0, 1.0};
             sums.totals[c] += deviation;
@@ -228,7 +232,8 @@ NoiseScores score_noise(const AlignedImages& images, const std::vector<Image>& g
         scores.pixels.push_back(static_cast<float>(largest));
     }
     if (scores.judges_blocks) correct_blocks(sums, noise, blocks, colors, images.compared);
-    for (const Deviation& block : sums.blocks) scores.max_block = std::max(scores.max_block, z_of_t(block.t(), n));
+    for (const Deviation& block : sums.blocks)
+        scores.max_block = std::max(scores.max_block, z_of_t(block.t(), n));
     for (std::size_t c = 0; c < colors; ++c)
         scores.total = std::max(scores.total, total_z(sums, noise, colors, c, n));
     const double chance = false_alarms / 3.0 / static_cast<double>(colors);
@@ -254,7 +259,8 @@ void NoiseOfSeeds::add(const Image& picture) {
     std::vector<std::string> names{"Y"};
     if (layer->colors.size() == 3) names = {"R", "G", "B"};
     if (count_ > 0 && (picture.width != width_ || picture.height != height_ || names != names_))
-        throw Error("the pictures of the seeds differ in size or channels", "render the same view with each seed");
+        throw Error("the pictures of the seeds differ in size or channels",
+                    "render the same view with each seed");
     width_ = picture.width;
     height_ = picture.height;
     names_ = names;

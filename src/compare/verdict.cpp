@@ -79,10 +79,10 @@ Verdict judge_with_edges(const Tolerance& tolerance, const AlignedImages& images
         verdict.line += fmt::format(": {} pixels exceed it, {} of them at no edge that moved, largest {:.4g}",
                                     edges.failing, edges.unexplained, largest);
     else
-        verdict.line += fmt::format(": {} pixels exceed it, at edges that moved{}", edges.failing,
-                                    edges.is_crowded ? fmt::format(", more than {} of them in a 16x16 window",
-                                                                   max_at_edges_nearby)
-                                                     : "");
+        verdict.line += fmt::format(
+            ": {} pixels exceed it, at edges that moved{}", edges.failing,
+            edges.is_crowded ? fmt::format(", more than {} of them in a 16x16 window", max_at_edges_nearby)
+                             : "");
     return verdict;
 }
 
@@ -111,17 +111,15 @@ Verdict judge_by_pixel(const Tolerance& tolerance, const AlignedImages& images,
                      && noise.total <= noise.limits.total;
     if (noise.judges_blocks)
         verdict.line += fmt::format("; of block sums {:.4g} (≤ {:.4g})", noise.max_block, noise.limits.block);
-    verdict.line +=
-        fmt::format("{} of the whole sum {:.4g} (≤ {:.4g})", noise.judges_blocks ? "," : ";", noise.total,
-                    noise.limits.total);
+    verdict.line += fmt::format("{} of the whole sum {:.4g} (≤ {:.4g})", noise.judges_blocks ? "," : ";",
+                                noise.total, noise.limits.total);
     return verdict;
 }
 
 /// Σt/Σr of the channel that is furthest from 1.
 double worst_of(const std::array<double, 3>& ratios) {
-    return *std::ranges::max_element(ratios, {}, [](double ratio) {
-        return std::isnan(ratio) ? INFINITY : std::abs(ratio - 1.0);
-    });
+    return *std::ranges::max_element(
+        ratios, {}, [](double ratio) { return std::isnan(ratio) ? INFINITY : std::abs(ratio - 1.0); });
 }
 
 double image_value(Measure measure, const Measurements& measurements) {
@@ -150,8 +148,8 @@ std::vector<bool> pixels_at_edges(const AlignedImages& images, const Measurement
     std::vector<bool> forgiven(images.compared.size(), false);
     for (const Tolerance& tolerance : tolerances) {
         if (!tolerance.forgives_edges) continue;
-        const std::vector<bool> fails = over(pixel_values(tolerance.measure, images, measurements),
-                                             limit_of(tolerance, measurements));
+        const std::vector<bool> fails =
+            over(pixel_values(tolerance.measure, images, measurements), limit_of(tolerance, measurements));
         if (judge_edges(images, fails, slack_of(tolerance, images, measurements)).passes())
             for (std::size_t k = 0; k < fails.size(); ++k) forgiven[k] = forgiven[k] || fails[k];
     }
@@ -169,7 +167,8 @@ PixelValues errors_over_limits(const AlignedImages& images, const Measurements& 
         for (std::size_t k = 0; k < values.size(); ++k) {
             if (!(values[k] > 0.0f)) continue;
             const auto error = static_cast<float>(static_cast<double>(values[k]) / limit);
-            errors[k] = std::max(errors[k], forgiven[k] && tolerance.forgives_edges ? std::min(error, 1.0f) : error);
+            errors[k] =
+                std::max(errors[k], forgiven[k] && tolerance.forgives_edges ? std::min(error, 1.0f) : error);
         }
     }
     return errors;

@@ -129,7 +129,8 @@ bool passes_alternate(TestResult& result, const image::Image& candidate, const S
         const image::Image reference = image::read(file);
         const std::string renderer = renderer_of(reference);
         if (renderer.empty() || driver_of(renderer) != driver_of(result.candidate_renderer)) continue;
-        const compare::Comparison comparison = compare::compare(candidate, reference, compare_options(test, candidate, reference));
+        const compare::Comparison comparison =
+            compare::compare(candidate, reference, compare_options(test, candidate, reference));
         if (!comparison.passed) continue;
         result.alternate = label;
         result.golden = seen_from(suite, file);
@@ -154,7 +155,8 @@ void judge(TestResult& result, const image::Image& candidate, const Suite& suite
     }
     const image::Image reference = image::read(golden);
     result.golden_renderer = renderer_of(reference);
-    const compare::Comparison comparison = compare::compare(candidate, reference, compare_options(test, candidate, reference));
+    const compare::Comparison comparison =
+        compare::compare(candidate, reference, compare_options(test, candidate, reference));
     result.comparison = compare::json_of(comparison);
     const bool agrees = comparison.passed || passes_alternate(result, candidate, suite, test);
     result.outcome = agrees && wrong.empty() ? Outcome::passed : Outcome::differs;

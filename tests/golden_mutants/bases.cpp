@@ -53,8 +53,9 @@ Seen ground(vec2 p, vec2 ball_at, float radius, const RenderBase& o) {
     const vec2 from_shadow = (p - ball_at - radius * vec2(-0.5f, 0.95f)) / (radius * vec2(1.2f, 0.3f));
     const bool is_dark = o.has_shadow && glm::dot(from_shadow, from_shadow) < 1.0f;
     for (std::size_t k = 0; k < 2; ++k)
-        seen.light[k] =
-            is_dark && k == 0 ? vec3(0.0f) : base_lights[k].color * rho * wear * tile * base_lights[k].direction.y;
+        seen.light[k] = is_dark && k == 0
+                            ? vec3(0.0f)
+                            : base_lights[k].color * rho * wear * tile * base_lights[k].direction.y;
     seen.depth = z;
     return seen;
 }
@@ -73,7 +74,8 @@ void put_small_things(Image& image, const RenderBase& o) {
     const auto set = [&image](int x, int y, vec3 L, float depth) {
         if (x < 0 || y < 0 || x >= image.width || y >= image.height) return;
         const auto pixel = image.at(x, y);
-        std::ranges::copy(std::array{L.x, L.y, L.z, 1.0f, L.x, L.y, L.z, 0.0f, 0.0f, 0.0f, depth}, pixel.begin());
+        std::ranges::copy(std::array{L.x, L.y, L.z, 1.0f, L.x, L.y, L.z, 0.0f, 0.0f, 0.0f, depth},
+                          pixel.begin());
     };
     if (o.has_wire)
         for (int y = 0; y < image.height * 2 / 5; ++y)
@@ -87,15 +89,17 @@ void put_small_things(Image& image, const RenderBase& o) {
 
 Image layered_render_base(Extent size, const RenderBase& o) {
     Image image(size.width, size.height, 11);
-    image.channel_names = {"R", "G", "B", "A", "key.R", "key.G", "key.B", "fill.R", "fill.G", "fill.B", "depth.Z"};
+    image.channel_names = {"R",     "G",      "B",      "A",      "key.R",  "key.G",
+                           "key.B", "fill.R", "fill.G", "fill.B", "depth.Z"};
     const float pixel = 1.0f / static_cast<float>(size.height);
     const float weight = 1.0f / static_cast<float>(o.supersampling * o.supersampling);
     for (int y = 0; y < size.height; ++y)
         for (int x = 0; x < size.width; ++x) {
             const auto to = image.at(x, y);
             for (int s = 0; s < o.supersampling * o.supersampling; ++s) {
-                const vec2 sub((static_cast<float>(s % o.supersampling) + 0.5f) / static_cast<float>(o.supersampling),
-                               (static_cast<float>(s / o.supersampling) + 0.5f) / static_cast<float>(o.supersampling));
+                const vec2 sub(
+                    (static_cast<float>(s % o.supersampling) + 0.5f) / static_cast<float>(o.supersampling),
+                    (static_cast<float>(s / o.supersampling) + 0.5f) / static_cast<float>(o.supersampling));
                 const Seen seen = seen_at((vec2(x, y) + sub) * pixel, pixel, o);
                 for (std::size_t c = 0; c < 3; ++c) {
                     const auto i = static_cast<int>(c);
@@ -116,7 +120,8 @@ Image render_base(Extent size, const RenderBase& o) {
     Image image(size.width, size.height, 4);
     image.channel_names = {"R", "G", "B", "A"};
     for (int y = 0; y < size.height; ++y)
-        for (int x = 0; x < size.width; ++x) std::ranges::copy(layered.at(x, y).first(4), image.at(x, y).begin());
+        for (int x = 0; x < size.width; ++x)
+            std::ranges::copy(layered.at(x, y).first(4), image.at(x, y).begin());
     return image;
 }
 
@@ -133,12 +138,16 @@ Image photo_base(Extent size) {
     for (int disc = 0; disc < 900; ++disc) {
         // The density of radii falls with their cube, between 1 and 25 % of the frame.
         const float radius = edge * 0.01f / std::sqrt(1.0f - 0.9984f * random.uniform());
-        const vec2 at(random.uniform() * static_cast<float>(size.width), random.uniform() * static_cast<float>(size.height));
+        const vec2 at(random.uniform() * static_cast<float>(size.width),
+                      random.uniform() * static_cast<float>(size.height));
         const float tone = 0.08f + 0.75f * random.uniform();
-        const vec3 color = tone * (vec3(1.0f) + 0.25f * (vec3(random.uniform(), random.uniform(), random.uniform()) - 0.5f));
+        const vec3 color =
+            tone * (vec3(1.0f) + 0.25f * (vec3(random.uniform(), random.uniform(), random.uniform()) - 0.5f));
         const float slope = 0.3f * (random.uniform() - 0.5f);
-        for (int y = std::max(0, static_cast<int>(at.y - radius)); y < std::min(size.height, static_cast<int>(at.y + radius) + 1); ++y)
-            for (int x = std::max(0, static_cast<int>(at.x - radius)); x < std::min(size.width, static_cast<int>(at.x + radius) + 1); ++x) {
+        for (int y = std::max(0, static_cast<int>(at.y - radius));
+             y < std::min(size.height, static_cast<int>(at.y + radius) + 1); ++y)
+            for (int x = std::max(0, static_cast<int>(at.x - radius));
+                 x < std::min(size.width, static_cast<int>(at.x + radius) + 1); ++x) {
                 const float cover = std::clamp(radius - glm::length(vec2(x, y) - at) + 0.5f, 0.0f, 1.0f);
                 const float shade = 1.0f + slope * (static_cast<float>(x) - at.x) / radius;
                 for (std::size_t c = 0; c < 3; ++c) {

@@ -1,5 +1,6 @@
 #pragma once
-// Three pictures of different kinds, made by code at any size: a linear render, a photograph, a user interface.
+// Three pictures of different kinds, made by code at any size: a linear render, a photograph, a user
+// interface.
 #include "image/image.hpp"
 
 #include <string>
@@ -11,14 +12,14 @@ struct Extent {
     int height = 256;
 };
 
-/// A glossy ball on a checkered floor before a wall, with a lamp in sight, a wire one pixel wide and an object
-/// of seven pixels. Linear light; alpha is 0 behind the floor's end.
+/// A glossy ball on a checkered floor before a wall, with a lamp in sight, a wire one pixel wide and an
+/// object of seven pixels. Linear light; alpha is 0 behind the floor's end.
 struct RenderBase {
-    float roughness = 0.12f;  // of the ball
+    float roughness = 0.12f; // of the ball
     bool has_object = true;
     bool has_wire = true;
-    float wire = 0.8f;        // its radiance
-    int wire_offset = 0;      // [pixels]
+    float wire = 0.8f;   // its radiance
+    int wire_offset = 0; // [pixels]
     bool has_shadow = true;
     bool has_gloss = true;
     float lamp = 40.0f;
@@ -43,17 +44,17 @@ struct InterfaceBase {
     std::string label = "Save";
     std::string amount = "1,380.00";
     std::string title = "Settings";
-    int label_offset = 0;      // [pixels]
-    bool has_rule = true;      // one pixel high, up to 800 wide
-    int rule_offset = 0;       // [pixels]
-    bool has_icon = true;      // seven pixels
+    int label_offset = 0;       // [pixels]
+    bool has_rule = true;       // one pixel high, up to 800 wide
+    int rule_offset = 0;        // [pixels]
+    bool has_icon = true;       // seven pixels
     bool has_focus_ring = true; // one pixel wide
-    bool has_caret = false;    // one pixel wide
-    bool has_badge = true;     // a dot of five pixels
-    int button_growth = 0;     // [pixels] to the right
-    float button = 0.86f;      // its blue
+    bool has_caret = false;     // one pixel wide
+    bool has_badge = true;      // a dot of five pixels
+    int button_growth = 0;      // [pixels] to the right
+    float button = 0.86f;       // its blue
     bool has_antialiasing = true;
-    float text_size = 2.0f;    // [pixels] of a dot of the font
+    float text_size = 2.0f; // [pixels] of a dot of the font
 };
 
 /// R, G, B: sRGB codes of 8 bits.

@@ -11,7 +11,8 @@ namespace {
 
 using image::Image;
 
-/// Pixels at edges that fall to the other side: `count` of them, none beside another, take a neighbour's value.
+/// Pixels at edges that fall to the other side: `count` of them, none beside another, take a neighbour's
+/// value.
 void flip_edges(Image& image, int count, std::uint32_t seed) {
     const Image right = image;
     Random random(seed);
@@ -19,12 +20,13 @@ void flip_edges(Image& image, int count, std::uint32_t seed) {
     for (int tries = 0; tries < 400000 && static_cast<int>(used.size()) < count; ++tries) {
         const int x = 2 + static_cast<int>(random.uniform() * static_cast<float>(image.width - 4));
         const int y = 2 + static_cast<int>(random.uniform() * static_cast<float>(image.height - 4));
-        const bool is_beside = std::ranges::any_of(used, [&](const auto& p) {
-            return std::abs(p.first - x) <= 1 && std::abs(p.second - y) <= 1;
-        });
+        const bool is_beside = std::ranges::any_of(
+            used, [&](const auto& p) { return std::abs(p.first - x) <= 1 && std::abs(p.second - y) <= 1; });
         const auto here = right.at(x, y), beside = right.at(x + 1, y), behind = right.at(x - 1, y);
         // An edge between two even sides: equal along it, and different across.
-        const auto is_like = [](auto a, auto b) { return std::abs(a[1] - b[1]) <= 0.05f * std::max(a[1], b[1]); };
+        const auto is_like = [](auto a, auto b) {
+            return std::abs(a[1] - b[1]) <= 0.05f * std::max(a[1], b[1]);
+        };
         if (is_beside || is_like(here, beside) || !is_like(here, behind)) continue;
         if (!is_like(here, right.at(x, y - 1)) || !is_like(here, right.at(x, y + 1))) continue;
         if (!is_like(beside, right.at(x + 1, y - 1)) || !is_like(beside, right.at(x + 2, y))) continue;
@@ -37,7 +39,9 @@ Recipe harmless_one(Base base, const char* name, const std::function<void(Mutant
     return {base, name, true, change, ""};
 }
 
-void add_layers(Mutant& m) { m.test = m.reference = layered_render_base({m.reference.width, m.reference.height}); }
+void add_layers(Mutant& m) {
+    m.test = m.reference = layered_render_base({m.reference.width, m.reference.height});
+}
 
 std::vector<Recipe> harmless_renders() {
     const Base base = Base::render;
@@ -45,7 +49,8 @@ std::vector<Recipe> harmless_renders() {
         Random random(51);
         m.test = with_colors(m.test, [&](float v) { return v * (1.0f + 1e-5f * (random.uniform() - 0.5f)); });
     };
-    return {harmless_one(base, "identical", [](Mutant&) {}), harmless_one(base, "last_bits", nudge),
+    return {harmless_one(base, "identical", [](Mutant&) {}),
+            harmless_one(base, "last_bits", nudge),
             harmless_one(base, "stored_as_half",
                          [](Mutant& m) {
                              m.test = with_colors(m.test, [](float v) {
@@ -70,7 +75,9 @@ std::vector<Recipe> harmless_renders() {
                              flip_edges(m.test, 12, 55);
                          }),
             harmless_one(base, "layers_only_in_the_test",
-                         [](Mutant& m) { m.test = layered_render_base({m.reference.width, m.reference.height}); }),
+                         [](Mutant& m) {
+                             m.test = layered_render_base({m.reference.width, m.reference.height});
+                         }),
             harmless_one(base, "channels_in_another_order",
                          [](Mutant& m) {
                              m.test = reordered(m.test, {2, 1, 0});
@@ -99,13 +106,16 @@ std::vector<Recipe> harmless_codes(Base base) {
             harmless_one(base, "2_codes_off", [](Mutant& m) { off_by(m.test, 2, 62); }),
             harmless_one(base, "3_edge_pixels", [](Mutant& m) { flip_edges(m.test, 3, 63); }),
             harmless_one(base, "12_edge_pixels", [](Mutant& m) { flip_edges(m.test, 12, 64); }),
-            harmless_one(base, "grey_as_rgb", [](Mutant& m) {
-                Image grey(m.reference.width, m.reference.height, 1);
-                grey.channel_names = {"Y"};
-                for (std::size_t i = 0; i < grey.pixels.size(); ++i) grey.pixels[i] = m.reference.pixels[3 * i + 1];
-                for (std::size_t i = 0; i < m.test.pixels.size(); ++i) m.test.pixels[i] = grey.pixels[i / 3];
-                m.reference = grey;
-            }),
+            harmless_one(base, "grey_as_rgb",
+                         [](Mutant& m) {
+                             Image grey(m.reference.width, m.reference.height, 1);
+                             grey.channel_names = {"Y"};
+                             for (std::size_t i = 0; i < grey.pixels.size(); ++i)
+                                 grey.pixels[i] = m.reference.pixels[3 * i + 1];
+                             for (std::size_t i = 0; i < m.test.pixels.size(); ++i)
+                                 m.test.pixels[i] = grey.pixels[i / 3];
+                             m.reference = grey;
+                         }),
             harmless_one(base, "16_bits_rounded", [](Mutant& m) {
                 Random random(65);
                 for (float& v : m.test.pixels) v += 5e-4f * (random.uniform() - 0.5f);

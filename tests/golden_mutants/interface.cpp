@@ -53,7 +53,8 @@ bool is_ink(char letter, float x, float y) {
 
 void blend(Image& image, int x, int y, vec3 color, float cover) {
     if (x < 0 || y < 0 || x >= image.width || y >= image.height) return;
-    for (std::size_t c = 0; c < 3; ++c) image.at(x, y)[c] += cover * (color[static_cast<int>(c)] - image.at(x, y)[c]);
+    for (std::size_t c = 0; c < 3; ++c)
+        image.at(x, y)[c] += cover * (color[static_cast<int>(c)] - image.at(x, y)[c]);
 }
 
 void put_rectangle(Image& image, int left, int top, int width, int height, vec3 color) {
@@ -68,13 +69,17 @@ void put_text(Image& image, std::string_view text, int left, int top, vec3 color
         for (int x = 0; x < width; ++x) {
             int covered = 0;
             for (int s = 0; s < 16; ++s) {
-                const float u = (static_cast<float>(x) + (static_cast<float>(s % 4) + 0.5f) / 4.0f) / o.text_size;
-                const float v = (static_cast<float>(y) + (static_cast<float>(s / 4) + 0.5f) / 4.0f) / o.text_size;
+                const float u =
+                    (static_cast<float>(x) + (static_cast<float>(s % 4) + 0.5f) / 4.0f) / o.text_size;
+                const float v =
+                    (static_cast<float>(y) + (static_cast<float>(s / 4) + 0.5f) / 4.0f) / o.text_size;
                 const auto letter = static_cast<std::size_t>(u / 6.0f);
-                covered += letter < text.size() && is_ink(text[letter], u - 6.0f * static_cast<float>(letter), v);
+                covered +=
+                    letter < text.size() && is_ink(text[letter], u - 6.0f * static_cast<float>(letter), v);
             }
             const float cover = static_cast<float>(covered) / 16.0f;
-            if (covered > 0) blend(image, left + x, top + y, color, o.has_antialiasing ? cover : std::round(cover));
+            if (covered > 0)
+                blend(image, left + x, top + y, color, o.has_antialiasing ? cover : std::round(cover));
         }
 }
 
@@ -94,7 +99,8 @@ Image interface_base(Extent size, const InterfaceBase& o) {
             blend(image, size.width - 20 + x, 12 + y, vec3(0.9f, 0.2f, 0.2f), 1.0f);
     put_text(image, "Total:", 12, 44, ink, o);
     put_text(image, o.amount, 100, 44, ink, o);
-    if (o.has_rule) put_rectangle(image, 12, 70 + o.rule_offset, std::min(800, size.width - 24), 1, vec3(0.7f));
+    if (o.has_rule)
+        put_rectangle(image, 12, 70 + o.rule_offset, std::min(800, size.width - 24), 1, vec3(0.7f));
     put_rectangle(image, 12, 84, 90 + o.button_growth, 30, accent);
     if (o.has_focus_ring) {
         put_rectangle(image, 9, 81, 96, 1, accent);
@@ -111,7 +117,8 @@ Image interface_base(Extent size, const InterfaceBase& o) {
     const float line_size = 1.2f;
     InterfaceBase lines = o;
     lines.text_size = line_size * o.text_size / 2.0f;
-    constexpr std::array words{"settings are not so easy:", "some noise is on line 1,380", "areas are stored once."};
+    constexpr std::array words{"settings are not so easy:", "some noise is on line 1,380",
+                               "areas are stored once."};
     for (int y = 128, line = 0; y < size.height - 16; y += 16, ++line)
         put_text(image, words[static_cast<std::size_t>(line % 3)], 12, y, ink, lines);
     round_to_codes(image);

@@ -14,7 +14,8 @@ using image::Image;
 template<typename Function>
 void for_pixels(Image& image, int left, int top, int width, int height, const Function& f) {
     for (int y = std::max(top, 0); y < std::min(top + height, image.height); ++y)
-        for (int x = std::max(left, 0); x < std::min(left + width, image.width); ++x) f(image.at(x, y).first(3));
+        for (int x = std::max(left, 0); x < std::min(left + width, image.width); ++x)
+            f(image.at(x, y).first(3));
 }
 
 void fill(Image& image, int left, int top, int width, int height, float value) {
@@ -27,8 +28,10 @@ std::pair<int, int> bright_place(const Image& image, int margin) {
     std::pair<int, int> best{margin, margin};
     float most = -1.0f;
     for (int k = 0; k < 64; ++k) {
-        const int x = margin + static_cast<int>(random.uniform() * static_cast<float>(image.width - 2 * margin));
-        const int y = margin + static_cast<int>(random.uniform() * static_cast<float>(image.height - 2 * margin));
+        const int x =
+            margin + static_cast<int>(random.uniform() * static_cast<float>(image.width - 2 * margin));
+        const int y =
+            margin + static_cast<int>(random.uniform() * static_cast<float>(image.height - 2 * margin));
         const float value = std::min(image.at(x, y)[1], 1.5f);
         if (value > most) best = {x, y};
         most = std::max(most, value);
@@ -70,8 +73,9 @@ void copy_patch(Image& image, int left, int top, int edge, int dx, int dy) {
     const Image right = image;
     for (int y = top; y < top + edge; ++y)
         for (int x = left; x < left + edge; ++x)
-            std::ranges::copy(right.at(std::clamp(x + dx, 0, image.width - 1), std::clamp(y + dy, 0, image.height - 1)),
-                              image.at(x, y).begin());
+            std::ranges::copy(
+                right.at(std::clamp(x + dx, 0, image.width - 1), std::clamp(y + dy, 0, image.height - 1)),
+                image.at(x, y).begin());
 }
 
 void blur_patch(Image& image, int left, int top, int edge) {
@@ -91,7 +95,8 @@ void shuffle_patch(Image& image, int left, int top, int edge) {
     for (int y = top; y < top + edge; ++y)
         for (int x = left; x < left + edge; ++x)
             if (random.uniform() < 0.5f)
-                std::swap_ranges(image.at(x, y).begin(), image.at(x, y).end(), image.at(x + 1, y + 1).begin());
+                std::swap_ranges(image.at(x, y).begin(), image.at(x, y).end(),
+                                 image.at(x + 1, y + 1).begin());
 }
 
 void dead_column(Image& image, float value) { fill(image, image.width * 5 / 9, 0, 1, image.height, value); }
@@ -154,7 +159,8 @@ std::vector<Recipe> damaged(Base base) {
     add("dead_pixel", at_bright([=](Image& i, int x, int y) { fill(i, x, y, 1, 1, black); }));
     add("fireflies_20", [=](Image& i) { many_squares(i, 20, 1, white == 1.0f ? 1.0f : 300.0f); });
     add("magenta_pixels", at_bright([=](Image& i, int x, int y) {
-            for (int k = 0; k < 3; ++k) std::ranges::copy(std::array{1.0f, 0.0f, 1.0f}, i.at(x + 3 * k, y).begin());
+            for (int k = 0; k < 3; ++k)
+                std::ranges::copy(std::array{1.0f, 0.0f, 1.0f}, i.at(x + 3 * k, y).begin());
         }));
     add("dead_column", [=](Image& i) { dead_column(i, black); });
     add("dead_row", [=](Image& i) { dead_row(i, black); });
@@ -166,13 +172,17 @@ std::vector<Recipe> damaged(Base base) {
     add("block_shuffled", at_busy([](Image& i, int x, int y) { shuffle_patch(i, x, y, 9); }));
     add("seams", darken_seams);
     add("block_4_percent_darker", at_bright([](Image& i, int x, int y) {
-            for_pixels(i, x - 6, y - 6, 12, 12, [](auto p) { for (float& v : p) v *= 0.96f; });
+            for_pixels(i, x - 6, y - 6, 12, 12, [](auto p) {
+                for (float& v : p) v *= 0.96f;
+            });
         }));
-    add("block_without_green", at_bright([](Image& i, int x, int y) {
-            for_pixels(i, x, y, 5, 5, [](auto p) { p[1] = 0.0f; });
-        }));
-    add("half_black_left", [](Image& i) { fill(i, 0, 0, i.width / 2, i.height, 0.0f); }, "black_in_part");
-    add("half_black_below", [](Image& i) { fill(i, 0, i.height / 2, i.width, i.height, 0.0f); }, "black_in_part");
+    add("block_without_green",
+        at_bright([](Image& i, int x, int y) { for_pixels(i, x, y, 5, 5, [](auto p) { p[1] = 0.0f; }); }));
+    add(
+        "half_black_left", [](Image& i) { fill(i, 0, 0, i.width / 2, i.height, 0.0f); }, "black_in_part");
+    add(
+        "half_black_below", [](Image& i) { fill(i, 0, i.height / 2, i.width, i.height, 0.0f); },
+        "black_in_part");
     return list;
 }
 
@@ -198,8 +208,13 @@ Mutant made(const Recipe& recipe, Extent size) {
         bases[recipe.base] = recipe.base == Base::render  ? render_base(size)
                              : recipe.base == Base::photo ? photo_base(size)
                                                           : interface_base(size);
-    Mutant mutant{name_of(recipe.base) + "." + recipe.name, bases[recipe.base], bases[recipe.base],
-                  recipe.passes, recipe.diagnosis, {}, {}};
+    Mutant mutant{name_of(recipe.base) + "." + recipe.name,
+                  bases[recipe.base],
+                  bases[recipe.base],
+                  recipe.passes,
+                  recipe.diagnosis,
+                  {},
+                  {}};
     if (recipe.base != Base::render) mutant.options.encoding = compare::Encoding::display_referred;
     recipe.change(mutant);
     return mutant;

@@ -1,6 +1,6 @@
 #pragma once
-// Mutants of the three bases at any size: mostly damage to a few pixels, which must not pass because the frame
-// around it is large.
+// Mutants of the three bases at any size: mostly damage to a few pixels, which must not pass because the
+// frame around it is large.
 #include "golden_mutants/bases.hpp"
 #include "golden_mutants/mutants.hpp"
 

@@ -19,8 +19,8 @@ inline image::Image moved(const image::Image& image, float dx, float dy) {
                 const auto at = [&](int i, int j) {
                     return image.at(clamped(left + i, image.width), clamped(top + j, image.height))[c];
                 };
-                result.at(x, y)[c] =
-                    (1.0f - t) * ((1.0f - s) * at(0, 0) + s * at(1, 0)) + t * ((1.0f - s) * at(0, 1) + s * at(1, 1));
+                result.at(x, y)[c] = (1.0f - t) * ((1.0f - s) * at(0, 0) + s * at(1, 0))
+                                     + t * ((1.0f - s) * at(0, 1) + s * at(1, 1));
             }
         }
     return result;
@@ -45,7 +45,8 @@ inline image::Image of_half_size(const image::Image& image) {
     result.channel_names = image.channel_names;
     const image::Image means = at_half_resolution(image);
     for (int y = 0; y < result.height; ++y)
-        for (int x = 0; x < result.width; ++x) std::ranges::copy(means.at(2 * x, 2 * y), result.at(x, y).begin());
+        for (int x = 0; x < result.width; ++x)
+            std::ranges::copy(means.at(2 * x, 2 * y), result.at(x, y).begin());
     return result;
 }
 

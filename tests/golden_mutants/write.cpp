@@ -1,5 +1,6 @@
 // Writes every mutant as two image files, and what it must get and gets here as JSON, for
-// tools/golden/others.py. With sizes, the mutants of the three bases at each of them; with --verdicts no files.
+// tools/golden/others.py. With sizes, the mutants of the three bases at each of them; with --verdicts no
+// files.
 #include "compare/align.hpp"
 #include "compare/planes.hpp"
 #include "core/error.hpp"
@@ -19,7 +20,8 @@ using sr::testing::Mutant;
 /// R, G and B, finite; grey becomes R, G and B.
 sr::image::Image colors_of(const sr::image::Image& image) {
     std::vector<int> channels;
-    for (const std::size_t channel : sr::compare::color_channels(image)) channels.push_back(static_cast<int>(channel));
+    for (const std::size_t channel : sr::compare::color_channels(image))
+        channels.push_back(static_cast<int>(channel));
     sr::image::Image colors = sr::compare::extract(image, channels);
     for (float& value : colors.pixels)
         if (!std::isfinite(value)) value = 0.0f;

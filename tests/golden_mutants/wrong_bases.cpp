@@ -16,7 +16,8 @@ Extent size_of(const Mutant& m) { return {m.reference.width, m.reference.height}
 
 /// Another render, or of its reference too.
 Recipe render_of(const char* name, const RenderBase& options, const char* diagnosis = "*") {
-    return {Base::render, name, false, [options](Mutant& m) { m.test = render_base(size_of(m), options); }, diagnosis};
+    return {Base::render, name, false, [options](Mutant& m) { m.test = render_base(size_of(m), options); },
+            diagnosis};
 }
 
 template<typename Change>
@@ -71,41 +72,51 @@ std::vector<Recipe> wrong_scenes() {
 }
 
 std::vector<Recipe> wrong_channels() {
-    return {wrong(Base::render, "alpha_dropped", "alpha_lost", [](const Image& i) { return without(i, 3, 4); }),
-            wrong(Base::render, "alpha_opaque", "alpha_lost",
-                  [](Image i) {
-                      change_channels(i, 3, 4, [](float) { return 1.0f; });
-                      return i;
-                  }),
-            wrong(Base::render, "alpha_hole", "",
-                  [](Image i) {
-                      for (int k = 0; k < 25; ++k) i.at(i.width / 2 + k % 5, i.height * 3 / 5 + k / 5)[3] = 0.0f;
-                      return i;
-                  }),
-            layered("layer_dropped", [](Image& i) { i = without(i, 4, 7); }, ""),
-            layered("layer_5_times", [](Image& i) { change_channels(i, 7, 10, [](float v) { return 5.0f * v; }); }, ""),
-            layered("layer_3_percent_off",
-                    [](Image& i) { change_channels(i, 4, 7, [](float v) { return 1.03f * v; }); }, ""),
-            layered("layer_black", [](Image& i) { change_channels(i, 4, 7, [](float) { return 0.0f; }); }, ""),
-            layered("layers_swapped",
-                    [](Image& i) {
-                        for (std::size_t p = 0; p < i.pixels.size(); p += 11)
-                            std::swap_ranges(&i.pixels[p + 4], &i.pixels[p + 7], &i.pixels[p + 7]);
-                    },
-                    ""),
-            layered("depth_dropped", [](Image& i) { i = without(i, 10, 11); }, ""),
-            layered("depth_hole", [](Image& i) { i.at(i.width / 2, i.height * 4 / 5)[10] = 0.0f; }, ""),
-            layered("layer_with_nan",
-                    [](Image& i) { i.at(i.width / 2, i.height * 4 / 5)[5] = std::nanf(""); }, ""),
-            layered("key_missing",
-                    [](Image& i) {
-                        for (std::size_t p = 0; p < i.pixels.size(); p += 11)
-                            for (std::size_t c = 0; c < 3; ++c) {
-                                i.pixels[p + c] -= i.pixels[p + 4 + c];
-                                i.pixels[p + 4 + c] = 0.0f;
-                            }
-                    },
-                    "light_missing")};
+    return {
+        wrong(Base::render, "alpha_dropped", "alpha_lost", [](const Image& i) { return without(i, 3, 4); }),
+        wrong(Base::render, "alpha_opaque", "alpha_lost",
+              [](Image i) {
+                  change_channels(i, 3, 4, [](float) { return 1.0f; });
+                  return i;
+              }),
+        wrong(Base::render, "alpha_hole", "",
+              [](Image i) {
+                  for (int k = 0; k < 25; ++k) i.at(i.width / 2 + k % 5, i.height * 3 / 5 + k / 5)[3] = 0.0f;
+                  return i;
+              }),
+        layered(
+            "layer_dropped", [](Image& i) { i = without(i, 4, 7); }, ""),
+        layered(
+            "layer_5_times", [](Image& i) { change_channels(i, 7, 10, [](float v) { return 5.0f * v; }); },
+            ""),
+        layered(
+            "layer_3_percent_off",
+            [](Image& i) { change_channels(i, 4, 7, [](float v) { return 1.03f * v; }); }, ""),
+        layered(
+            "layer_black", [](Image& i) { change_channels(i, 4, 7, [](float) { return 0.0f; }); }, ""),
+        layered(
+            "layers_swapped",
+            [](Image& i) {
+                for (std::size_t p = 0; p < i.pixels.size(); p += 11)
+                    std::swap_ranges(&i.pixels[p + 4], &i.pixels[p + 7], &i.pixels[p + 7]);
+            },
+            ""),
+        layered(
+            "depth_dropped", [](Image& i) { i = without(i, 10, 11); }, ""),
+        layered(
+            "depth_hole", [](Image& i) { i.at(i.width / 2, i.height * 4 / 5)[10] = 0.0f; }, ""),
+        layered(
+            "layer_with_nan", [](Image& i) { i.at(i.width / 2, i.height * 4 / 5)[5] = std::nanf(""); }, ""),
+        layered(
+            "key_missing",
+            [](Image& i) {
+                for (std::size_t p = 0; p < i.pixels.size(); p += 11)
+                    for (std::size_t c = 0; c < 3; ++c) {
+                        i.pixels[p + c] -= i.pixels[p + 4 + c];
+                        i.pixels[p + 4 + c] = 0.0f;
+                    }
+            },
+            "light_missing")};
 }
 
 std::vector<Recipe> wrong_numbers() {
@@ -144,7 +155,8 @@ std::vector<Recipe> wrong_numbers() {
               }),
         wrong(Base::render, "grey", "*",
               [](Image i) {
-                  for (std::size_t p = 0; p < i.pixels.size(); p += 4) i.pixels[p] = i.pixels[p + 2] = i.pixels[p + 1];
+                  for (std::size_t p = 0; p < i.pixels.size(); p += 4)
+                      i.pixels[p] = i.pixels[p + 2] = i.pixels[p + 1];
                   return i;
               }),
         wrong(Base::render, "vignette", "", [](Image i) {
@@ -200,7 +212,8 @@ std::vector<Recipe> wrong_renders() {
 std::vector<Recipe> wrong_photos() {
     const Base base = Base::photo;
     std::vector<Recipe> list = wrong_places_of(base);
-    const auto add = [&](const char* name, const char* diagnosis, const std::function<Image(const Image&)>& change) {
+    const auto add = [&](const char* name, const char* diagnosis,
+                         const std::function<Image(const Image&)>& change) {
         list.push_back(wrong(base, name, diagnosis, change));
     };
     add("4_codes_brighter", "*", curve([](float v) { return v + 4.0f / 255.0f; }));
@@ -221,19 +234,22 @@ std::vector<Recipe> wrong_photos() {
         for (int y = -2; y <= 2; ++y)
             for (int x = -2; x <= 2; ++x)
                 if (x * x + y * y <= 5)
-                    std::ranges::copy(std::array{0.9f, 0.1f, 0.1f}, i.at(i.width / 2 + x, i.height / 2 + y).begin());
+                    std::ranges::copy(std::array{0.9f, 0.1f, 0.1f},
+                                      i.at(i.width / 2 + x, i.height / 2 + y).begin());
         return i;
     });
     add("patch_3_codes_darker", "*", [](Image i) {
         for (int k = 0; k < 81; ++k)
-            for (float& v : i.at(i.width / 2 + k % 9, i.height / 2 + k / 9)) v = std::max(v - 3.0f / 255.0f, 0.0f);
+            for (float& v : i.at(i.width / 2 + k % 9, i.height / 2 + k / 9))
+                v = std::max(v - 3.0f / 255.0f, 0.0f);
         return i;
     });
     add("cropped_and_enlarged", "*", [](const Image& i) {
-        return rearranged(i, [&](int x, int y) { return std::pair(2 + x * (i.width - 4) / i.width, 2 + y * (i.height - 4) / i.height); });
+        return rearranged(i, [&](int x, int y) {
+            return std::pair(2 + x * (i.width - 4) / i.width, 2 + y * (i.height - 4) / i.height);
+        });
     });
-    list.push_back({base, "16_bits_0.7_percent_darker", false,
-                    [](Mutant& m) {
+    list.push_back({base, "16_bits_0.7_percent_darker", false, [](Mutant& m) {
                         m.test = scaled(m.test, 0.993f);
                         m.options.bits = 16;
                     }});
@@ -244,7 +260,8 @@ std::vector<Recipe> wrong_interfaces() {
     const Base base = Base::interface;
     std::vector<Recipe> list;
     const auto add = [&](const char* name, const InterfaceBase& options) {
-        list.push_back({base, name, false, [options](Mutant& m) { m.test = interface_base(size_of(m), options); }});
+        list.push_back(
+            {base, name, false, [options](Mutant& m) { m.test = interface_base(size_of(m), options); }});
     };
     add("save_sane", {.label = "Sane"});
     add("label_missing", {.label = ""});

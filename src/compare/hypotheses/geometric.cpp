@@ -87,11 +87,12 @@ void add_half_shifts(const DiagnosisInput& in, Hypotheses& out) {
                 };
                 return 0.25f * (r(x, y) + r(x - dx, y) + r(x, y - dy) + r(x - dx, y - dy));
             });
-            out.push_back({{"shifted",
-                            fmt::format("test is the reference shifted by half a pixel: {}", half_shift_text(dx, dy)),
-                            left,
-                            {}},
-                           2});
+            out.push_back(
+                {{"shifted",
+                  fmt::format("test is the reference shifted by half a pixel: {}", half_shift_text(dx, dy)),
+                  left,
+                  {}},
+                 2});
         }
 }
 
@@ -100,11 +101,14 @@ void add_blocks(const DiagnosisInput& in, Hypotheses& out) {
     for (const int edge : {2, 3, 4, 8}) {
         const double left = residual(in, [&](std::size_t i, std::size_t c) {
             const auto width = static_cast<std::size_t>(in.width);
-            const int x = static_cast<int>(i % width) / edge * edge, y = static_cast<int>(i / width) / edge * edge;
+            const int x = static_cast<int>(i % width) / edge * edge,
+                      y = static_cast<int>(i / width) / edge * edge;
             if (x + edge > in.width || y + edge > in.height) return unknown;
             float sum = 0.0f;
             for (int k = 0; k < edge * edge; ++k)
-                sum += in.r(static_cast<std::size_t>(y + k / edge) * width + static_cast<std::size_t>(x + k % edge), c);
+                sum += in.r(static_cast<std::size_t>(y + k / edge) * width
+                                + static_cast<std::size_t>(x + k % edge),
+                            c);
             return sum / static_cast<float>(edge * edge);
         });
         out.push_back({{"resolution_scaled",
@@ -137,8 +141,8 @@ void hypotheses_geometric(const DiagnosisInput& in, Hypotheses& out) {
 
 namespace {
 
-/// Colours beside an image of one colour, the reference's mean, which replaces the reference: it has no pixel at
-/// most of the test's places.
+/// Colours beside an image of one colour, the reference's mean, which replaces the reference: it has no pixel
+/// at most of the test's places.
 DiagnosisInput input_beside_mean(const image::Image& test, const image::Image& reference) {
     DiagnosisInput in;
     in.width = test.width;
@@ -182,11 +186,13 @@ void hypotheses_resized(const image::Image& test, const image::Image& reference,
     const auto begin = [](int at, double scale) { return static_cast<int>(std::ceil(at / scale - 0.5)); };
     const double left = residual(in, [&](std::size_t i, std::size_t c) {
         const int x = static_cast<int>(i) % in.width, y = static_cast<int>(i) / in.width;
-        const int nearest_x = static_cast<int>((x + 0.5) / scale_x), nearest_y = static_cast<int>((y + 0.5) / scale_y);
+        const int nearest_x = static_cast<int>((x + 0.5) / scale_x),
+                  nearest_y = static_cast<int>((y + 0.5) / scale_y);
         float sum = 0.0f;
         int count = 0;
         for (int v = begin(y, scale_y); v < begin(y + 1, scale_y); ++v)
-            for (int u = begin(x, scale_x); u < begin(x + 1, scale_x); ++u, ++count) sum += reference.at(u, v)[c];
+            for (int u = begin(x, scale_x); u < begin(x + 1, scale_x); ++u, ++count)
+                sum += reference.at(u, v)[c];
         return count > 0 ? sum / static_cast<float>(count) : reference.at(nearest_x, nearest_y)[c];
     });
     out.push_back({{"resolution_scaled",

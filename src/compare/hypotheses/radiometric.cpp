@@ -25,7 +25,7 @@ constexpr std::array named_factors{
     NamedFactor{0.25 / std::numbers::pi, "four_pi_twice", "a division by 4π too many"},
     NamedFactor{683.0, "lumens_for_watts", "683 lm/W applied once too often"},
     NamedFactor{1.0 / 683.0, "watts_for_lumens", "683 lm/W is missing"}};
-constexpr double same_factor = 0.003; // relative: 3.12 is not π
+constexpr double same_factor = 0.003;         // relative: 3.12 is not π
 constexpr double same_factor_in_noise = 0.01; // the error of a median is larger
 
 /// The median; 0 of no values.
@@ -158,8 +158,8 @@ void add_gamma(const DiagnosisInput& in, Hypotheses& out) {
         in, [&](std::size_t i, std::size_t c) { return std::pow(std::max(in.r(i, c), 0.0f), exponent); });
     const bool is_applied = exponent < 1.0f;
     out.push_back({{is_applied ? "gamma_applied" : "gamma_missing",
-                    is_applied ? fmt::format("test = reference^(1/{:.3g}) {}: a gamma of {:.3g} applied", gamma,
-                                             in.where, gamma)
+                    is_applied ? fmt::format("test = reference^(1/{:.3g}) {}: a gamma of {:.3g} applied",
+                                             gamma, in.where, gamma)
                                : fmt::format("test = reference^{:.3g} {}: a gamma of {:.3g} missing", gamma,
                                              in.where, gamma),
                     left,
@@ -176,9 +176,12 @@ void add_clipped(const DiagnosisInput& in, Hypotheses& out) {
             brightest = std::max(brightest, in.r(i, c));
         }
     if (level <= in.floor || brightest < 1.01f * level) return;
-    const double left = residual(in, [&](std::size_t i, std::size_t c) { return std::min(in.r(i, c), level); });
+    const double left =
+        residual(in, [&](std::size_t i, std::size_t c) { return std::min(in.r(i, c), level); });
     const float shown = in.max_value == 1.0f ? srgb_encoded_unclamped(level) : level;
-    out.push_back({{"clamped", fmt::format("test = the reference clipped at {:.4g} {}", shown, in.where), left, {}}, 3});
+    out.push_back(
+        {{"clamped", fmt::format("test = the reference clipped at {:.4g} {}", shown, in.where), left, {}},
+         3});
 }
 
 /// The values of one channel of the test, if they are few.
@@ -204,7 +207,9 @@ void add_bands(const DiagnosisInput& in, Hypotheses& out) {
         if (levels[c].size() < 2 || (before > 0 && before < 3 * levels[c].size())) return;
         count = std::max(count, levels[c].size());
     }
-    const auto stored = [&in](float value) { return in.max_value == 1.0f ? srgb_encoded_unclamped(value) : value; };
+    const auto stored = [&in](float value) {
+        return in.max_value == 1.0f ? srgb_encoded_unclamped(value) : value;
+    };
     const double left = residual(in, [&](std::size_t i, std::size_t c) {
         const float value = in.r(i, c);
         const auto above = std::ranges::lower_bound(levels[c], value);
@@ -213,11 +218,12 @@ void add_bands(const DiagnosisInput& in, Hypotheses& out) {
         const float below = *std::prev(above);
         return stored(value) - stored(below) < stored(*above) - stored(value) ? below : *above;
     });
-    out.push_back({{"banded",
-                    fmt::format("test = the reference rounded to {} levels {}: too few bits", count, in.where),
-                    left,
-                    {}},
-                   4});
+    out.push_back(
+        {{"banded",
+          fmt::format("test = the reference rounded to {} levels {}: too few bits", count, in.where),
+          left,
+          {}},
+         4});
 }
 
 } // namespace
@@ -242,12 +248,13 @@ void hypotheses_blank_part(const DiagnosisInput& in, Hypotheses& out) {
     }
     if (count < 16) return; // too few for a shape
     const double rest = residual(in, [&](std::size_t i, std::size_t c) {
-        const bool is_inside = i % width >= left && i % width <= right && i / width >= top && i / width <= bottom;
+        const bool is_inside =
+            i % width >= left && i % width <= right && i / width >= top && i / width <= bottom;
         return is_inside ? 0.0f : in.r(i, c);
     });
     out.push_back({{"black_in_part",
-                    fmt::format("test is black in columns {} to {}, rows {} to {}: a part was not drawn", left,
-                                right, top, bottom),
+                    fmt::format("test is black in columns {} to {}, rows {} to {}: a part was not drawn",
+                                left, right, top, bottom),
                     rest,
                     {}},
                    3});

@@ -49,6 +49,7 @@ const Test wrong_otherwise("unit.golden.mutants.wrong_otherwise",
                            [] { expect_as_they_must_be(sr::testing::wrong_otherwise()); });
 const Test render_base("unit.golden.mutants.render", [] { expect_of_base(sr::testing::Base::render); });
 const Test photo_base("unit.golden.mutants.photo", [] { expect_of_base(sr::testing::Base::photo); });
-const Test interface_base("unit.golden.mutants.interface", [] { expect_of_base(sr::testing::Base::interface); });
+const Test interface_base("unit.golden.mutants.interface",
+                          [] { expect_of_base(sr::testing::Base::interface); });
 
 } // namespace
