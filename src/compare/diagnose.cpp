@@ -114,14 +114,15 @@ constexpr int max_freedom_without_fits = 2;
 constexpr std::size_t min_significant = 32;
 constexpr double as_good = 0.02; // residuals this near to the best explain as much
 
-bool explains(const Hypothesis& hypothesis) {
-    const bool fits = hypothesis.degrees_of_freedom > max_freedom_without_fits;
+/// Noise leaves more of the difference than a wrong hypothesis may.
+bool explains(const Hypothesis& hypothesis, bool has_noise) {
+    const bool fits = hypothesis.degrees_of_freedom > max_freedom_without_fits && !has_noise;
     return hypothesis.diagnosis.residual <= (fits ? max_residual_of_fits : max_residual);
 }
 
 /// The hypothesis with the fewest degrees of freedom of those that explain as much as the best one.
-std::optional<Diagnosis> best_of(Hypotheses tried) {
-    std::erase_if(tried, [](const Hypothesis& h) { return !explains(h); });
+std::optional<Diagnosis> best_of(Hypotheses tried, bool has_noise = false) {
+    std::erase_if(tried, [has_noise](const Hypothesis& h) { return !explains(h, has_noise); });
     if (tried.empty()) return std::nullopt;
     const auto residual_of = [](const Hypothesis& h) { return h.diagnosis.residual; };
     const double least = residual_of(std::ranges::min(tried, {}, residual_of));
@@ -211,9 +212,10 @@ std::optional<Diagnosis> diagnose(const AlignedImages& images, const Image& erro
         hypotheses_terms(whole, reference, tried);
     }
     if (z)
-        std::erase_if(tried,
-                      [](const Hypothesis& h) { return h.degrees_of_freedom > max_freedom_without_fits; });
-    if (auto diagnosis = best_of(tried); diagnosis || z) return diagnosis;
+        std::erase_if(tried, [](const Hypothesis& h) {
+            return h.degrees_of_freedom > max_freedom_without_fits && !h.fits_all_pixels;
+        });
+    if (auto diagnosis = best_of(tried, z != nullptr); diagnosis || z) return diagnosis;
 
     const auto failing = failing_input(whole, images, error);
     if (!failing) return std::nullopt;

@@ -20,8 +20,9 @@ struct Diagnosis {
 /// or, for a mistake that acts within a pixel, over the failing pixels alone (then at most 0.1).
 /// @param error      Comparison::error, which tells the failing pixels
 /// @param test, reference  the files as read: the reference's layers are the lights that may be missing
-/// @param z the z-scores, if the noise is known: then only hypotheses with nothing to fit are tried, on the
-///          pixels that noise does not explain
+/// @param z the z-scores, if the noise is known: then the pixels are looked at that noise does not explain,
+/// and
+///          only hypotheses are tried that fit nothing, or fit to all pixels
 std::optional<Diagnosis> diagnose(const AlignedImages& images, const image::Image& error,
                                   const image::Image& test, const image::Image& reference,
                                   const CompareOptions& options, const PixelValues* z);

@@ -56,7 +56,8 @@ double residual(const DiagnosisInput& in, const Prediction& prediction) {
 /// A hypothesis that was tried, with its residual.
 struct Hypothesis {
     Diagnosis diagnosis;
-    int degrees_of_freedom = 0; // of two that explain as much, the one with fewer is chosen
+    int degrees_of_freedom = 0;   // of two that explain as much, the one with fewer is chosen
+    bool fits_all_pixels = false; // its numbers are fitted to DiagnosisInput::fitted, not to chosen pixels
 };
 using Hypotheses = std::vector<Hypothesis>;
 

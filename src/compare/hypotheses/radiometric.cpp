@@ -69,7 +69,8 @@ void add_factor(const DiagnosisInput& in, Hypotheses& out) {
                                 in.where, std::log2(fitted)),
                     left,
                     {}},
-                   3});
+                   3,
+                   true});
 }
 
 void add_gains(const DiagnosisInput& in, Hypotheses& out) {
@@ -83,7 +84,8 @@ void add_gains(const DiagnosisInput& in, Hypotheses& out) {
                                 gains[0], gains[1], gains[2], in.where),
                     left,
                     {}},
-                   5});
+                   5,
+                   true});
 }
 
 void add_offset(const DiagnosisInput& in, Hypotheses& out) {
@@ -164,7 +166,8 @@ void add_gamma(const DiagnosisInput& in, Hypotheses& out) {
                                              in.where, gamma),
                     left,
                     {}},
-                   3});
+                   3,
+                   true});
 }
 
 /// Clipped at the test's largest value.
