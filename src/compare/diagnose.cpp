@@ -108,16 +108,18 @@ std::optional<DiagnosisInput> failing_input(const DiagnosisInput& whole, const A
 // numbers are fitted, or the pixels were chosen because they differ.
 constexpr double max_residual = 0.2;
 constexpr double max_residual_of_fits = 0.1;
+constexpr double max_residual_in_noise = 0.35; // of fits to all pixels
 constexpr int max_freedom_without_fits = 2;
 // Pixels chosen because noise does not explain them differ by more than the mistake itself: a fit to them is
 // wrong, a hypothesis with nothing to fit is not.
 constexpr std::size_t min_significant = 32;
 constexpr double as_good = 0.02; // residuals this near to the best explain as much
 
-/// Noise leaves more of the difference than a wrong hypothesis may.
+/// True if it leaves little enough of the difference. Noise leaves more, whatever is fitted.
 bool explains(const Hypothesis& hypothesis, bool has_noise) {
-    const bool fits = hypothesis.degrees_of_freedom > max_freedom_without_fits && !has_noise;
-    return hypothesis.diagnosis.residual <= (fits ? max_residual_of_fits : max_residual);
+    const bool fits = hypothesis.degrees_of_freedom > max_freedom_without_fits;
+    const double limit = !fits ? max_residual : has_noise ? max_residual_in_noise : max_residual_of_fits;
+    return hypothesis.diagnosis.residual <= limit;
 }
 
 /// The hypothesis with the fewest degrees of freedom of those that explain as much as the best one.
