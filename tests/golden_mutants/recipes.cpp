@@ -168,7 +168,7 @@ std::vector<Recipe> damaged(Base base) {
     add("block_flattened", at_busy([](Image& i, int x, int y) { flatten_block(i, x, y, 8); }));
     add("block_blurred", at_busy([](Image& i, int x, int y) { blur_patch(i, x, y, 9); }));
     add("block_from_elsewhere", at_busy([](Image& i, int x, int y) { copy_patch(i, x, y, 9, 40, 23); }));
-    add("block_shifted", at_busy([](Image& i, int x, int y) { copy_patch(i, x, y, 9, 1, 0); }));
+    add("block_shifted", at_busy([](Image& i, int x, int y) { copy_patch(i, x, y, 9, 1, 1); }));
     add("block_shuffled", at_busy([](Image& i, int x, int y) { shuffle_patch(i, x, y, 9); }));
     add("seams", darken_seams);
     add("block_4_percent_darker", at_bright([](Image& i, int x, int y) {
