@@ -17,6 +17,7 @@
 #include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 namespace sr::cli {
 namespace {
@@ -30,30 +31,22 @@ struct CompareCommand {
     std::vector<std::string> noise;
     std::string encoding;
     std::string exposures;
+    std::string other_layers;
     std::string heat_map;
     std::string side_by_side;
     compare::CompareOptions options;
     bool json = false;
 };
 
-/// Returns whether the extension is that of a format that holds codes for a screen.
-bool is_for_screens(const std::string& file) {
-    std::string extension = std::filesystem::path(file).extension().string();
-    std::ranges::transform(extension, extension.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    constexpr std::array screen_formats{".png", ".jpg", ".jpeg", ".bmp", ".gif", ".tga", ".webp", ".ppm"};
-    return std::ranges::find(screen_formats, extension) != screen_formats.end();
-}
-
-compare::Encoding encoding_of(const CompareCommand& command) {
-    using enum compare::Encoding;
-    if (command.encoding == "linear") return scene_referred;
-    if (command.encoding == "srgb") return display_referred;
-    const bool test = is_for_screens(command.test), reference = is_for_screens(command.reference);
-    if (test != reference)
+/// Sets what the numbers are, as --encoding says or as the files hold them.
+void set_encoding(compare::CompareOptions& options, const std::string& encoding, const image::Image& test,
+                  const image::Image& reference) {
+    compare::set_encoding(options, test, reference);
+    if (encoding == "linear") options.encoding = compare::Encoding::scene_referred;
+    if (encoding == "srgb") options.encoding = compare::Encoding::display_referred;
+    if (encoding.empty() && (compare::integer_bits(test) > 0) != (compare::integer_bits(reference) > 0))
         print_remark("one image holds light and the other codes for a screen: their numbers are compared as "
                      "they are (--encoding tells what they are)");
-    return test && reference ? display_referred : scene_referred;
 }
 
 std::optional<compare::Region> parsed_region(const std::string& text) {
@@ -77,6 +70,15 @@ std::optional<compare::Exposures> parsed_exposures(const std::string& text) {
     return exposures;
 }
 
+/// The names of a list with commas; none for "none".
+std::vector<std::string> names_in(const std::string& text) {
+    std::vector<std::string> names;
+    std::istringstream stream(text);
+    for (std::string name; std::getline(stream, name, ',');)
+        if (name != "none") names.push_back(name);
+    return names;
+}
+
 /// A number for all pixels, or an image file.
 image::Image read_noise(const std::string& text) {
     char* end = nullptr;
@@ -91,9 +93,9 @@ image::Image read_noise(const std::string& text) {
 
 compare::CompareOptions options_of(const CompareCommand& command) {
     compare::CompareOptions options = command.options;
-    options.encoding = encoding_of(command);
     if (!command.region.empty()) options.region = parsed_region(command.region);
     if (!command.exposures.empty()) options.exposures = parsed_exposures(command.exposures);
+    if (!command.other_layers.empty()) options.other_layers = names_in(command.other_layers);
     if (!command.mask.empty()) options.mask = image::read(command.mask);
     for (const std::string& noise : command.noise) options.noise.push_back(read_noise(noise));
     options.tolerances = compare::parse_tolerances(command.limits);
@@ -143,7 +145,8 @@ void check_outputs_of(const CompareCommand& command) {
 ExitStatus compare(const CompareCommand& command) {
     check_outputs_of(command);
     const image::Image test = image::read(command.test), reference = image::read(command.reference);
-    const compare::CompareOptions options = options_of(command);
+    compare::CompareOptions options = options_of(command);
+    set_encoding(options, command.encoding, test, reference);
     const compare::Comparison comparison = compare::compare(test, reference, options);
     image::WholeFiles files;
     if (!command.heat_map.empty())
@@ -188,13 +191,14 @@ void declare_judgement(CLI::App& command, CompareCommand& o) {
     command.add_option("TEST", o.test, "the image in question, any format")->required();
     command.add_option("REF", o.reference, "the image that is right")->required();
     command
-        .add_option(
-            "--max,--min", o.limits,
-            "a limit, instead of the default ones (repeatable): rel, abs, z, flip or hdr_flip, with "
-            "@PERCENT% "
-            "of the pixels that must keep it; flip, hdr_flip (means), mean_rel, mean_abs, rmse, rel_mse, "
-            "energy, density; ssim is at least so much")
-        ->type_name("NAME=LIMIT[@PERCENT%]")
+        .add_option("--max,--min", o.limits,
+                    "a limit, instead of the default ones (repeatable): rel, abs, z, flip or hdr_flip, with "
+                    "@PERCENT% "
+                    "of the pixels that must keep it, rel, abs and z also with @edges, which forgives a few "
+                    "pixels at "
+                    "edges; flip, hdr_flip (means), mean_rel, mean_abs, rmse, rel_mse, "
+                    "energy, density; ssim is at least so much")
+        ->type_name("NAME=LIMIT[@PERCENT%|@edges]")
         ->allow_extra_args(false)
         ->check(refusal_of_limit);
     command.add_flag("--allow-nonfinite", o.options.allow_nonfinite,
@@ -215,12 +219,19 @@ void declare_scope(CLI::App& command, CompareCommand& o) {
     command.add_option("--mask", o.mask, "compare only where this image's first channel exceeds 0.5")
         ->type_name("FILE");
     command
-        .add_option("--layer", o.options.layer, "compare this layer of both files (NAME.R, NAME.G, NAME.B)")
+        .add_option("--layer", o.options.layer,
+                    "compare only this layer of both files (NAME.R, NAME.G, NAME.B)")
         ->type_name("NAME");
     command
         .add_option(
+            "--other-layers", o.other_layers,
+            "compare only these layers beside the picture, separated by commas, or none (default: all "
+            "of REF)")
+        ->type_name("NAME,NAME|none");
+    command
+        .add_option(
             "--encoding", o.encoding,
-            "what the numbers are: linear light or sRGB codes (default: codes if both are .png, .jpg, …)")
+            "what the numbers are: linear light or sRGB codes (default: codes if both files hold integers)")
         ->check(CLI::IsMember({"linear", "srgb"}));
     command
         .add_option("--exposures", o.exposures, "of HDR-FLIP, in stops (default: from what is lit in REF)")
@@ -248,9 +259,10 @@ void add_compare_command(CLI::App& app) {
         ->check(refusal_of_picture);
     command->add_flag("--json", o->json, "print JSON");
     command->footer(
-        "Default limits: of light rel=0.01@99.9% and energy=0.005, of codes for a screen abs=0.0079@99.9% "
-        "and\n"
-        "energy=0.01, with --noise z=auto@99.9%; and, wherever some pixels may fail, density=0.25.\n\n"
+        "Default limits: of light rel=0.01@edges and energy=0.005, of codes for a screen abs=0.0079@edges "
+        "(of\n"
+        "16 bits 0.001) and energy=0.01, with --noise z=auto@edges. Where a share of the pixels may fail,\n"
+        "density=0.25 is added. Alpha and all layers of REF are compared, too.\n\n"
         "Examples:\n"
         "  steradian compare test.exr golden.exr\n"
         "  steradian compare test.exr golden.exr --max rel=0.02@99.5% --max flip=0.03 --heat-map heat.png\n"

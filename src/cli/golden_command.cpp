@@ -5,6 +5,7 @@
 #include "core/output.hpp"
 #include "core/text.hpp"
 #include "golden/approve.hpp"
+#include "golden/noise.hpp"
 #include "golden/report.hpp"
 #include "golden/run.hpp"
 #include "image/whole_file.hpp"
@@ -29,6 +30,7 @@ struct GoldenArguments {
     golden::RunOptions run;
     golden::ApproveOptions approve;
     bool dry_run = false;
+    int seeds = 12;
 };
 
 void print_line(const golden::TestResult& test) {
@@ -101,6 +103,23 @@ ExitStatus approve(GoldenArguments& arguments) {
         return failed_check;
     }
     if (!arguments.dry_run) golden::carry_out(plan);
+    return done;
+}
+
+ExitStatus make_noise(GoldenArguments& arguments) {
+    const golden::Suite suite = golden::load_suite(arguments.suite);
+    const Interruption interruption;
+    golden::RunOptions& options = arguments.run;
+    options.program = running_program();
+    options.output = arguments.output;
+    options.is_interrupted = [&] { return interruption.has_come(); };
+    const auto made = golden::make_noise(suite, options, arguments.seeds);
+    if (!made) {
+        print_remark("interrupted: the noise of further tests was not written");
+        return interrupted;
+    }
+    for (const golden::MadeNoise& noise : *made)
+        print_data("{:<28} {}\n", noise.test, shown(noise.file.string()));
     return done;
 }
 
@@ -184,6 +203,22 @@ void add_approve(CLI::App& app, const std::shared_ptr<GoldenArguments>& argument
     });
 }
 
+void add_noise(CLI::App& app, const std::shared_ptr<GoldenArguments>& arguments) {
+    CLI::App* command =
+        subcommand(app, *arguments, "noise", "make the noise images that tests name, from several seeds");
+    add_output(*command, *arguments);
+    add_choice(*command, arguments->run);
+    command->add_option("--seeds", arguments->seeds, "pictures of each test")
+        ->check(CLI::Range(2, 1000))
+        ->capture_default_str();
+    command->footer(
+        "Writes the standard errors of one picture: of its pixels, of blocks of 16x16 and of the whole.\n"
+        "Example:\n  steradian golden noise suite.json --filter cornell --seeds 12");
+    command->callback([arguments] {
+        if (const ExitStatus status = make_noise(*arguments); status != done) throw CLI::RuntimeError(status);
+    });
+}
+
 } // namespace
 
 void add_golden_command(CLI::App& app) {
@@ -192,6 +227,7 @@ void add_golden_command(CLI::App& app) {
     command->require_subcommand(1);
     add_run(*command, arguments);
     add_approve(*command, arguments);
+    add_noise(*command, arguments);
     CLI::App* report = subcommand(*command, *arguments, "report", "write the last run's report.html again");
     add_output(*report, *arguments);
     report->callback([arguments] {

@@ -195,7 +195,7 @@ render::RenderOptions render_options(const RenderSettings& settings, Size size) 
     options.width = size.width;
     options.height = size.height;
     options.samples = settings.stop.samples;
-    options.estimates_error = settings.asks_for_error();
+    options.estimates_error = settings.stop.asks_for_error() || settings.denoises;
     options.shader_path = shader_path(settings.shaders);
     if (!settings.shaders.empty()) options.trial = std::make_shared<gl::TrialCompiler>(settings.backend);
     if (settings.view) options.shader = settings.view->shader;

@@ -145,6 +145,22 @@ struct Work {
     std::string what = "rendering";
 };
 
+/// Estimates the error of the picture for --aov error. A picture that does not stop by its error is of one
+/// sequence of samples; a second rendering of as many samples in two halves tells the error and leaves it as
+/// it is.
+void estimate_error(const Work& work, Picture& picture) {
+    if (picture.stop.estimate || !output::holds(work.command.aovs, output::Finish::error)) return;
+    render::RenderOptions options = work.options;
+    options.estimates_error = true;
+    render::Renderer renderer(work.scene, work.stage.camera, options);
+    StopRule rule = work.command.stop;
+    rule.samples = picture.samples.max;
+    const Stop stop = add_samples(renderer, rule, work.interruption.token(), "estimating the error of " + work.what);
+    picture.stop.error = stop.error;
+    picture.stop.estimate = stop.estimate;
+    work.times.end("error");
+}
+
 /// Renders the channels of --layers and --aov. After an interruption it leaves out those of the step at hand.
 std::vector<output::Plane> further_planes(const Work& work, const Picture& picture,
                                           const std::vector<int>& samples) {
@@ -181,6 +197,7 @@ Picture draw(const Work& work) {
         picture.film = output::denoised(work.renderer, source, work.interruption.token());
         work.times.end("denoise");
     }
+    if (!work.interruption.has_come()) estimate_error(work, picture);
     const std::vector<output::Plane> planes = further_planes(work, picture, samples);
     if (!planes.empty()) picture.layers = output::with_planes(picture.film, planes);
     if (work.interruption.has_come()) picture.stop.by = StoppedBy::interruption;

@@ -160,6 +160,18 @@ void equalize_the_rest(AlignedImages& images) {
     }
 }
 
+void choose_pixels(AlignedImages& images, const CompareOptions& options) {
+    images.pixels.assign(static_cast<std::size_t>(images.reference.width) * images.reference.height,
+                         PixelState::compared);
+    if (options.region) exclude_outside(images, *options.region);
+    if (options.mask) exclude_masked(images, *options.mask);
+    if (std::ranges::all_of(images.pixels, [](PixelState pixel) { return pixel == PixelState::excluded; }))
+        throw Error("the region and the mask leave no pixel to compare",
+                    "choose a larger region or another mask");
+    set_aside_nonfinite(images);
+    equalize_the_rest(images);
+}
+
 } // namespace
 
 std::string incompatibility(const Image& test, const Image& reference, const std::string& layer) {
@@ -192,15 +204,52 @@ AlignedImages align(const Image& test, const Image& reference, const CompareOpti
     }
     images.test = extract(test, test_layer->colors);
     images.reference = extract(reference, reference_layer.colors);
-    images.pixels.assign(static_cast<std::size_t>(reference.width) * reference.height, PixelState::compared);
-    if (options.region) exclude_outside(images, *options.region);
-    if (options.mask) exclude_masked(images, *options.mask);
-    if (std::ranges::all_of(images.pixels, [](PixelState pixel) { return pixel == PixelState::excluded; }))
-        throw Error("the region and the mask leave no pixel to compare",
-                    "choose a larger region or another mask");
-    set_aside_nonfinite(images);
-    equalize_the_rest(images);
+    choose_pixels(images, options);
     return images;
+}
+
+AlignedImages align(const Image& test, const Image& reference, const OtherLayer& layer,
+                    const CompareOptions& options) {
+    AlignedImages images;
+    images.colors = static_cast<int>(layer.reference.size());
+    images.test = extract(test, layer.test);
+    images.reference = extract(reference, layer.reference);
+    for (std::size_t i = 0; i < images.test.pixels.size(); ++i) {
+        float &t = images.test.pixels[i], &r = images.reference.pixels[i];
+        if (t == r || (std::isnan(t) && std::isnan(r))) // infinities too
+            if (!std::isfinite(r)) t = r = 0.0f;
+    }
+    choose_pixels(images, options);
+    return images;
+}
+
+std::vector<OtherLayer> other_layers(const Image& test, const Image& reference) {
+    const auto names = names_of(reference), test_names = names_of(test);
+    const auto picture = layer_of(reference, "");
+    std::vector<OtherLayer> layers;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const int channel = static_cast<int>(i);
+        if (picture
+            && (picture->alpha == channel
+                || std::ranges::find(picture->colors, channel) != picture->colors.end()))
+            continue;
+        const auto dot = names[i].rfind('.');
+        const std::string name = dot == std::string::npos ? std::string() : names[i].substr(0, dot);
+        auto layer = std::ranges::find(layers, name, &OtherLayer::name);
+        if (layer == layers.end()) layer = layers.insert(layers.end(), OtherLayer{name, {}, {}, {}});
+        if (const auto found = index_of(test_names, names[i])) {
+            layer->reference.push_back(channel);
+            layer->test.push_back(*found);
+        } else {
+            layer->missing.push_back(names[i]);
+        }
+    }
+    return layers;
+}
+
+bool lacks_alpha(const Image& test, const Image& reference, const std::string& layer) {
+    const auto wanted = layer_of(reference, layer), found = layer_of(test, layer);
+    return wanted && found && wanted->alpha && !found->alpha;
 }
 
 } // namespace sr::compare

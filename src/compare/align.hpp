@@ -58,6 +58,21 @@ private:
     }
 };
 
+/// A layer beside the picture, or the picture's channels that are neither colour nor alpha (its name is
+/// empty).
+struct OtherLayer {
+    std::string name;
+    std::vector<int> reference;       // channels
+    std::vector<int> test;            // the same; without those in `missing`
+    std::vector<std::string> missing; // channels that the test lacks
+};
+
+/// The layers of the reference beside the picture, in the file's order.
+std::vector<OtherLayer> other_layers(const image::Image& test, const image::Image& reference);
+
+/// True if the reference's layer has alpha and the test's has not.
+bool lacks_alpha(const image::Image& test, const image::Image& reference, const std::string& layer);
+
 /// Says why two images cannot be compared ("the test is 64 x 64, the reference 64 x 32"); empty if they can.
 /// @throws Error if the reference does not have the layer.
 std::string incompatibility(const image::Image& test, const image::Image& reference,
@@ -66,5 +81,10 @@ std::string incompatibility(const image::Image& test, const image::Image& refere
 /// Aligns two compatible images.
 /// @throws Error if the region lies outside or the mask has another size, or if they leave no pixel.
 AlignedImages align(const image::Image& test, const image::Image& reference, const CompareOptions& options);
+
+/// Aligns the channels that both images have of one of the reference's other layers. Values that are not
+/// finite and equal are as good as finite ones.
+AlignedImages align(const image::Image& test, const image::Image& reference, const OtherLayer& layer,
+                    const CompareOptions& options);
 
 } // namespace sr::compare

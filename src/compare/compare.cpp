@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <string_view>
@@ -19,7 +20,8 @@ constexpr const char* default_density = "density=0.25";
 /// The given tolerances, or the default ones; with a limit on density if a share of the pixels may fail.
 std::vector<Tolerance> tolerances_in_use(const CompareOptions& options) {
     std::vector<Tolerance> tolerances = options.tolerances;
-    if (tolerances.empty()) tolerances = default_tolerances(options.encoding, !options.noise.empty());
+    if (tolerances.empty())
+        tolerances = default_tolerances(options.encoding, !options.noise.empty(), options.bits);
     const bool limits_density =
         std::ranges::any_of(tolerances, [](const Tolerance& t) { return t.measure == Measure::density; });
     const bool some_may_fail =
@@ -32,7 +34,7 @@ std::vector<Tolerance> tolerances_in_use(const CompareOptions& options) {
 std::vector<Tolerance> pixel_tolerances(const std::vector<Tolerance>& tolerances,
                                         const CompareOptions& options) {
     if (std::ranges::any_of(tolerances, &Tolerance::by_pixel)) return tolerances;
-    return default_tolerances(options.encoding, !options.noise.empty());
+    return default_tolerances(options.encoding, !options.noise.empty(), options.bits);
 }
 
 double mean_over(const Plane& plane, const AlignedImages& images) {
@@ -98,6 +100,7 @@ void judge(const AlignedImages& images, Measurements& measurements, const Compar
         return;
     }
     const auto tolerances = tolerances_in_use(options);
+    measurements.even_energy_ratio = energy_ratios(images, pixels_at_edges(images, measurements, tolerances));
     const PixelValues errors =
         errors_over_limits(images, measurements, pixel_tolerances(tolerances, options));
     std::vector<bool> fails;
@@ -110,13 +113,80 @@ void judge(const AlignedImages& images, Measurements& measurements, const Compar
     comparison.error = error_map(images, errors);
 }
 
+/// The limits on rel and abs, which are for any channel; the default ones if there are none.
+std::vector<Tolerance> layer_tolerances(const CompareOptions& options) {
+    std::vector<Tolerance> tolerances = tolerances_in_use(options);
+    std::erase_if(tolerances,
+                  [](const Tolerance& t) { return t.measure != Measure::rel && t.measure != Measure::abs; });
+    return tolerances.empty() ? default_tolerances(options.encoding, false, options.bits) : tolerances;
+}
+
+/// Judges one of the reference's other layers, and adds its errors to the error map.
+void judge_layer(const AlignedImages& images, const std::string& name, const CompareOptions& options,
+                 Comparison& comparison) {
+    const std::string prefix = name.empty() ? "other channels: " : fmt::format("layer {}: ", name);
+    Verdict finite = judge_finite(images, options.allow_nonfinite);
+    if (!finite.passed) comparison.verdicts.push_back({false, prefix + finite.line});
+    if (images.compared.empty()) return;
+    Measurements measurements;
+    measurements.metrics.floor = relative_floor(images);
+    measurements.abs = absolute_differences(images);
+    measurements.rel = relative_differences(images, measurements.metrics.floor);
+    std::vector<Tolerance> tolerances = layer_tolerances(options);
+    std::erase_if(tolerances, [](const Tolerance& t) { return !t.by_pixel; });
+    for (const Tolerance& tolerance : tolerances) {
+        const Verdict verdict = judge(tolerance, images, measurements);
+        if (!verdict.passed) comparison.verdicts.push_back({false, prefix + verdict.line});
+    }
+    const PixelValues errors = errors_over_limits(images, measurements, tolerances);
+    for (std::size_t k = 0; k < errors.size(); ++k) {
+        float& error = comparison.error.pixels[images.compared[k]];
+        if (error >= 0.0f) error = std::max(error, errors[k]);
+    }
+}
+
+/// Judges all channels of the reference but the picture's colours: none may be missing. Noise is known of the
+/// picture alone: with it, other layers only must be there.
+void judge_other_channels(const Image& test, const Image& reference, const CompareOptions& options,
+                          Comparison& comparison) {
+    std::string missing = lacks_alpha(test, reference, options.layer) ? "alpha" : "";
+    std::size_t compared = 0, failing = comparison.verdicts.size();
+    if (options.layer.empty())
+        for (const OtherLayer& layer : other_layers(test, reference)) {
+            const auto& wanted = options.other_layers;
+            if (wanted && std::ranges::find(*wanted, layer.name) == wanted->end()) continue;
+            for (const std::string& channel : layer.missing)
+                missing += (missing.empty() ? "" : ", ") + channel;
+            if (layer.reference.empty() || !options.noise.empty()) continue;
+            judge_layer(align(test, reference, layer, options), layer.name, options, comparison);
+            ++compared;
+        }
+    if (!missing.empty())
+        comparison.verdicts.push_back({false, "all channels of the reference: the test lacks " + missing});
+    else if (compared > 0 && failing == comparison.verdicts.size())
+        comparison.verdicts.push_back(
+            {true, fmt::format("other layers: {} of {} agree", compared, compared)});
+}
+
 } // namespace
 
-std::vector<Tolerance> default_tolerances(Encoding encoding, bool noise_is_known) {
-    if (noise_is_known) return {parse_tolerance("z=auto@99.9%")};
-    if (encoding == Encoding::display_referred)
-        return {parse_tolerance("abs=0.0079@99.9%"), parse_tolerance("energy=0.01")};
-    return {parse_tolerance("rel=0.01@99.9%"), parse_tolerance("energy=0.005")};
+std::vector<Tolerance> default_tolerances(Encoding encoding, bool noise_is_known, int bits) {
+    if (noise_is_known) return {parse_tolerance("z=auto@edges")};
+    if (encoding == Encoding::scene_referred)
+        return {parse_tolerance("rel=0.01@edges"), parse_tolerance("energy=0.005")};
+    return {parse_tolerance(bits > 8 ? "abs=0.001@edges" : "abs=0.0079@edges"),
+            parse_tolerance("energy=0.01")};
+}
+
+int integer_bits(const Image& image) {
+    const auto found = std::ranges::find(image.attributes, "steradian:integer_bits", &image::Attribute::name);
+    return found == image.attributes.end() ? 0 : std::atoi(found->value.c_str());
+}
+
+void set_encoding(CompareOptions& options, const Image& test, const Image& reference) {
+    const int bits = std::min(integer_bits(test), integer_bits(reference));
+    options.encoding = bits > 0 ? Encoding::display_referred : Encoding::scene_referred;
+    options.bits = bits > 0 ? bits : 8;
 }
 
 Comparison compare(const Image& test, const Image& reference, const CompareOptions& options) {
@@ -130,10 +200,11 @@ Comparison compare(const Image& test, const Image& reference, const CompareOptio
     const AlignedImages images = align(test, reference, options);
     Measurements measurements = measure(images, options);
     judge(images, measurements, options, comparison);
+    judge_other_channels(test, reference, options, comparison);
     comparison.passed = std::ranges::all_of(comparison.verdicts, &Verdict::passed);
     comparison.metrics = measurements.metrics;
     if (!comparison.passed && !images.compared.empty())
-        comparison.diagnosis = diagnose(images, comparison.error, reference, options,
+        comparison.diagnosis = diagnose(images, comparison.error, test, reference, options,
                                         measurements.noise ? &measurements.noise->pixels : nullptr);
     return comparison;
 }

@@ -11,7 +11,8 @@ namespace sr::compare {
 
 struct Comparison {
     bool passed = false;
-    std::vector<Verdict> verdicts; // non-finite pixels, size and channels first; then one for each tolerance
+    std::vector<Verdict> verdicts; // non-finite pixels, size and channels first; then one for each tolerance,
+                                   // then those of other channels
     Metrics metrics;
     std::optional<Diagnosis> diagnosis; // only of images that fail
     /// One channel, of the reference's size: each pixel's error over its limit (1 just passes), NaN where a

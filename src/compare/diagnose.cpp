@@ -2,6 +2,7 @@
 
 #include "compare/hypotheses/hypothesis.hpp"
 #include "compare/planes.hpp"
+#include "image/file.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -75,6 +76,7 @@ DiagnosisInput whole_input(const AlignedImages& images, Encoding encoding, const
     for (const PixelState pixel : images.pixels) in.known.push_back(pixel == PixelState::compared);
     in.fitted = sampled(images.compared);
     in.pixels = sampled(z ? significant(images, *z) : images.compared);
+    in.has_noise = z != nullptr;
     in.floor = static_cast<float>(relative_floor(images));
     if (encoding == Encoding::display_referred) {
         in.max_value = 1.0f;
@@ -106,20 +108,23 @@ std::optional<DiagnosisInput> failing_input(const DiagnosisInput& whole, const A
 // numbers are fitted, or the pixels were chosen because they differ.
 constexpr double max_residual = 0.2;
 constexpr double max_residual_of_fits = 0.1;
+constexpr double max_residual_in_noise = 0.35; // of fits to all pixels
 constexpr int max_freedom_without_fits = 2;
 // Pixels chosen because noise does not explain them differ by more than the mistake itself: a fit to them is
 // wrong, a hypothesis with nothing to fit is not.
 constexpr std::size_t min_significant = 32;
 constexpr double as_good = 0.02; // residuals this near to the best explain as much
 
-bool explains(const Hypothesis& hypothesis) {
+/// True if it leaves little enough of the difference. Noise leaves more, whatever is fitted.
+bool explains(const Hypothesis& hypothesis, bool has_noise) {
     const bool fits = hypothesis.degrees_of_freedom > max_freedom_without_fits;
-    return hypothesis.diagnosis.residual <= (fits ? max_residual_of_fits : max_residual);
+    const double limit = !fits ? max_residual : has_noise ? max_residual_in_noise : max_residual_of_fits;
+    return hypothesis.diagnosis.residual <= limit;
 }
 
 /// The hypothesis with the fewest degrees of freedom of those that explain as much as the best one.
-std::optional<Diagnosis> best_of(Hypotheses tried) {
-    std::erase_if(tried, [](const Hypothesis& h) { return !explains(h); });
+std::optional<Diagnosis> best_of(Hypotheses tried, bool has_noise = false) {
+    std::erase_if(tried, [has_noise](const Hypothesis& h) { return !explains(h, has_noise); });
     if (tried.empty()) return std::nullopt;
     const auto residual_of = [](const Hypothesis& h) { return h.diagnosis.residual; };
     const double least = residual_of(std::ranges::min(tried, {}, residual_of));
@@ -130,15 +135,76 @@ std::optional<Diagnosis> best_of(Hypotheses tried) {
         .diagnosis;
 }
 
+bool fails(float error) { return !(error <= 1.0f); } // NaN too
+
+/// Values that do not fit into a half float: one image has them, the other has its largest number or
+/// infinity, and no other pixel fails.
+std::optional<Diagnosis> half_overflow(const Image& error, const Image& test, const Image& reference,
+                                       const std::string& layer) {
+    const auto ends = [](float value) { return std::abs(value) >= image::largest_half; };
+    const Image t = extract(test, layer_of(test, layer)->colors),
+                r = extract(reference, layer_of(reference, layer)->colors);
+    const auto channels = static_cast<std::size_t>(r.channels);
+    if (t.channels != r.channels) return std::nullopt;
+    std::size_t overflows = 0;
+    bool is_of_test = true;
+    for (std::size_t i = 0; i < error.pixels.size(); ++i) {
+        if (!fails(error.pixels[i])) continue;
+        for (std::size_t c = i * channels; c < (i + 1) * channels; ++c) {
+            const float a = t.pixels[c], b = r.pixels[c];
+            if (a == b) continue;
+            const bool test_ends = std::isinf(a) || std::abs(a) == image::largest_half;
+            const bool reference_ends = std::isinf(b) || std::abs(b) == image::largest_half;
+            if (!ends(a) || !ends(b) || (!test_ends && !reference_ends)) return std::nullopt;
+            is_of_test = test_ends;
+            ++overflows;
+        }
+    }
+    if (overflows == 0) return std::nullopt;
+    return Diagnosis{
+        "half_overflow",
+        fmt::format("{} values of the {} do not fit into a half float, which ends at 65504: write "
+                    "32-bit floats",
+                    overflows, is_of_test ? "test" : "reference"),
+        0.0,
+        {}};
+}
+
+/// Alpha is gone from the test, or the same everywhere, and the colours agree.
+std::optional<Diagnosis> lost_alpha(const AlignedImages& images, const Image& error, const Image& test,
+                                    const Image& reference, const std::string& layer) {
+    if (lacks_alpha(test, reference, layer) && std::ranges::none_of(error.pixels, fails))
+        return Diagnosis{"alpha_lost", "the test has no alpha, the colours agree", 0.0, {}};
+    if (images.reference.channels == images.colors) return std::nullopt;
+    const auto alpha = static_cast<std::size_t>(images.colors);
+    const float first = images.test_at(images.compared.front())[alpha];
+    bool varies = false;
+    for (const std::size_t i : images.compared) {
+        if (images.test_at(i)[alpha] != first) return std::nullopt;
+        varies = varies || images.reference_at(i)[alpha] != first;
+        for (std::size_t c = 0; c < alpha; ++c)
+            if (images.test_at(i)[c] != images.reference_at(i)[c]) return std::nullopt;
+    }
+    if (!varies) return std::nullopt;
+    return Diagnosis{"alpha_lost",
+                     fmt::format("alpha is {:.4g} everywhere in the test, the colours agree", first),
+                     0.0,
+                     {}};
+}
+
 } // namespace
 
-std::optional<Diagnosis> diagnose(const AlignedImages& images, const Image& error, const Image& reference,
-                                  const CompareOptions& options, const PixelValues* z) {
+std::optional<Diagnosis> diagnose(const AlignedImages& images, const Image& error, const Image& test,
+                                  const Image& reference, const CompareOptions& options,
+                                  const PixelValues* z) {
+    if (auto found = half_overflow(error, test, reference, options.layer)) return found;
+    if (auto found = lost_alpha(images, error, test, reference, options.layer)) return found;
     const DiagnosisInput whole = whole_input(images, options.encoding, z);
     if (whole.floor == 0.0f) return std::nullopt; // a black reference explains nothing
     if (z && whole.pixels.size() < min_significant) return std::nullopt;
     Hypotheses tried;
     hypotheses_blank(whole, tried);
+    hypotheses_blank_part(whole, tried);
     hypotheses_factors(whole, tried);
     hypotheses_curves(whole, tried);
     hypotheses_channel_orders(whole, tried);
@@ -148,13 +214,15 @@ std::optional<Diagnosis> diagnose(const AlignedImages& images, const Image& erro
         hypotheses_terms(whole, reference, tried);
     }
     if (z)
-        std::erase_if(tried,
-                      [](const Hypothesis& h) { return h.degrees_of_freedom > max_freedom_without_fits; });
-    if (auto diagnosis = best_of(tried); diagnosis || z) return diagnosis;
+        std::erase_if(tried, [](const Hypothesis& h) {
+            return h.degrees_of_freedom > max_freedom_without_fits && !h.fits_all_pixels;
+        });
+    if (auto diagnosis = best_of(tried, z != nullptr); diagnosis || z) return diagnosis;
 
     const auto failing = failing_input(whole, images, error);
     if (!failing) return std::nullopt;
     Hypotheses local;
+    hypotheses_blank_part(*failing, local);
     hypotheses_factors(*failing, local);
     hypotheses_curves(*failing, local);
     hypotheses_channel_orders(*failing, local);
@@ -164,14 +232,14 @@ std::optional<Diagnosis> diagnose(const AlignedImages& images, const Image& erro
 
 std::optional<Diagnosis> diagnose_unequal_sizes(const Image& test, const Image& reference,
                                                 const CompareOptions& options) {
-    if (test.width != reference.height || test.height != reference.width) return std::nullopt;
     const auto test_layer = layer_of(test, options.layer),
                reference_layer = layer_of(reference, options.layer);
     if (!test_layer || !reference_layer || test_layer->colors.size() != reference_layer->colors.size())
         return std::nullopt;
     const Image t = extract(test, test_layer->colors), r = extract(reference, reference_layer->colors);
     Hypotheses tried;
-    hypotheses_turned(t, r, tried);
+    if (t.width == r.height && t.height == r.width) hypotheses_turned(t, r, tried);
+    if (t.width != r.width || t.height != r.height) hypotheses_resized(t, r, tried);
     return best_of(tried);
 }
 

@@ -19,15 +19,16 @@ struct Diagnosis {
 /// Finds the mistake that explains the difference best, if it leaves at most 0.2 of it: over the whole image,
 /// or, for a mistake that acts within a pixel, over the failing pixels alone (then at most 0.1).
 /// @param error      Comparison::error, which tells the failing pixels
-/// @param reference  the file as read: its layers are the lights that may be missing
-/// @param z the z-scores, if the noise is known: then only hypotheses with nothing to fit are tried, on the
-///          pixels that noise does not explain
+/// @param test, reference  the files as read: the reference's layers are the lights that may be missing
+/// @param z the z-scores, if the noise is known: then the pixels are looked at that noise does not explain,
+/// and
+///          only hypotheses are tried that fit nothing, or fit to all pixels
 std::optional<Diagnosis> diagnose(const AlignedImages& images, const image::Image& error,
-                                  const image::Image& reference, const CompareOptions& options,
-                                  const PixelValues* z);
+                                  const image::Image& test, const image::Image& reference,
+                                  const CompareOptions& options, const PixelValues* z);
 
-/// Finds whether the test is the reference turned on its side. Here the residual is relative to an image of
-/// one colour, the reference's mean.
+/// Finds whether the test is the reference turned on its side, or at another size. Here the residual is
+/// relative to an image of one colour, the reference's mean.
 std::optional<Diagnosis> diagnose_unequal_sizes(const image::Image& test, const image::Image& reference,
                                                 const CompareOptions& options);
 

@@ -1,5 +1,5 @@
 #pragma once
-// Metrics of a comparison: errors by pixel and in sum, the clustering of failures, SSIM, z-scores.
+// Metrics of a comparison: errors by pixel and in sum, the clustering of failures, SSIM.
 #include "compare/align.hpp"
 #include "compare/planes.hpp"
 
@@ -54,6 +54,9 @@ PixelValues absolute_differences(const AlignedImages& images);
 /// not.
 PixelValues relative_differences(const AlignedImages& images, double floor);
 
+/// Σ t / Σ r of each colour (of grey, three times) over the compared pixels but those left out.
+std::array<double, 3> energy_ratios(const AlignedImages& images, const std::vector<bool>& left_out);
+
 /// Fills the abs, rel, rmse, rel_mse and energy numbers, and the counts.
 void measure_differences(const AlignedImages& images, Metrics& metrics);
 
@@ -68,32 +71,5 @@ double densest_window(const AlignedImages& images, const std::vector<bool>& fail
 /// Wang, Bovik, Sheikh, Simoncelli 2004, "Image quality assessment: from error visibility to structural
 /// similarity".
 double ssim(const Plane& test, const Plane& reference);
-
-/// The largest |z| that equal images exceed once in a thousand comparisons, at each of three scales that
-/// share this chance equally (Bonferroni): single values, sums over blocks, sums over the image.
-struct NoiseLimits {
-    double pixel = 0.0;
-    double block = 0.0;
-    double total = 0.0;
-};
-
-/// z-scores of a comparison. The sums over 16×16 blocks find differences below the noise of one pixel.
-struct NoiseScores {
-    PixelValues pixels; // largest |z| over the colours
-    double max_block = 0.0;
-    double total = 0.0;
-    NoiseLimits limits;
-};
-
-inline constexpr int noise_block = 16; // [pixels] edge of a block
-
-/// Divides differences by the standard errors in `noise`. Their squares add up, and so does the rounding of a
-/// float (1e-6 of the reference). Alpha is left out: its noise is not known.
-/// @throws Error if a noise image is neither of the images' size nor 1×1, or has a value that is negative or
-/// not finite.
-NoiseScores score_noise(const AlignedImages& images, const std::vector<image::Image>& noise);
-
-/// The z that a standard normal variable exceeds in absolute value with the given chance.
-double two_sided_z(double chance);
 
 } // namespace sr::compare

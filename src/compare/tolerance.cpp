@@ -32,8 +32,9 @@ constexpr std::array measures{Named{Measure::rel, "rel", true},
                               Named{Measure::density, "density", false}};
 
 [[noreturn]] void refuse(std::string_view expression, std::string_view why) {
-    throw Error(fmt::format("'{}' is no tolerance: {}", expression, why),
-                "write NAME=LIMIT or NAME=LIMIT@PERCENT%, such as rel=0.02@99.5% or flip=0.03");
+    throw Error(
+        fmt::format("'{}' is no tolerance: {}", expression, why),
+        "write NAME=LIMIT, NAME=LIMIT@PERCENT% or NAME=LIMIT@edges, such as rel=0.02@99.5% or flip=0.03");
 }
 
 std::optional<double> parse_number(std::string_view text) {
@@ -88,7 +89,9 @@ Tolerance parse_tolerance(std::string_view expression) {
     if (at != std::string_view::npos) {
         if (!measure.takes_quantile)
             refuse(expression, fmt::format("{} is one number for the image", measure.name));
-        tolerance.quantile = parse_quantile(value.substr(at + 1), expression);
+        tolerance.forgives_edges = value.substr(at + 1) == "edges";
+        if (tolerance.forgives_edges && is_flip) refuse(expression, "FLIP forgives edges by itself");
+        if (!tolerance.forgives_edges) tolerance.quantile = parse_quantile(value.substr(at + 1), expression);
     }
     return tolerance;
 }

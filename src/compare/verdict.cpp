@@ -1,5 +1,6 @@
 #include "compare/verdict.hpp"
 
+#include "compare/edges.hpp"
 #include "core/error.hpp"
 
 #include <algorithm>
@@ -37,8 +38,56 @@ PixelValues pixel_values(Measure measure, const AlignedImages& images, const Mea
     }
 }
 
-Verdict judge_by_pixel(const Tolerance& tolerance, const AlignedImages& images,
-                       const Measurements& measurements) {
+/// The difference that a limit allows from a value.
+Slack slack_of(const Tolerance& tolerance, const AlignedImages& images, const Measurements& measurements) {
+    const auto limit = static_cast<float>(limit_of(tolerance, measurements));
+    const auto colors = static_cast<std::size_t>(images.colors);
+    const auto floor = static_cast<float>(measurements.metrics.floor);
+    switch (tolerance.measure) {
+    case Measure::rel:
+        return [=](std::size_t, std::size_t c, float value) {
+            return limit * (c < colors ? std::max(std::abs(value), floor) : 1.0f);
+        };
+    case Measure::z:
+        return [=, &errors = measurements.noise->errors](std::size_t pixel, std::size_t c, float) {
+            return c < colors ? limit * errors[pixel * colors + c] : 0.0f; // of Student's t it is no less
+        };
+    default: return [limit](std::size_t, std::size_t, float) { return limit; };
+    }
+}
+
+std::vector<bool> over(const PixelValues& values, double limit) {
+    std::vector<bool> fails;
+    for (const float value : values) fails.push_back(!(static_cast<double>(value) <= limit));
+    return fails;
+}
+
+Verdict judge_with_edges(const Tolerance& tolerance, const AlignedImages& images,
+                         const Measurements& measurements) {
+    const double limit = limit_of(tolerance, measurements);
+    const PixelValues values = pixel_values(tolerance.measure, images, measurements);
+    const EdgeJudgement edges =
+        judge_edges(images, over(values, limit), slack_of(tolerance, images, measurements));
+    Verdict verdict{edges.passes(), fmt::format("{} ≤ {:.4g}", name_of(tolerance.measure), limit)};
+    const auto largest = static_cast<double>(std::ranges::max(values));
+    if (edges.failing == 0)
+        verdict.line += fmt::format(": largest {:.4g}", largest);
+    else if (edges.failing > edges.max_count)
+        verdict.line += fmt::format(": {} pixels exceed it (at most {} may, at edges), largest {:.4g}",
+                                    edges.failing, edges.max_count, largest);
+    else if (edges.unexplained > 0)
+        verdict.line += fmt::format(": {} pixels exceed it, {} of them at no edge that moved, largest {:.4g}",
+                                    edges.failing, edges.unexplained, largest);
+    else
+        verdict.line += fmt::format(
+            ": {} pixels exceed it, at edges that moved{}", edges.failing,
+            edges.is_crowded ? fmt::format(", more than {} of them in a 16x16 window", max_at_edges_nearby)
+                             : "");
+    return verdict;
+}
+
+Verdict judge_with_quantile(const Tolerance& tolerance, const AlignedImages& images,
+                            const Measurements& measurements) {
     const double limit = limit_of(tolerance, measurements);
     const PixelValues values = pixel_values(tolerance.measure, images, measurements);
     const auto over = std::ranges::count_if(values, [limit](float value) { return !(value <= limit); });
@@ -49,20 +98,28 @@ Verdict judge_by_pixel(const Tolerance& tolerance, const AlignedImages& images,
                                name_of(tolerance.measure), limit, 100.0 * tolerance.quantile,
                                100.0 * (count - static_cast<double>(over)) / count,
                                static_cast<double>(std::ranges::max(values)));
+    return verdict;
+}
+
+Verdict judge_by_pixel(const Tolerance& tolerance, const AlignedImages& images,
+                       const Measurements& measurements) {
+    Verdict verdict = tolerance.forgives_edges ? judge_with_edges(tolerance, images, measurements)
+                                               : judge_with_quantile(tolerance, images, measurements);
     if (tolerance.measure != Measure::z) return verdict;
     const NoiseScores& noise = *measurements.noise;
-    verdict.passed =
-        verdict.passed && noise.max_block <= noise.limits.block && noise.total <= noise.limits.total;
-    verdict.line += fmt::format("; of block sums {:.4g} (≤ {:.4g}), of the whole sum {:.4g} (≤ {:.4g})",
-                                noise.max_block, noise.limits.block, noise.total, noise.limits.total);
+    verdict.passed = verdict.passed && (!noise.judges_blocks || noise.max_block <= noise.limits.block)
+                     && noise.total <= noise.limits.total;
+    if (noise.judges_blocks)
+        verdict.line += fmt::format("; of block sums {:.4g} (≤ {:.4g})", noise.max_block, noise.limits.block);
+    verdict.line += fmt::format("{} of the whole sum {:.4g} (≤ {:.4g})", noise.judges_blocks ? "," : ";",
+                                noise.total, noise.limits.total);
     return verdict;
 }
 
 /// Σt/Σr of the channel that is furthest from 1.
-double worst_energy_ratio(const Metrics& metrics) {
-    return *std::ranges::max_element(metrics.energy_ratio, {}, [](double ratio) {
-        return std::isnan(ratio) ? INFINITY : std::abs(ratio - 1.0);
-    });
+double worst_of(const std::array<double, 3>& ratios) {
+    return *std::ranges::max_element(
+        ratios, {}, [](double ratio) { return std::isnan(ratio) ? INFINITY : std::abs(ratio - 1.0); });
 }
 
 double image_value(Measure measure, const Measurements& measurements) {
@@ -79,23 +136,40 @@ double image_value(Measure measure, const Measurements& measurements) {
     case Measure::rel_mse: return m.rel_mse;
     case Measure::ssim: return m.ssim;
     case Measure::density: return m.density;
-    case Measure::energy: return std::abs(worst_energy_ratio(m) - 1.0);
+    case Measure::energy: return std::abs(worst_of(measurements.even_energy_ratio) - 1.0);
     default: require(false, "measures of pixels have no value for the image"); return 0.0;
     }
 }
 
 } // namespace
 
+std::vector<bool> pixels_at_edges(const AlignedImages& images, const Measurements& measurements,
+                                  std::span<const Tolerance> tolerances) {
+    std::vector<bool> forgiven(images.compared.size(), false);
+    for (const Tolerance& tolerance : tolerances) {
+        if (!tolerance.forgives_edges) continue;
+        const std::vector<bool> fails =
+            over(pixel_values(tolerance.measure, images, measurements), limit_of(tolerance, measurements));
+        if (judge_edges(images, fails, slack_of(tolerance, images, measurements)).passes())
+            for (std::size_t k = 0; k < fails.size(); ++k) forgiven[k] = forgiven[k] || fails[k];
+    }
+    return forgiven;
+}
+
 PixelValues errors_over_limits(const AlignedImages& images, const Measurements& measurements,
                                std::span<const Tolerance> tolerances) {
     PixelValues errors(images.compared.size(), 0.0f);
+    const std::vector<bool> forgiven = pixels_at_edges(images, measurements, tolerances);
     for (const Tolerance& tolerance : tolerances) {
         if (!tolerance.by_pixel) continue;
         const double limit = limit_of(tolerance, measurements);
         const PixelValues values = pixel_values(tolerance.measure, images, measurements);
-        for (std::size_t k = 0; k < values.size(); ++k)
-            if (values[k] > 0.0f)
-                errors[k] = std::max(errors[k], static_cast<float>(static_cast<double>(values[k]) / limit));
+        for (std::size_t k = 0; k < values.size(); ++k) {
+            if (!(values[k] > 0.0f)) continue;
+            const auto error = static_cast<float>(static_cast<double>(values[k]) / limit);
+            errors[k] =
+                std::max(errors[k], forgiven[k] && tolerance.forgives_edges ? std::min(error, 1.0f) : error);
+        }
     }
     return errors;
 }
@@ -109,7 +183,7 @@ Verdict judge(const Tolerance& tolerance, const AlignedImages& images, const Mea
     case Measure::energy:
         return {value <= tolerance.limit,
                 fmt::format("Σtest/Σreference within {:.4g} of 1: {:.6g}", tolerance.limit,
-                            worst_energy_ratio(measurements.metrics))};
+                            worst_of(measurements.even_energy_ratio))};
     case Measure::density:
         return {value <= tolerance.limit,
                 fmt::format("failing pixels ≤ {:.4g} % of any 16x16 window: {:.4g} %",

@@ -1,7 +1,8 @@
 #pragma once
 // Verdicts: tolerances applied to what was measured.
-#include "compare/metrics.hpp"
+#include "compare/noise.hpp"
 
+#include <array>
 #include <optional>
 #include <span>
 
@@ -18,12 +19,19 @@ struct Measurements {
     Metrics metrics;
     PixelValues abs;
     PixelValues rel;
+    std::array<double, 3> even_energy_ratio{not_measured, not_measured,
+                                            not_measured}; // Σ t / Σ r without pixels that an edge explains
     std::optional<NoiseScores> noise;
     Plane flip;     // empty if no pixel could be compared
     Plane hdr_flip; // empty for display-referred images
 };
 
+/// The compared pixels that an edge explains, of a tolerance that forgives them and passes.
+std::vector<bool> pixels_at_edges(const AlignedImages& images, const Measurements& measurements,
+                                  std::span<const Tolerance> tolerances);
+
 /// The error of each compared pixel over its limit, the largest of all tolerances on pixels; 1 just passes.
+/// A pixel that an edge explains has at most 1.
 PixelValues errors_over_limits(const AlignedImages& images, const Measurements& measurements,
                                std::span<const Tolerance> tolerances);
 

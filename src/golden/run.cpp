@@ -64,19 +64,6 @@ std::string seen_from(const Suite& suite, const fs::path& file) {
     return (failure ? file : relative).generic_string();
 }
 
-constexpr int first_option = 5; // of {steradian} render SCENE -o {out} …
-
-std::vector<std::string> command_words(const GoldenTest& test, const RunOptions& options,
-                                       std::string_view program, std::string_view out) {
-    std::vector<std::string> words;
-    for (const std::string& word : test.command)
-        words.push_back(replace_all(replace_all(word, "{steradian}", program), "{out}", out));
-    if (!test.scene.empty())
-        for (auto folder = options.shaders.rbegin(); folder != options.shaders.rend(); ++folder)
-            words.insert(words.begin() + first_option, {"--shaders", fs::absolute(*folder).string()});
-    return words;
-}
-
 /// The last lines of a log: at most 4000 bytes.
 std::string tail_of(const fs::path& log) {
     constexpr std::size_t max_size = 4000;
@@ -110,13 +97,13 @@ std::string renderer_of(const image::Image& image) {
     return text;
 }
 
-compare::CompareOptions compare_options(const GoldenTest& test) {
+compare::CompareOptions compare_options(const GoldenTest& test, const image::Image& candidate,
+                                        const image::Image& reference) {
     compare::CompareOptions options;
+    compare::set_encoding(options, candidate, reference);
     options.tolerances = test.tolerances;
     options.allow_nonfinite = test.allow_nonfinite;
     options.region = test.region;
-    options.encoding =
-        test.extension == ".png" ? compare::Encoding::display_referred : compare::Encoding::scene_referred;
     if (!test.mask.empty()) options.mask = image::read(test.mask);
     for (const fs::path& file : test.noise) options.noise.push_back(image::read(file));
     return options;
@@ -142,7 +129,8 @@ bool passes_alternate(TestResult& result, const image::Image& candidate, const S
         const image::Image reference = image::read(file);
         const std::string renderer = renderer_of(reference);
         if (renderer.empty() || driver_of(renderer) != driver_of(result.candidate_renderer)) continue;
-        const compare::Comparison comparison = compare::compare(candidate, reference, compare_options(test));
+        const compare::Comparison comparison =
+            compare::compare(candidate, reference, compare_options(test, candidate, reference));
         if (!comparison.passed) continue;
         result.alternate = label;
         result.golden = seen_from(suite, file);
@@ -167,7 +155,8 @@ void judge(TestResult& result, const image::Image& candidate, const Suite& suite
     }
     const image::Image reference = image::read(golden);
     result.golden_renderer = renderer_of(reference);
-    const compare::Comparison comparison = compare::compare(candidate, reference, compare_options(test));
+    const compare::Comparison comparison =
+        compare::compare(candidate, reference, compare_options(test, candidate, reference));
     result.comparison = compare::json_of(comparison);
     const bool agrees = comparison.passed || passes_alternate(result, candidate, suite, test);
     result.outcome = agrees && wrong.empty() ? Outcome::passed : Outcome::differs;
@@ -270,7 +259,20 @@ private:
     const std::function<void(const TestResult&)>& pass_on_;
 };
 
+constexpr int first_option = 5; // of {steradian} render SCENE -o {out} …
+
 } // namespace
+
+std::vector<std::string> command_words(const GoldenTest& test, const RunOptions& options,
+                                       std::string_view program, std::string_view out) {
+    std::vector<std::string> words;
+    for (const std::string& word : test.command)
+        words.push_back(replace_all(replace_all(word, "{steradian}", program), "{out}", out));
+    if (!test.scene.empty())
+        for (auto folder = options.shaders.rbegin(); folder != options.shaders.rend(); ++folder)
+            words.insert(words.begin() + first_option, {"--shaders", fs::absolute(*folder).string()});
+    return words;
+}
 
 std::string fingerprint(const image::Image& image) {
     const std::string header = fmt::format("{}x{}x{} {}\n", image.width, image.height, image.channels,

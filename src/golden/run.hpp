@@ -23,6 +23,11 @@ struct RunOptions {
 /// Whether a pattern (* ? [a-z]) matches a name. A name always matches itself.
 bool matches(const std::string& pattern, const std::string& name);
 
+/// The words of a test's command. {steradian} is the program, {out} the image's name; the shaders of the
+/// options come before those of the test.
+std::vector<std::string> command_words(const GoldenTest& test, const RunOptions& options,
+                                       std::string_view program, std::string_view out);
+
 /// SHA-256 in hexadecimal of an image's size, channel names and pixels. Not of its file: an EXR holds the
 /// time of its writing.
 std::string fingerprint(const image::Image& image);

@@ -7,12 +7,15 @@
 
 namespace sr::testing {
 
+/// The diagnosis of a mutant of which only the verdict matters.
+inline const std::string any_diagnosis = "*";
+
 struct Mutant {
     std::string name;
     image::Image test;
     image::Image reference;
     bool passes = false;   // what the verdict must be
-    std::string diagnosis; // its name; empty: none may be claimed
+    std::string diagnosis; // its name; empty: none may be claimed; or any_diagnosis
     std::string layer;     // of the diagnosis
     compare::CompareOptions options;
 };

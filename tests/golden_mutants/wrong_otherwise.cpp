@@ -82,6 +82,13 @@ std::vector<Mutant> noisy_and_wrong(const Image& right) {
          "pi_missing",
          {},
          {}},
+        {"noise_and_30_percent_brighter",
+         scaled(noisy(right, floor, 25), 1.3f),
+         right,
+         false,
+         "exposure",
+         {},
+         {}},
         {"noise_and_spot_missing",
          noisy(without_spot, floor, 24),
          right,
@@ -101,9 +108,9 @@ std::vector<Mutant> of_other_kinds(const Image& right) {
     for (std::size_t i = 0; i < grey.pixels.size(); ++i)
         grey.pixels[i] = right.pixels[i * static_cast<std::size_t>(right.channels) + 1];
     return {{"small_thing_missing", with_wrong_block(right, 0.3f, 5), right, false, {}, {}, {}},
-            {"alpha_missing", transparent, right, false, {}, {}, {}},
+            {"alpha_missing", transparent, right, false, "alpha_lost", {}, {}},
             {"grey", grey, right, false, {}, {}, {}},
-            {"another_size", picture_of_sphere({.width = 95}), right, false, {}, {}, {}},
+            {"another_size", picture_of_sphere({.width = 95}), right, false, "resolution_scaled", {}, {}},
             {"redder_floor", picture_of_sphere({.reflectance_red = 1.1f}), right, false, {}, {}, {}}};
 }
 

@@ -1,90 +1,162 @@
 #!/usr/bin/env python3
-"""The mutants before other comparators: idiff (OpenImageIO) and the FLIP package alone.
+"""The mutants before other comparators: idiff (OpenImageIO), pixelmatch, odiff and FLIP.
 
-    python3 -m venv venv && venv/bin/pip install flip-evaluator==1.7 tifffile
-    build/golden_mutants /tmp/mutants > /tmp/mutants.json
-    venv/bin/python tools/golden/others.py /tmp/mutants /tmp/mutants.json
+    build/golden_mutants /tmp/mutants > /tmp/mutants.json              # the small picture's
+    build/golden_mutants /tmp/mutants 256x256 > /tmp/mutants.json      # those of the three bases, at any sizes
+    tools/golden/others.py /tmp/mutants /tmp/mutants.json
 
-Prints the Markdown table of src/compare/README.md and the counts under it. Development only. Each tool gets a fair
-setting: idiff the relative tolerance and share of pixels that `steradian compare` has by default, FLIP a mean of
-0.01, with its own exposures for images of light. A mutant whose verdict rests on an option that the other tool
-lacks (noise, region, mask, other limits) is judged without it, marked *.
+Prints the Markdown table of src/compare/README.md and the counts under it. Development only. The packages are
+installed outside the tree, in ~/.cache/steradian-others; a tool that cannot be had is named and left out.
+
+Each tool gets a fair setting: the tolerance of a value that `steradian compare` has by default (pixelmatch and odiff
+their own threshold of 0.1), and of the limits in LIMITS, on the share of differing pixels or on mean FLIP, the one
+with the fewest wrong verdicts over all mutants. Light is shown to pixelmatch and odiff as FLIP shows it: through a
+tone curve, at the reference's exposure. A mutant whose verdict rests on an option that other tools lack (noise, region,
+mask, other limits) is judged without it, marked *.
 """
 import json
 import math
+import os
+import re
 import subprocess
 import sys
 from pathlib import Path
 
-import flip_evaluator
-import numpy as np
-import tifffile
-
-FLIP_LIMIT = 0.01
-NEEDS_AN_OPTION = ("noise", "wrong_outside_region", "wrong_inside_region", "wrong_behind_mask", "scattered",
-                   "clustered", "nan_in_both_allowed", "all_nan_allowed")
-
-
-def rgb(file):
-    """R, G and B of an EXR as an array, or None if it has no such channels."""
-    plain = "/tmp/rgb.tif"
-    ran = subprocess.run(["oiiotool", file, "--ch", "R,G,B", "-d", "float", "--compression", "none", "-o", plain],
-                         capture_output=True, text=True, check=False)
-    return None if "Unknown channel" in ran.stdout + ran.stderr else tifffile.imread(plain).astype(np.float32)
+HOME = Path.home() / ".cache" / "steradian-others"
+LIMITS = {"idiff": (0, 1e-4, 1e-3), "pixelmatch": (0, 1e-4, 1e-3), "odiff": (0, 1e-4, 1e-3),
+          "FLIP": (1e-6, 1e-4, 1e-3, 3e-3, 1e-2)}
+NEEDS_AN_OPTION = ("noise_a", "noise_in_both", "noise_hides", "wrong_outside_region", "wrong_inside_region",
+                   "wrong_behind_mask", "scattered", "clustered", "nan_in_both_allowed", "all_nan_allowed")
+PIXELMATCH = """
+import fs from 'fs'; import pixelmatch from 'pixelmatch'; import {PNG} from 'pngjs';
+for (const line of fs.readFileSync(0, 'utf8').trim().split('\\n')) {
+  const [a, b] = line.split('\\t').map((file) => PNG.sync.read(fs.readFileSync(file)));
+  if (a.width !== b.width || a.height !== b.height) { console.log('inf'); continue; }
+  console.log(pixelmatch(a.data, b.data, null, a.width, a.height, {threshold: 0.1}) / (a.width * a.height));
+}
+"""
 
 
-def idiff_passes(folder, name):
-    """Whether idiff accepts 0.1 % of the pixels beyond 1 % relative, of the picture without its layers."""
+def ran(*words, **options):
+    return subprocess.run(words, capture_output=True, text=True, check=False, **options)
+
+
+def install():
+    """Installs what is missing, and names what cannot be had. Returns the tools that are there."""
+    HOME.mkdir(parents=True, exist_ok=True)
+    python = HOME / "venv" / "bin" / "python"
+    if not python.exists():
+        ran(sys.executable, "-m", "venv", HOME / "venv")
+        ran(python, "-m", "pip", "install", "-q", "flip-evaluator==1.7", "tifffile", "numpy")
+    if not (HOME / "node_modules").exists():
+        (HOME / "package.json").write_text('{"type": "module", "private": true}')
+        ran("npm", "install", "--silent", "odiff-bin@4.5.0", "pixelmatch@7.2.0", "pngjs", cwd=HOME)
+    (HOME / "pixelmatch.mjs").write_text(PIXELMATCH)
+    there = {"idiff": ran("sh", "-c", "command -v idiff").returncode == 0,
+             "pixelmatch": (HOME / "node_modules" / "pixelmatch").exists(),
+             "odiff": (HOME / "node_modules" / ".bin" / "odiff").exists(),
+             "FLIP": ran(python, "-c", "import flip_evaluator, tifffile").returncode == 0}
+    for tool in (name for name, is_there in there.items() if not is_there):
+        print(f"{tool} cannot be had here and is left out", file=sys.stderr)
+    if there["FLIP"] and Path(sys.executable) != python and "OTHERS_INSIDE" not in os.environ:
+        os.execve(python, [str(python), *sys.argv], {**os.environ, "OTHERS_INSIDE": "1"})
+    return [name for name, is_there in there.items() if is_there]
+
+
+def idiff_share(folder, row):
+    """The share of pixels beyond the tolerance, of the picture without its layers."""
     files = []
     for role in ("test", "reference"):
-        source, picture = f"{folder}/{name}.{role}.exr", f"/tmp/idiff_{role}.exr"
-        info = subprocess.run(["oiiotool", "--info", "-v", source], capture_output=True, text=True, check=False).stdout
-        channels = "R,G,B,A" if "R, G, B" in info or "A, B, G, R" in info else "Y"
-        subprocess.run(["oiiotool", source, "--ch", channels, "-o", picture], check=False, capture_output=True)
+        source, picture = f"{folder}/{row['name']}.{role}.exr", f"/tmp/idiff_{role}.exr"
+        info = ran("oiiotool", "--info", "-v", source).stdout
+        names = re.search(r"channel list: (.*)", info)
+        names = [name.split(" ")[0] for name in names[1].split(", ")] if names else ["Y"]
+        channels = [name for name in ("R", "G", "B", "A") if name in names] or ["Y"]
+        ran("oiiotool", source, "--ch", ",".join(channels), "-o", picture)
         files.append(picture)
-    ran = subprocess.run(["idiff", "-failrelative", "0.01", "-failpercent", "0.1", "-warn", "1e9", *files],
-                         capture_output=True, text=True, check=False)
-    return ran.returncode in (0, 1)  # 1 warns
+    limit = ("-fail", "0.0079") if row["are_codes"] else ("-failrelative", "0.01")
+    result = ran("idiff", *limit, "-warn", "1e9", *files)
+    over = re.search(r"\(([\d.e+-]+)%\) over", result.stdout)
+    if over:
+        return float(over[1]) / 100
+    return 0.0 if result.returncode in (0, 1) else math.inf
 
 
-def flip_mean(folder, name, are_codes):
-    test, reference = rgb(f"{folder}/{name}.test.exr"), rgb(f"{folder}/{name}.reference.exr")
-    if test is None or reference is None or test.shape != reference.shape:
+def pixelmatch_shares(folder, rows):
+    pairs = "\n".join(f"{folder}/{row['name']}.test.png\t{folder}/{row['name']}.reference.png" for row in rows)
+    return [float(line) for line in ran("node", HOME / "pixelmatch.mjs", cwd=HOME, input=pairs).stdout.split()]
+
+
+def odiff_share(folder, row):
+    result = ran(HOME / "node_modules" / ".bin" / "odiff", f"{folder}/{row['name']}.reference.png",
+                 f"{folder}/{row['name']}.test.png", "--parsable-stdout")
+    if result.returncode == 0:
+        return 0.0
+    numbers = result.stdout.strip().split(";")
+    return float(numbers[1]) / 100 if len(numbers) > 1 else math.inf
+
+
+def flip_mean(folder, row):
+    import flip_evaluator
+    import numpy as np
+    import tifffile
+
+    images = []
+    for role in ("test", "reference"):
+        plain = "/tmp/rgb.tif"
+        result = ran("oiiotool", f"{folder}/{row['name']}.{role}.exr", "--ch", "R,G,B", "-d", "float", "--compression",
+                     "none", "-o", plain)
+        if "Unknown channel" in result.stdout + result.stderr:
+            return math.inf
+        images.append(tifffile.imread(plain).astype(np.float32))
+    test, reference = images
+    if test.shape != reference.shape:
         return math.inf
-    kind = "LDR" if are_codes else "HDR"
+    kind = "LDR" if row["are_codes"] else "HDR"
     return float(flip_evaluator.evaluate(reference, np.maximum(test, 0), kind, applyMagma=False)[1])
 
 
-def word(passes):
-    return "pass" if passes else "fail"
+def needs_an_option(row):
+    return row["name"].startswith(NEEDS_AN_OPTION)
+
+
+def measures(tool, folder, rows):
+    if tool == "pixelmatch":
+        return pixelmatch_shares(folder, rows)
+    one = {"idiff": idiff_share, "odiff": odiff_share, "FLIP": flip_mean}[tool]
+    return [one(folder, row) for row in rows]
+
+
+def wrong_of(values, rows, limit):
+    """The names of the mutants that this limit judges wrongly. A NaN passes, as in any script that asks whether the
+    limit is exceeded."""
+    return [row["name"] for value, row in zip(values, rows)
+            if not needs_an_option(row) and (not value > limit) != row["passes"]]
 
 
 def cell(passes, wanted):
-    return word(passes) if passes == wanted else f"**{word(passes)}**"
+    word = "pass" if passes else "fail"
+    return word if passes == wanted else f"**{word}**"
 
 
 def main():
     folder, rows = sys.argv[1], json.loads(Path(sys.argv[2]).read_text())
-    wrong = {"idiff": [], "FLIP": []}
-    print("| mutant | must | steradian | cause | idiff | FLIP |\n|---|---|---|---|---|---|")
-    for row in rows:
-        name, wanted = row["name"], row["passes"]
-        idiff = idiff_passes(folder, name)
-        mean = flip_mean(folder, name, row["are_codes"])
-        flip = not mean > FLIP_LIMIT  # a NaN passes, as in any script that asks whether the limit is exceeded
-        star = "*" if name.startswith(NEEDS_AN_OPTION) else ""
+    tools = install()
+    found = {tool: measures(tool, folder, rows) for tool in tools}
+    limits = {tool: min(LIMITS[tool], key=lambda limit, tool=tool: len(wrong_of(found[tool], rows, limit)))
+              for tool in tools}
+    print("| mutant | must | steradian | cause |" + "".join(f" {tool} |" for tool in tools))
+    print("|---|---|---|---|" + "---|" * len(tools))
+    for i, row in enumerate(rows):
+        star = "*" if needs_an_option(row) else ""
         cause = row["diagnosis"] + (f" ({row['layer']})" if row["layer"] else "")
-        if not star:
-            wrong["idiff"] += [name] if idiff != wanted else []
-            wrong["FLIP"] += [name] if flip != wanted else []
-        print(f"| {name}{star} | {word(wanted)} | {cell(row['steradian'], wanted)} | {cause} | "
-              f"{cell(idiff, wanted)} | {cell(flip, wanted)} {mean:.3f} |")
-    judged = sum(not row["name"].startswith(NEEDS_AN_OPTION) for row in rows)
+        words = [cell(not found[tool][i] > limits[tool], row["passes"]) for tool in tools]
+        print(f"| {row['name']}{star} | {'pass' if row['passes'] else 'fail'} | "
+              f"{cell(row['steradian'], row['passes'])} | {cause} | " + " | ".join(words) + " |")
+    judged = sum(not needs_an_option(row) for row in rows)
     ours = sum(row["passes"] != row["steradian"] for row in rows)
-    print(f"\nWrong verdicts: steradian {ours} of {len(rows)}; of the {judged} without a star "
-          f"idiff {len(wrong['idiff'])}, FLIP {len(wrong['FLIP'])}.")
-    for tool, names in wrong.items():
-        print(f"{tool}: {', '.join(names)}")
+    others = ", ".join(f"{tool} {len(wrong_of(found[tool], rows, limits[tool]))} (limit {limits[tool]:g})" for tool in tools)
+    print(f"\nWrong verdicts: steradian {ours} of {len(rows)}; of the {judged} without a star {others}.")
 
 
 if __name__ == "__main__":

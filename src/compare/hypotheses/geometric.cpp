@@ -1,6 +1,7 @@
 #include "compare/hypotheses/hypothesis.hpp"
 
 #include <array>
+#include <cmath>
 #include <cstdlib>
 #include <fmt/format.h>
 
@@ -63,10 +64,67 @@ std::string shift_text(int dx, int dy) {
     return text;
 }
 
+std::string half_shift_text(int dx, int dy) {
+    std::string text;
+    if (dx != 0) text += dx > 0 ? "to the right" : "to the left";
+    if (dx != 0 && dy != 0) text += " and ";
+    if (dy != 0) text += dy > 0 ? "down" : "up";
+    return text;
+}
+
+/// Shifts by half a pixel: the mean of the pixels on both sides.
+void add_half_shifts(const DiagnosisInput& in, Hypotheses& out) {
+    for (int dy = -1; dy <= 1; ++dy)
+        for (int dx = -1; dx <= 1; ++dx) {
+            if (dx == 0 && dy == 0) continue;
+            const double left = residual(in, [&](std::size_t i, std::size_t c) {
+                const auto width = static_cast<std::size_t>(in.width);
+                const int x = static_cast<int>(i % width), y = static_cast<int>(i / width);
+                if (x - dx < 0 || y - dy < 0 || x - dx >= in.width || y - dy >= in.height) return unknown;
+                const auto r = [&](int u, int v) {
+                    const std::size_t at = static_cast<std::size_t>(v) * width + static_cast<std::size_t>(u);
+                    return in.known[at] ? in.r(at, c) : unknown;
+                };
+                return 0.25f * (r(x, y) + r(x - dx, y) + r(x, y - dy) + r(x - dx, y - dy));
+            });
+            out.push_back(
+                {{"shifted",
+                  fmt::format("test is the reference shifted by half a pixel: {}", half_shift_text(dx, dy)),
+                  left,
+                  {}},
+                 2});
+        }
+}
+
+/// Rendered at a fraction of the size and enlarged: each block of pixels is its mean.
+void add_blocks(const DiagnosisInput& in, Hypotheses& out) {
+    for (const int edge : {2, 3, 4, 8}) {
+        const double left = residual(in, [&](std::size_t i, std::size_t c) {
+            const auto width = static_cast<std::size_t>(in.width);
+            const int x = static_cast<int>(i % width) / edge * edge,
+                      y = static_cast<int>(i / width) / edge * edge;
+            if (x + edge > in.width || y + edge > in.height) return unknown;
+            float sum = 0.0f;
+            for (int k = 0; k < edge * edge; ++k)
+                sum += in.r(static_cast<std::size_t>(y + k / edge) * width
+                                + static_cast<std::size_t>(x + k % edge),
+                            c);
+            return sum / static_cast<float>(edge * edge);
+        });
+        out.push_back({{"resolution_scaled",
+                        fmt::format("test is the reference at 1/{} of its resolution, enlarged", edge),
+                        left,
+                        {}},
+                       2});
+    }
+}
+
 } // namespace
 
 void hypotheses_geometric(const DiagnosisInput& in, Hypotheses& out) {
     add_symmetries(in, out);
+    add_half_shifts(in, out);
+    add_blocks(in, out);
     for (int dy = -max_shift; dy <= max_shift; ++dy)
         for (int dx = -max_shift; dx <= max_shift; ++dx) {
             if (dx == 0 && dy == 0) continue;
@@ -81,23 +139,33 @@ void hypotheses_geometric(const DiagnosisInput& in, Hypotheses& out) {
         }
 }
 
-void hypotheses_turned(const image::Image& test, const image::Image& reference, Hypotheses& out) {
-    // The mean replaces the reference, which has no pixel at most of the test's places.
+namespace {
+
+/// Colours beside an image of one colour, the reference's mean, which replaces the reference: it has no pixel
+/// at most of the test's places.
+DiagnosisInput input_beside_mean(const image::Image& test, const image::Image& reference) {
     DiagnosisInput in;
     in.width = test.width;
     in.height = test.height;
     in.colors = static_cast<std::size_t>(test.channels);
     in.test = test.pixels;
-    const std::size_t count = test.pixels.size() / in.colors;
+    const auto count = static_cast<double>(reference.pixels.size() / in.colors);
     std::vector<double> mean(in.colors, 0.0);
     for (std::size_t i = 0; i < reference.pixels.size(); ++i)
         if (std::isfinite(reference.pixels[i]))
-            mean[i % in.colors] += static_cast<double>(reference.pixels[i]) / static_cast<double>(count);
-    for (std::size_t i = 0; i < count; ++i) {
+            mean[i % in.colors] += static_cast<double>(reference.pixels[i]) / count;
+    for (std::size_t i = 0; i < test.pixels.size() / in.colors; ++i) {
         in.pixels.push_back(i);
         for (std::size_t c = 0; c < in.colors; ++c) in.reference.push_back(static_cast<float>(mean[c]));
     }
     for (const double m : mean) in.floor = std::max(in.floor, 0.01f * static_cast<float>(std::abs(m)));
+    return in;
+}
+
+} // namespace
+
+void hypotheses_turned(const image::Image& test, const image::Image& reference, Hypotheses& out) {
+    const DiagnosisInput in = input_beside_mean(test, reference);
     for (const Symmetry& s : symmetries) {
         if (!s.transposes) continue;
         const double left = residual(in, [&](std::size_t i, std::size_t c) {
@@ -108,6 +176,31 @@ void hypotheses_turned(const image::Image& test, const image::Image& reference, 
         });
         out.push_back({{s.name, s.statement, left, {}}, 1});
     }
+}
+
+void hypotheses_resized(const image::Image& test, const image::Image& reference, Hypotheses& out) {
+    const DiagnosisInput in = input_beside_mean(test, reference);
+    const double scale_x = static_cast<double>(test.width) / reference.width,
+                 scale_y = static_cast<double>(test.height) / reference.height;
+    // The mean of the reference's pixels whose centres lie in the test's pixel; of a larger test the nearest.
+    const auto begin = [](int at, double scale) { return static_cast<int>(std::ceil(at / scale - 0.5)); };
+    const double left = residual(in, [&](std::size_t i, std::size_t c) {
+        const int x = static_cast<int>(i) % in.width, y = static_cast<int>(i) / in.width;
+        const int nearest_x = static_cast<int>((x + 0.5) / scale_x),
+                  nearest_y = static_cast<int>((y + 0.5) / scale_y);
+        float sum = 0.0f;
+        int count = 0;
+        for (int v = begin(y, scale_y); v < begin(y + 1, scale_y); ++v)
+            for (int u = begin(x, scale_x); u < begin(x + 1, scale_x); ++u, ++count)
+                sum += reference.at(u, v)[c];
+        return count > 0 ? sum / static_cast<float>(count) : reference.at(nearest_x, nearest_y)[c];
+    });
+    out.push_back({{"resolution_scaled",
+                    fmt::format("test is the reference at {:.4g} times its width and {:.4g} times its height",
+                                scale_x, scale_y),
+                    left,
+                    {}},
+                   2});
 }
 
 } // namespace sr::compare

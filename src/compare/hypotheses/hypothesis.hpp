@@ -25,6 +25,7 @@ struct DiagnosisInput {
     std::vector<std::size_t> pixels; // pixels to explain; of a large image a sample of at most 2^16
     float floor = 0.0f;              // added to the divisor of relative differences
     float max_value = std::numeric_limits<float>::infinity(); // 1 for code values of a screen
+    bool has_noise = false;                                   // known: single values tell little
     bool is_whole = true;                                     // all compared pixels, or only the failing ones
     std::string where;                                        // "everywhere", "in 2.1 % of the pixels (…)"
 
@@ -55,7 +56,8 @@ double residual(const DiagnosisInput& in, const Prediction& prediction) {
 /// A hypothesis that was tried, with its residual.
 struct Hypothesis {
     Diagnosis diagnosis;
-    int degrees_of_freedom = 0; // of two that explain as much, the one with fewer is chosen
+    int degrees_of_freedom = 0;   // of two that explain as much, the one with fewer is chosen
+    bool fits_all_pixels = false; // its numbers are fitted to DiagnosisInput::fitted, not to chosen pixels
 };
 using Hypotheses = std::vector<Hypothesis>;
 
@@ -64,20 +66,26 @@ using Hypotheses = std::vector<Hypothesis>;
 /// The whole test image is black, or of one colour.
 void hypotheses_blank(const DiagnosisInput& in, Hypotheses& out);
 
+/// A rectangle of the test is black.
+void hypotheses_blank_part(const DiagnosisInput& in, Hypotheses& out);
+
 /// Factors: π, two, 4π, 683, an exposure, one for each channel; a constant added.
 void hypotheses_factors(const DiagnosisInput& in, Hypotheses& out);
 
-/// sRGB or a plain gamma applied, missing, applied twice; values clamped to 1.
+/// sRGB or a power applied or missing, sRGB applied twice; values clipped, or rounded to few levels.
 void hypotheses_curves(const DiagnosisInput& in, Hypotheses& out);
 
 /// Channels in another order.
 void hypotheses_channel_orders(const DiagnosisInput& in, Hypotheses& out);
 
-/// The image flipped, turned, transposed; shifted by up to two pixels.
+/// The image flipped, turned, transposed; shifted by up to two pixels, or by halves of one; made of blocks.
 void hypotheses_geometric(const DiagnosisInput& in, Hypotheses& out);
 
 /// The image turned on its side, with width and height swapped; relative to an image of one colour, the mean.
 void hypotheses_turned(const image::Image& test, const image::Image& reference, Hypotheses& out);
+
+/// The image at another size; relative to an image of one colour, the mean.
+void hypotheses_resized(const image::Image& test, const image::Image& reference, Hypotheses& out);
 
 /// One of the reference's lights (its layers) missing, counted twice, of another strength; two or all
 /// missing; the shadows of one missing.

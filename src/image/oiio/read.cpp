@@ -65,6 +65,8 @@ Image read(const std::filesystem::path& file, std::uint64_t max_values) {
                     "use a flat image of an ordinary size, or allow more numbers with --limit pixels=N");
     Image image(spec.width, spec.height, spec.nchannels);
     image.channel_names = spec.channelnames;
+    if (spec.format == OIIO::TypeDesc::UINT8) image.attributes.push_back({"steradian:integer_bits", "8"});
+    if (spec.format == OIIO::TypeDesc::UINT16) image.attributes.push_back({"steradian:integer_bits", "16"});
     // Attributes of other types describe the format (screen window, pixel aspect), and could not be written
     // as text.
     for (const OIIO::ParamValue& attribute : spec.extra_attribs)

@@ -86,6 +86,21 @@ check("the same pixels in another place", exr("shifted.exr", (4, 4, 7, 7), (0, 0
 check("the same pixels in the same place", exr("again.exr", (0, 0, 3, 3), (0, 0, 7, 7)), part, status=0, out="PASS")
 check("a huge display window", exr("huge.exr", (0, 0, 3, 3), (0, 0, 99999, 99999)), part, status=3, err="--limit pixels")
 
+def tiff(name, values):
+    """A grey TIFF of one row of 8 bits (TIFF 6.0)."""
+    entries = [(256, 3, len(values)), (257, 3, 1), (258, 3, 8), (259, 3, 1), (262, 3, 1), (273, 4, 8), (277, 3, 1),
+               (278, 3, 1), (279, 4, len(values))]
+    directory = struct.pack("<H", len(entries)) + b"".join(struct.pack("<HHII", tag, kind, 1, value) for tag, kind, value in entries)
+    (folder / name).write_bytes(b"II*\0" + struct.pack("<I", 8 + len(values)) + bytes(values) + directory + bytes(4))
+    return folder / name
+
+
+codes = [100] * 24
+check("8-bit TIFF holds codes", tiff("codes.tif", codes), tiff("off.tif", [101] * 24), "--max", "abs=0.0079", status=0)
+check("its default limit is in codes", tiff("codes.tif", codes), tiff("far.tif", [104] * 24), status=1, out="abs ≤ 0.0079")
+check("a layer may be left out", *files("key_missing"), "--other-layers", "none", status=1, out="FAIL")
+check("layers agree", *files("identical"), status=0, out="other layers: 3 of 3 agree")
+
 heat, both = folder / "heat.png", folder / "both.png"
 check("pictures are written", *files("moved_object"), "--heat-map", heat, "--side-by-side", both, status=1)
 failures += [f"{picture} is missing" for picture in (heat, both) if not picture.exists()]

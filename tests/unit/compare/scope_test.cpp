@@ -1,7 +1,7 @@
 // The pixels and channels that are compared, and the messages for images that cannot be.
 #include "compare/align.hpp"
 #include "compare/compare.hpp"
-#include "compare/metrics.hpp"
+#include "compare/noise.hpp"
 #include "compare/pictures.hpp"
 #include "core/error.hpp"
 #include "image/colormap.hpp"
@@ -69,7 +69,9 @@ const Test layers_alone("unit.golden.compare.layers_alone", [] {
     Image test = reference;
     for (int y = 0; y < 8; ++y)
         for (int x = 0; x < 8; ++x) test.at(x, y)[5] = 2.0f; // key.G
-    EXPECT_TRUE(compare(test, reference).passed);
+    EXPECT_FALSE(compare(test, reference).passed);
+    EXPECT_TRUE(compare(test, reference, {.other_layers = std::vector<std::string>{}}).passed);
+    EXPECT_FALSE(compare(test, reference, {.other_layers = std::vector<std::string>{"key"}}).passed);
     EXPECT_FALSE(compare(test, reference, {.layer = "key"}).passed);
     EXPECT_EQ(layer_names(reference), std::vector<std::string>{"key"});
     EXPECT_EQ(layer_of(reference, "")->colors, (std::vector<int>{3, 2, 1}));
@@ -116,6 +118,54 @@ const Test z_of_chance("unit.golden.noise.z_of_chance", [] {
     EXPECT_NEAR(two_sided_z(0.05), 1.959964, 1e-6);
     EXPECT_NEAR(two_sided_z(0.001), 3.290527, 1e-6);
     EXPECT_NEAR(two_sided_z(1e-9), 6.109410, 1e-5);
+});
+
+// Two-sided quantiles of Student's t: Abramowitz & Stegun 1964, Table 26.10.
+const Test z_of_students_t("unit.golden.noise.z_of_students_t", [] {
+    EXPECT_NEAR(z_of_t(2.201, 11.0), two_sided_z(0.05), 0.01);
+    EXPECT_NEAR(z_of_t(4.437, 11.0), two_sided_z(0.001), 0.01);
+    EXPECT_NEAR(z_of_t(12.706, 1.0), two_sided_z(0.05), 0.15);
+    EXPECT_DOUBLE_EQ(z_of_t(3.0, 1e9), 3.0);
+});
+
+// Pictures that differ by one number everywhere: their blocks err as much as their pixels.
+const Test errors_of_sums_are_measured("unit.golden.noise.errors_of_sums_are_measured", [] {
+    NoiseOfSeeds noise;
+    for (const float level : {1.0f, 2.0f, 3.0f}) noise.add(grey(32, 32, 3, level));
+    const Image errors = noise.errors();
+    EXPECT_EQ(errors.channel_names[3], "block.R");
+    for (const float error : errors.at(20, 9)) EXPECT_FLOAT_EQ(error, 1.0f);
+    EXPECT_TRUE(compare(grey(32, 32, 3, 2.9f), grey(32, 32, 3, 1.5f), {.noise = {errors}}).passed);
+    EXPECT_THROW(noise.add(grey(31, 32)), sr::Error);
+    EXPECT_THROW(NoiseOfSeeds().errors(), sr::Error);
+});
+
+// A white half beside a black one, 64 × 64: 4 pixels may differ at the edge.
+const Test forgives_what_an_edge_explains("unit.golden.edges.forgives_what_an_edge_explains", [] {
+    Image reference = grey(64, 64);
+    for (int y = 0; y < 64; ++y)
+        for (int x = 32; x < 64; ++x) std::ranges::fill(reference.at(x, y), 0.1f);
+    const auto passes = [&reference](std::initializer_list<std::pair<int, int>> places, float value) {
+        Image test = reference;
+        for (const auto& [x, y] : places) std::ranges::fill(test.at(x, y), value);
+        CompareOptions options;
+        options.tolerances = {parse_tolerance("rel=0.01@edges")};
+        return compare(test, reference, options).passed;
+    };
+    EXPECT_TRUE(passes({{32, 10}}, 1.0f));  // fell to the other side
+    EXPECT_TRUE(passes({{31, 10}}, 0.5f));  // half of it
+    EXPECT_FALSE(passes({{31, 10}}, 0.0f)); // darker than both sides
+    EXPECT_FALSE(passes({{30, 10}}, 0.1f)); // not at the edge
+    EXPECT_TRUE(passes({{32, 10}, {32, 11}, {32, 12}}, 1.0f));
+    EXPECT_FALSE(passes({{32, 10}, {32, 11}, {32, 12}, {32, 13}, {32, 14}}, 1.0f)); // the edge moved
+    EXPECT_FALSE(passes({{32, 4}, {32, 14}, {32, 24}, {32, 34}, {32, 44}}, 1.0f));  // too many
+});
+
+const Test a_wire_is_no_edge("unit.golden.edges.a_wire_is_no_edge", [] {
+    Image with = grey(64, 64), without = grey(64, 64);
+    for (int x = 20; x < 23; ++x) std::ranges::fill(with.at(x, 30), 0.2f);
+    EXPECT_FALSE(compare(without, with).passed);
+    EXPECT_FALSE(compare(with, without).passed);
 });
 
 // A shift of a tenth of the noise is lost in each pixel and plain in the sum of 64 × 64 of them.

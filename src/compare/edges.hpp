@@ -1,0 +1,46 @@
+#pragma once
+// Failing pixels that an edge explains: the edge fell to the other side of the pixel's centre.
+#include "compare/align.hpp"
+
+#include <functional>
+#include <vector>
+
+namespace sr::compare {
+
+// Caps on the pixels that edges explain. None of them grows with the image: damage does not become harmless
+// because more pixels surround it. Two drivers differ in a handful of pixels that lie apart from one another.
+inline constexpr std::size_t max_at_edges = 64;    // pixels of the image
+inline constexpr double max_share_at_edges = 1e-3; // of the pixels of a small image
+inline constexpr int max_at_edges_nearby = 8;      // in any 16×16 window
+inline constexpr std::size_t max_edge_cluster = 4; // pixels that touch one another
+
+inline constexpr float max_lost_share =
+    0.5f; // of the change: how far the old value may be from those around it
+
+/// The difference from a value of a pixel's channel that a limit allows.
+using Slack = std::function<float(std::size_t pixel, std::size_t channel, float value)>;
+
+/// The failing pixels, and how many of them an edge explains.
+struct EdgeJudgement {
+    std::size_t failing = 0;
+    std::size_t unexplained = 0; // fail the image
+    std::size_t max_count = 0;   // the cap on all failing pixels
+    bool is_crowded = false;     // more than max_at_edges_nearby in a window
+    bool passes() const { return unexplained == 0 && failing <= max_count && !is_crowded; }
+};
+
+/// Judges the failing pixels. An edge explains a pixel if all of this is so:
+/// - its value lies within the range of the reference's 3×3 pixels around it, in each channel, so that
+/// nothing
+///   new appeared: no hole, no firefly;
+/// - the reference's value lies within the range of the test's 3×3 pixels, or near it in a picture with
+/// grain,
+///   so that nothing disappeared: no letter, no wire, no small object;
+/// - both sides of the edge are there in the reference: of its 8 neighbours at least two resemble the old
+///   value, and at least two the new one; at least three where failing pixels touch, so that no stroke of a
+///   letter goes;
+/// - it touches at most three other failing pixels, directly or through one another.
+/// @param fails one entry for each compared pixel
+EdgeJudgement judge_edges(const AlignedImages& images, const std::vector<bool>& fails, const Slack& slack);
+
+} // namespace sr::compare

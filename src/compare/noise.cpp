@@ -1,0 +1,307 @@
+#include "compare/noise.hpp"
+
+#include "core/error.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <fmt/format.h>
+#include <optional>
+
+namespace sr::compare {
+namespace {
+
+using image::Image;
+
+constexpr double false_alarms = 1e-3; // of all comparisons of equal images
+constexpr double rounding = 1e-6;     // relative; eight units in the last place of a float
+constexpr double max_score = 5.0;     // of a pixel in a sum of scores, so that no single one decides
+constexpr double many_seeds = 1e6;    // as good as a known standard error
+constexpr const char* seeds_attribute = "steradian:seeds";
+
+/// Where the pixels of an image lie among its blocks.
+struct Blocks {
+    std::size_t width = 0;
+    std::size_t columns = 0;
+    std::size_t count = 0;
+
+    Blocks(int image_width, int image_height)
+        : width(static_cast<std::size_t>(image_width)),
+          columns((width + noise_block - 1) / noise_block),
+          count(columns * ((static_cast<std::size_t>(image_height) + noise_block - 1) / noise_block)) {}
+    std::size_t of(std::size_t pixel) const {
+        return pixel / width / noise_block * columns + pixel % width / noise_block;
+    }
+};
+
+/// Layers of a noise image, each with the images' colours; a 1×1 image has pixels alone.
+struct Noise {
+    Image pixels;
+    std::optional<Image> blocks;
+    std::optional<Image> whole;
+    double degrees_of_freedom = many_seeds;
+
+    bool is_number() const { return pixels.width == 1 && pixels.height == 1; }
+    double error(const Image& image, std::size_t pixel, std::size_t color) const {
+        const auto channels = static_cast<std::size_t>(image.channels);
+        return image.pixels[(is_number() ? 0 : pixel * channels) + std::min(color, channels - 1)];
+    }
+};
+
+std::optional<Image> errors_in(const Image& noise, const std::string& name, int colors) {
+    const auto layer = layer_of(noise, name);
+    if (!layer || (layer->colors.size() != 1 && static_cast<int>(layer->colors.size()) != colors))
+        return std::nullopt;
+    Image errors = extract(noise, layer->colors);
+    if (!std::ranges::all_of(errors.pixels, [](float s) { return std::isfinite(s) && s >= 0.0f; }))
+        throw Error("the noise has values that are negative or not finite",
+                    "give standard errors, from 0 up");
+    return errors;
+}
+
+/// The degrees of freedom of variances whose neighbours scatter as these do: ln s² of ν degrees of freedom
+/// has the variance 2/ν, nearly, and so a median distance of 0.6745 √(4/ν) from its neighbour's.
+double degrees_by_scatter(const Image& errors) {
+    std::vector<double> distances;
+    const auto channels = static_cast<std::size_t>(errors.channels);
+    for (std::size_t i = channels; i < errors.pixels.size(); ++i) {
+        const float a = errors.pixels[i - channels], b = errors.pixels[i];
+        if (a > 0.0f && b > 0.0f) distances.push_back(2.0 * std::abs(std::log(static_cast<double>(a / b))));
+    }
+    if (distances.size() < 64) return many_seeds; // too few to tell
+    const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
+    std::ranges::nth_element(distances, middle);
+    return std::clamp(4.0 * 0.6745 * 0.6745 / std::max(*middle * *middle, 1e-12), 1.0, many_seeds);
+}
+
+Noise read_noise(const Image& image, const AlignedImages& images) {
+    const bool is_number = image.width == 1 && image.height == 1;
+    if (!is_number && (image.width != images.reference.width || image.height != images.reference.height))
+        throw Error(fmt::format("the noise is {}x{}, the reference {}x{}", image.width, image.height,
+                                images.reference.width, images.reference.height),
+                    "give a number, or an image of the reference's size");
+    const auto pixels = errors_in(image, "", images.colors);
+    if (!pixels)
+        throw Error("the noise has other channels than the images",
+                    "give it the channels R, G and B, or only one");
+    Noise noise{*pixels, errors_in(image, "block", images.colors), errors_in(image, "whole", images.colors)};
+    if (is_number) return noise;
+    const auto seeds = std::ranges::find(image.attributes, seeds_attribute, &image::Attribute::name);
+    noise.degrees_of_freedom = seeds == image.attributes.end()
+                                   ? degrees_by_scatter(*pixels)
+                                   : std::max(1.0, std::atof(seeds->value.c_str()) - 1.0);
+    return noise;
+}
+
+/// The variance, or the mean of the 3×3 around it if that is larger.
+double pooled_variance(const Noise& noise, std::size_t pixel, std::size_t color) {
+    const double own = noise.error(noise.pixels, pixel, color);
+    if (noise.is_number()) return own * own;
+    const int width = noise.pixels.width, height = noise.pixels.height;
+    const int x = static_cast<int>(pixel) % width, y = static_cast<int>(pixel) / width;
+    double sum = 0.0;
+    int count = 0;
+    for (int v = std::max(y - 1, 0); v <= std::min(y + 1, height - 1); ++v)
+        for (int u = std::max(x - 1, 0); u <= std::min(x + 1, width - 1); ++u, ++count) {
+            const double s = noise.error(noise.pixels, static_cast<std::size_t>(v * width + u), color);
+            sum += s * s;
+        }
+    return std::max(own * own, sum / count);
+}
+
+/// A difference whose variance is known, or a sum of such.
+struct Deviation {
+    double difference = 0.0;
+    double variance = 0.0;
+    double count = 0.0;
+
+    double t() const {
+        if (difference == 0.0) return 0.0;
+        return std::abs(difference) / std::sqrt(variance); // infinite where no noise is expected
+    }
+    Deviation& operator+=(const Deviation& other) {
+        difference += other.difference;
+        variance += other.variance;
+        count += other.count;
+        return *this;
+    }
+};
+
+/// The sums of a comparison, by colour.
+struct DeviationSums {
+    std::vector<Deviation> blocks; // block by block, all colours of each
+    std::vector<Deviation> scores; // the same of differences in standard errors
+    std::vector<Deviation> totals;
+
+    DeviationSums(const Blocks& image_blocks, std::size_t colors)
+        : blocks(image_blocks.count * colors), scores(image_blocks.count * colors), totals(colors) {}
+};
+
+bool all_know(const std::vector<Noise>& noise, std::optional<Image> Noise::*layer) {
+    return std::ranges::all_of(noise,
+                               [&](const Noise& n) { return n.is_number() || (n.*layer).has_value(); });
+}
+
+/// The variance of a sum of `count` values, of whose mean the layer holds the standard error.
+double variance_of_sum(const std::vector<Noise>& noise, std::optional<Image> Noise::*layer, std::size_t pixel,
+                       std::size_t color, double count) {
+    double variance = 0.0;
+    for (const Noise& n : noise) {
+        const double error = n.is_number() ? 0.0 : n.error(*(n.*layer), pixel, color);
+        variance += error * error * count * count;
+    }
+    return variance;
+}
+
+/// Replaces the variances of blocks, which add those of pixels as if these were independent, by known ones.
+void correct_blocks(DeviationSums& sums, const std::vector<Noise>& noise, const Blocks& blocks,
+                    std::size_t colors, const std::vector<std::size_t>& compared) {
+    for (const std::size_t i : compared) // all pixels of a block say the same
+        for (std::size_t c = 0; c < colors; ++c) {
+            Deviation& block = sums.blocks[blocks.of(i) * colors + c];
+            block.variance =
+                std::max(block.variance, variance_of_sum(noise, &Noise::blocks, i, c, block.count));
+        }
+}
+
+/// z of the sum of one colour over the image.
+double total_z(const DeviationSums& sums, const std::vector<Noise>& noise, std::size_t colors, std::size_t c,
+               double degrees_of_freedom) {
+    Deviation total = sums.totals[c];
+    if (std::ranges::all_of(noise, &Noise::is_number)) return total.t();
+    if (all_know(noise, &Noise::whole)) {
+        total.variance = std::max(total.variance, variance_of_sum(noise, &Noise::whole, 0, c, total.count));
+        return z_of_t(total.t(), degrees_of_freedom);
+    }
+    // Batch means: the blocks' own scatter tells how much a sum of pixels that err alike may scatter.
+    Deviation score;
+    for (std::size_t b = c; b < sums.scores.size(); b += colors) score += sums.scores[b];
+    const double mean = score.difference / score.count;
+    double scatter = 0.0, blocks = 0.0;
+    for (std::size_t b = c; b < sums.scores.size(); b += colors, blocks += 1.0) {
+        const double rest = sums.scores[b].difference - mean * sums.scores[b].count;
+        scatter += rest * rest;
+    }
+    score.variance = std::max(score.variance, scatter);
+    return z_of_t(score.t(), std::max(1.0, blocks - 1.0));
+}
+
+} // namespace
+
+double two_sided_z(double chance) {
+    double low = 0.0, high = 40.0; // erfc(40 / sqrt 2) is 0 in double
+    for (int i = 0; i < 100; ++i) {
+        const double middle = 0.5 * (low + high);
+        (std::erfc(middle / std::sqrt(2.0)) > chance ? low : high) = middle;
+    }
+    return 0.5 * (low + high);
+}
+
+double z_of_t(double t, double degrees_of_freedom) {
+    const double n = degrees_of_freedom;
+    if (n >= many_seeds || std::isinf(t)) return t;
+    return (8.0 * n + 1.0) / (8.0 * n + 3.0) * std::sqrt(n * std::log1p(t * t / n));
+}
+
+NoiseScores score_noise(const AlignedImages& images, const std::vector<Image>& given) {
+    const auto colors = static_cast<std::size_t>(images.colors);
+    const Blocks blocks(images.reference.width, images.reference.height);
+    std::vector<Noise> noise;
+    for (const Image& image : given) noise.push_back(read_noise(image, images));
+    const double n = std::ranges::min_element(noise, {}, &Noise::degrees_of_freedom)->degrees_of_freedom;
+    DeviationSums sums(blocks, colors);
+    NoiseScores scores;
+    scores.judges_blocks = all_know(noise, &Noise::blocks);
+    scores.pixels.reserve(images.compared.size());
+    scores.errors.assign(images.pixels.size() * colors, 0.0f);
+    for (const std::size_t i : images.compared) {
+        double largest = 0.0;
+        for (std::size_t c = 0; c < colors; ++c) {
+            const double r = images.reference_at(i)[c];
+            Deviation deviation{static_cast<double>(images.test_at(i)[c]) - r, rounding * rounding * r * r,
+                                1.0};
+            for (const Noise& known : noise) deviation.variance += pooled_variance(known, i, c);
+            largest = std::max(largest, z_of_t(deviation.t(), n));
+            scores.errors[i * colors + c] = static_cast<float>(std::sqrt(deviation.variance));
+            const double z =
+                std::clamp(std::copysign(deviation.t(), deviation.difference), -max_score, max_score);
+            sums.blocks[blocks.of(i) * colors + c] += deviation;
+            sums.scores[blocks.of(i) * colors + c] += {z, 1.0, 1.0};
+            sums.totals[c] += deviation;
+        }
+        scores.pixels.push_back(static_cast<float>(largest));
+    }
+    if (scores.judges_blocks) correct_blocks(sums, noise, blocks, colors, images.compared);
+    for (const Deviation& block : sums.blocks)
+        scores.max_block = std::max(scores.max_block, z_of_t(block.t(), n));
+    for (std::size_t c = 0; c < colors; ++c)
+        scores.total = std::max(scores.total, total_z(sums, noise, colors, c, n));
+    const double chance = false_alarms / 3.0 / static_cast<double>(colors);
+    scores.limits = {
+        two_sided_z(chance / static_cast<double>(std::max<std::size_t>(images.compared.size(), 1))),
+        two_sided_z(chance / static_cast<double>(blocks.count)), two_sided_z(chance)};
+    return scores;
+}
+
+void NoiseOfSeeds::Moments::add(const std::vector<double>& values, int count) {
+    mean.resize(values.size());
+    squares.resize(values.size());
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const double before = values[i] - mean[i];
+        mean[i] += before / count;
+        squares[i] += before * (values[i] - mean[i]);
+    }
+}
+
+void NoiseOfSeeds::add(const Image& picture) {
+    const auto layer = layer_of(picture, "");
+    if (!layer) throw Error("the picture has no colours", "render one with R, G and B, or with Y");
+    std::vector<std::string> names{"Y"};
+    if (layer->colors.size() == 3) names = {"R", "G", "B"};
+    if (count_ > 0 && (picture.width != width_ || picture.height != height_ || names != names_))
+        throw Error("the pictures of the seeds differ in size or channels",
+                    "render the same view with each seed");
+    width_ = picture.width;
+    height_ = picture.height;
+    names_ = names;
+    ++count_;
+    const Image colors = extract(picture, layer->colors);
+    const std::size_t channels = names.size();
+    const Blocks blocks(width_, height_);
+    std::vector<double> block_means(blocks.count * channels), counts(blocks.count), whole(channels);
+    for (std::size_t i = 0; i < colors.pixels.size() / channels; ++i) {
+        counts[blocks.of(i)] += 1.0;
+        for (std::size_t c = 0; c < channels; ++c) {
+            block_means[blocks.of(i) * channels + c] += colors.pixels[i * channels + c];
+            whole[c] += colors.pixels[i * channels + c];
+        }
+    }
+    for (std::size_t b = 0; b < block_means.size(); ++b) block_means[b] /= counts[b / channels];
+    for (double& sum : whole) sum /= static_cast<double>(width_) * height_;
+    pixels_.add({colors.pixels.begin(), colors.pixels.end()}, count_);
+    blocks_.add(block_means, count_);
+    whole_.add(whole, count_);
+}
+
+Image NoiseOfSeeds::errors() const {
+    if (count_ < 2) throw Error("one seed does not tell noise", "take at least two, better twelve");
+    const std::size_t channels = names_.size();
+    Image errors(width_, height_, static_cast<int>(3 * channels));
+    for (const char* prefix : {"", "block.", "whole."})
+        for (const std::string& name : names_) errors.channel_names.push_back(prefix + name);
+    const Blocks blocks(width_, height_);
+    const auto error = [this](const Moments& moments, std::size_t i) {
+        return static_cast<float>(std::sqrt(moments.squares[i] / (count_ - 1)));
+    };
+    for (std::size_t i = 0; i < errors.pixels.size() / (3 * channels); ++i)
+        for (std::size_t c = 0; c < channels; ++c) {
+            float* const to = &errors.pixels[i * 3 * channels];
+            to[c] = error(pixels_, i * channels + c);
+            to[channels + c] = error(blocks_, blocks.of(i) * channels + c);
+            to[2 * channels + c] = error(whole_, c);
+        }
+    errors.attributes = {{seeds_attribute, std::to_string(count_)}};
+    return errors;
+}
+
+} // namespace sr::compare

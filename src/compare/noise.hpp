@@ -1,0 +1,73 @@
+#pragma once
+// Differences beside a known noise: standard errors from a few seeds, and scores of single values and sums.
+#include "compare/metrics.hpp"
+
+namespace sr::compare {
+
+inline constexpr int noise_block = 16; // [pixels] edge of a block
+
+/// Standard errors of a picture, from pictures of it with other seeds.
+class NoiseOfSeeds {
+public:
+    /// @throws Error if the picture has another size or other channels than the first, or no colours
+    void add(const image::Image& picture);
+
+    /// The standard errors of one picture: of each pixel (the colours), of the mean over the block of 16×16
+    /// pixels around it ("block."), and of the mean over the picture ("whole."). Neighbours may err alike,
+    /// since all pixels can share the places of their samples: the errors of sums do not follow from those of
+    /// pixels. The attribute "steradian:seeds" is the number of pictures. @throws Error for fewer than two
+    image::Image errors() const;
+
+private:
+    struct Moments {
+        std::vector<double> mean;
+        std::vector<double> squares;                            // of the distance from the mean
+        void add(const std::vector<double>& values, int count); // Welford 1962
+    };
+    int width_ = 0;
+    int height_ = 0;
+    std::vector<std::string> names_; // of the colours
+    int count_ = 0;
+    Moments pixels_;
+    Moments blocks_; // means, row by row
+    Moments whole_;
+};
+
+/// The largest |z| that equal images exceed once in a thousand comparisons, at each of three scales that
+/// share this chance equally (Bonferroni): single values, means over blocks, means over the image.
+struct NoiseLimits {
+    double pixel = 0.0;
+    double block = 0.0;
+    double total = 0.0;
+};
+
+/// z-scores of a comparison. Those of standard errors from a few seeds are Student's t; they are given as the
+/// z that is as improbable. The means over 16×16 blocks find differences below the noise of one pixel.
+struct NoiseScores {
+    PixelValues pixels; // largest |z| over the colours
+    double max_block = 0.0;
+    bool judges_blocks = false; // the errors of blocks are known
+    double total = 0.0;
+    NoiseLimits limits;
+    std::vector<float> errors; // standard errors of t - r, by pixel and colour
+};
+
+/// Divides differences by the standard errors in `noise`. Their squares add up, and so does the rounding of a
+/// float (1e-6 of the reference). Alpha is left out: its noise is not known.
+///
+/// A pixel's variance is no less than the mean over the 3×3 pixels around it: a few seeds can agree by
+/// chance. A noise image without "steradian:seeds" has as many seeds as the scatter of neighbours' variances
+/// tells. One without errors of blocks has no verdict on them, and the error of the whole is the scatter of
+/// the blocks' scores around their mean. A number (1×1) is noise that is independent from pixel to pixel.
+/// @throws Error if a noise image is neither of the images' size nor 1×1, or has a value that is negative or
+/// not finite.
+NoiseScores score_noise(const AlignedImages& images, const std::vector<image::Image>& noise);
+
+/// The z that a standard normal variable exceeds in absolute value with the given chance.
+double two_sided_z(double chance);
+
+/// The z that is as improbable as |t| of Student's t with that many degrees of freedom. Wallace 1959, "Bounds
+/// on normal approximations to Student's and the chi-square distributions", Eq. 2.5.
+double z_of_t(double t, double degrees_of_freedom);
+
+} // namespace sr::compare

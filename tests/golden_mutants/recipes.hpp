@@ -1,0 +1,43 @@
+#pragma once
+// Mutants of the three bases at any size: mostly damage to a few pixels, which must not pass because the
+// frame around it is large.
+#include "golden_mutants/bases.hpp"
+#include "golden_mutants/mutants.hpp"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace sr::testing {
+
+enum class Base { render, photo, interface };
+
+/// How a mutant is made of a base.
+struct Recipe {
+    Base base = Base::render;
+    std::string name;
+    bool passes = false;
+    std::function<void(Mutant&)> change; // of a mutant whose test and reference are the base
+    std::string diagnosis = any_diagnosis;
+};
+
+/// Damage that any picture can take.
+std::vector<Recipe> damaged(Base base);
+/// Mistakes of a renderer.
+std::vector<Recipe> wrong_renders();
+/// Mistakes of a photograph's processing.
+std::vector<Recipe> wrong_photos();
+/// Mistakes of a user interface.
+std::vector<Recipe> wrong_interfaces();
+/// Differences that are no mistake.
+std::vector<Recipe> harmless_recipes();
+/// All of the above.
+std::vector<Recipe> recipes();
+
+/// The mutant of a recipe. Bases are kept from one call to the next of the same size.
+Mutant made(const Recipe& recipe, Extent size);
+
+/// "render", "photo", "interface".
+std::string name_of(Base base);
+
+} // namespace sr::testing

@@ -1,0 +1,61 @@
+#!/usr/bin/env python3
+"""How often the comparator calls equal pictures different, whose samples have other seeds.
+
+    tools/golden/false_alarms.py build/steradian /tmp/seeds
+
+Renders five bundled scenes with 36 seeds each, makes the noise of seeds 1 to 12 with `steradian golden noise`, and
+compares 60 pairs of the other seeds a scene, with the noise given twice. Pictures that are already in the folder are
+kept. Prints the pairs that fail, and their number.
+"""
+import itertools
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+SCENES = ("cornell", "default", "veach", "spheres", "brdfs")
+NOISE_SEEDS = range(1, 13)
+PAIR_SEEDS = range(13, 37)
+PAIRS = 60  # a scene
+RENDER = ("--size", "96x64", "--samples", "16")
+
+
+def pairs():
+    """Pairs with as many different seeds as there are: 12 that share none, then those at growing distances."""
+    seeds = list(PAIR_SEEDS)
+    return sorted(itertools.combinations(seeds, 2), key=lambda pair: (pair[1] - pair[0], pair[0] % 2))[:PAIRS]
+
+
+def main():
+    steradian, folder = str(Path(sys.argv[1]).resolve()), Path(sys.argv[2]).resolve()
+    scenes = Path(__file__).resolve().parents[2] / "assets" / "scenes"
+    tests = []
+    for scene in SCENES:
+        (folder / scene).mkdir(parents=True, exist_ok=True)
+        for seed in (*NOISE_SEEDS, *PAIR_SEEDS):
+            out = folder / scene / f"{seed}.exr"
+            if not out.exists():
+                subprocess.run([steradian, "render", scenes / f"{scene}.gltf", "-o", out, *RENDER, "--seed", str(seed)],
+                               check=True)
+        tests.append({"name": scene, "command": ["cp", f"{folder}/{scene}/{{seed}}.exr", "{out}"],
+                      "noise": f"{scene}_noise.exr"})
+    suite = folder / "suite.json"
+    suite.write_text(json.dumps({"tests": tests}))
+    subprocess.run([steradian, "golden", "noise", suite, "-o", folder / "results", "--seeds", str(len(NOISE_SEEDS))],
+                   check=True, stdout=subprocess.DEVNULL)
+    alarms = compared = 0
+    for scene in SCENES:
+        noise = folder / f"{scene}_noise.exr"
+        for a, b in pairs():
+            ran = subprocess.run([steradian, "compare", folder / scene / f"{a}.exr", folder / scene / f"{b}.exr", "--noise",
+                                  noise, "--noise", noise, "--json"], capture_output=True, text=True, check=False)
+            compared += 1
+            if ran.returncode == 0:
+                continue
+            alarms += 1
+            print(scene, a, b, *[verdict["line"] for verdict in json.loads(ran.stdout)["verdicts"] if not verdict["passed"]])
+    print(f"{alarms} of {compared} pairs of seeds fail")
+
+
+if __name__ == "__main__":
+    main()
