@@ -34,7 +34,7 @@ std::optional<double> parsed_percentage(const std::string& text);
 std::optional<double> parsed_duration(const std::string& text);
 
 /// The given folders in front of the built-in shaders; remarks on those that replace nothing.
-/// @throws Error if one is no folder.
-std::vector<glsl::Root> shader_path(const std::vector<std::string>& folders);
+/// @param is_untrusted whether they pass the gate of glsl/untrusted.hpp. @throws Error if one is no folder.
+std::vector<glsl::Root> shader_path(const std::vector<std::string>& folders, bool is_untrusted = false);
 
 } // namespace sr::cli

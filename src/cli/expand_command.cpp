@@ -13,6 +13,7 @@ void add_expand_command(CLI::App& app) {
     struct Arguments {
         std::string file;
         std::vector<std::string> shaders;
+        bool is_untrusted = false;
     };
     const auto arguments = std::make_shared<Arguments>();
     CLI::App* command =
@@ -24,10 +25,12 @@ void add_expand_command(CLI::App& app) {
                      "look in this folder before the built-in shaders (repeatable)")
         ->type_name("DIR")
         ->allow_extra_args(false);
+    command->add_flag("--untrusted", arguments->is_untrusted,
+                      "refuse in these folders what is no plain GLSL, and bound their loops");
     command->footer(
         "Examples:\n  steradian expand forward.frag\n  steradian expand brdf/f_r.glsl --shaders my_shaders");
     command->callback([arguments] {
-        const auto path = shader_path(arguments->shaders);
+        const auto path = shader_path(arguments->shaders, arguments->is_untrusted);
         write_output(glsl::expand(path, arguments->file).text);
     });
 }

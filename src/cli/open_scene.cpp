@@ -165,7 +165,7 @@ render::RenderOptions render_options(const RenderCommand& command, Size size) {
     options.height = size.height;
     options.samples = command.stop.samples;
     options.estimates_error = command.asks_for_error();
-    options.shader_path = shader_path(command.shaders);
+    options.shader_path = shader_path(command.shaders, command.is_untrusted);
     if (!command.shaders.empty()) options.trial = std::make_shared<gl::TrialCompiler>(command.backend);
     if (command.view) options.shader = command.view->shader;
     return options;

@@ -195,6 +195,9 @@ void declare_machine(CLI::App& command, RenderCommand& o) {
     command.add_option("--shaders", o.shaders, "look for shaders in this folder first (repeatable)")
         ->allow_extra_args(false)
         ->type_name("DIR");
+    command.add_flag(
+        "--untrusted", o.is_untrusted,
+        "refuse in these folders what is no plain GLSL (links, images, recursion, …), and bound their loops");
     command.add_flag("--gl-debug", o.gl_debug, "fail on any error or warning of the driver");
 }
 

@@ -28,6 +28,7 @@ struct RenderSettings {
     render::RenderOptions rendering;
     render::StopRule stop;
     std::vector<std::string> shaders; // folders that come before the built-in shaders
+    bool is_untrusted = false;        // `shaders` pass the gate of glsl/untrusted.hpp
     std::optional<float> ev100;       // absent: automatic
     image::ToneCurve tone_curve = image::ToneCurve::neutral;
     bool gl_debug = false; // any error or warning of the driver is an error
