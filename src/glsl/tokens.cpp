@@ -12,7 +12,7 @@ namespace {
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-/// @throws Error for bytes that are not UTF-8, for control characters and for lines that go on
+/// @throws Error for bytes that are not UTF-8, for NUL and for lines that go on
 void require_plain_text(std::string_view text, const std::string& place) {
     int line = 1;
     for (std::size_t i = 0; i < text.size();) {
@@ -21,10 +21,7 @@ void require_plain_text(std::string_view text, const std::string& place) {
             throw Error({place, line},
                         fmt::format("the byte {:#04x} is not UTF-8", static_cast<unsigned char>(text[i])),
                         "save the file as UTF-8");
-        const bool is_blank = text[i] == '\n' || text[i] == '\t' || text[i] == '\v' || text[i] == '\f';
-        if (!is_blank && is_control(text.substr(i), length))
-            throw Error({place, line}, fmt::format("a control character, {}", shown(text.substr(i, length))),
-                        "remove it");
+        if (text[i] == '\0') throw Error({place, line}, "a NUL byte", "remove it: a shader is text");
         if (text[i] == '\\' && i + 1 < text.size() && text[i + 1] == '\n')
             throw Error({place, line}, "a line ends in \\", "write it as one line");
         if (text[i] == '\n') ++line;

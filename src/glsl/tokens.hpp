@@ -18,7 +18,7 @@ struct Token {
 
 /// The tokens of a text, whose line breaks are "\n". A sign is one byte: "&&" is two tokens.
 /// @throws Error for a byte that no GLSL has outside comments, a comment that never ends, a backslash at the
-/// end of a line, and text that is not UTF-8 or has control characters
+/// end of a line, and text that is not UTF-8 or has a NUL byte
 std::vector<Token> tokens_of(std::string_view text, const std::string& place);
 
 /// The index behind the bracket that closes the one at `open`, or `end` if none does.

@@ -205,6 +205,8 @@ class Hostile(cli_test.CommandLine):
         plain = (self.folder / "a.exr").read_bytes()
         self.assertEqual(self.rendered_with().returncode, 0)
         self.assertEqual(run("compare", self.folder / "a.exr", self.write(plain, "untrusted.exr")).returncode, 0)
+        for picture in self.folder.glob("*.exr"):
+            picture.unlink()
         self.linked(self.overlay("", folder="elsewhere"), self.overlay("", folder="linked"))
         self.assert_refused(self.rendered_with("linked", "--untrusted"), "f_r.glsl: a link")
 
