@@ -1,5 +1,6 @@
 #include "assignment/check.hpp"
 
+#include "assignment/confinement.hpp"
 #include "assignment/mark.hpp"
 #include "core/error.hpp"
 #include "core/limits.hpp"
@@ -8,20 +9,19 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdlib>
 #include <fmt/format.h>
 #include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <unistd.h>
+#include <utility>
 
 namespace sr::assignment {
 namespace {
 
 using nlohmann::ordered_json;
-
-} // namespace
-
-namespace {
 
 namespace fs = std::filesystem;
 
@@ -43,18 +43,38 @@ struct ResultsFolder {
     ResultsFolder& operator=(const ResultsFolder&) = delete;
 };
 
+/// The path of the submission in texts becomes its name, or nothing before a file in it.
+void leave_out_path(ordered_json& json, const std::string& path, const std::string& name) {
+    if (json.is_structured()) {
+        for (ordered_json& part : json) leave_out_path(part, path, name);
+    } else if (json.is_string()) {
+        auto text = json.get<std::string>();
+        for (std::size_t at = 0; (at = text.find(path, at)) != std::string::npos;) {
+            const bool is_file_within = text[at + path.size()] == '/';
+            text.replace(at, path.size() + (is_file_within ? 1 : 0), is_file_within ? "" : name);
+        }
+        json = text;
+    }
+}
+
+/// The results of all children.
+struct Marked {
+    ordered_json tasks = ordered_json::array();
+    ordered_json intake;
+};
+
 /// The results that a child has written so far.
 class Results {
 public:
-    Results(fs::path file, const CheckOptions& options, ordered_json& tasks)
-        : file_(std::move(file)), options_(options), tasks_(tasks) {}
+    Results(fs::path file, fs::path submission, const CheckOptions& options, Marked& marked)
+        : file_(std::move(file)), submission_(std::move(submission)), options_(options), marked_(marked) {}
 
     /// Takes what is new. Whether nothing new has come for longer than a task may take.
     bool is_standing_still() {
-        const std::size_t before = tasks_.size();
+        const std::size_t before = taken_;
         take();
         const auto now = std::chrono::steady_clock::now();
-        if (tasks_.size() > before) since_ = now;
+        if (taken_ > before) since_ = now;
         return std::chrono::duration<double>(now - since_).count() > options_.time_limit;
     }
 
@@ -64,17 +84,24 @@ public:
         for (std::string line;
              std::getline(stream, line) && !stream.eof();) { // a last line may be half there
             taken_ += line.size() + 1;
-            auto task = ordered_json::parse(line, nullptr, false);
-            if (task.is_discarded()) continue;
-            if (options_.on_task) options_.on_task(task);
-            tasks_.push_back(std::move(task));
+            auto found = ordered_json::parse(line, nullptr, false);
+            if (found.is_discarded()) continue;
+            if (options_.grading)
+                leave_out_path(found, submission_.string(), submission_.filename().string());
+            if (found.contains("intake")) {
+                marked_.intake = std::move(found["intake"]);
+                continue;
+            }
+            if (options_.on_task) options_.on_task(found);
+            marked_.tasks.push_back(std::move(found));
         }
     }
 
 private:
     fs::path file_;
+    fs::path submission_;
     const CheckOptions& options_;
-    ordered_json& tasks_;
+    Marked& marked_;
     std::size_t taken_ = 0;
     std::chrono::steady_clock::time_point since_ = std::chrono::steady_clock::now();
 };
@@ -87,19 +114,25 @@ std::string first_line(const fs::path& file) {
 }
 
 /// All tasks, or fewer if the check was stopped.
-ordered_json marked_by_children(const Assignment& assignment, const fs::path& submission,
-                                const CheckOptions& options) {
+Marked marked_by_children(const Assignment& assignment, const fs::path& submission,
+                          const CheckOptions& options) {
     const ResultsFolder scratch;
-    ordered_json tasks = ordered_json::array();
+    Marked marked;
+    ordered_json& tasks = marked.tasks;
     while (tasks.size() < assignment.tasks.size() && !options.stop.stop_requested()) {
-        const fs::path results = scratch.path / fmt::format("{}.jsonl", tasks.size()),
-                       log = scratch.path / "log";
-        std::vector<std::string> words{options.program.string(), "assignment", "mark",
-                                       fs::absolute(submission).string(), results.string()};
+        const fs::path log = scratch.path / "log";
+        MarkRequest request{fs::absolute(submission),
+                            scratch.path / fmt::format("{}.jsonl", tasks.size()),
+                            {},
+                            options.keeps_pictures,
+                            options.grading};
         for (std::size_t i = tasks.size(); i < assignment.tasks.size(); ++i)
-            words.push_back(assignment.tasks[i].id);
-        if (options.keeps_pictures) words.emplace_back("--pictures");
-        Results found(results, options, tasks);
+            request.tasks.push_back(assignment.tasks[i].id);
+        request.processor_seconds =
+            static_cast<int>(std::ceil(4.0 * options.time_limit * static_cast<double>(request.tasks.size())));
+        std::vector<std::string> words{options.program.string()};
+        std::ranges::copy(words_of(request), std::back_inserter(words));
+        Results found(request.results, request.submission, options, marked);
         std::stop_source ending; // of this child
         const std::stop_callback ending_with_check(options.stop, [&] { ending.request_stop(); });
         const auto end =
@@ -119,32 +152,125 @@ ordered_json marked_by_children(const Assignment& assignment, const fs::path& su
         tasks.push_back(ended_early(assignment.tasks[tasks.size()], why));
         if (options.on_task) options.on_task(tasks.back());
     }
-    return tasks;
+    return marked;
+}
+
+/// The assignment with the checks that are hidden.
+Assignment graded_assignment(const Grading& grading) {
+    Assignment assignment = load(grading.assignment);
+    if (!grading.hidden.empty()) add_hidden_checks(assignment, grading.hidden);
+    return assignment;
 }
 
 } // namespace
 
 std::optional<ordered_json> check_submission(const fs::path& submission, const CheckOptions& options) {
-    const FolderLabel label = label_of(submission);
-    const Assignment assignment = load(assignment_of(label));
-    const ordered_json tasks = marked_by_children(assignment, submission, options);
-    if (tasks.size() < assignment.tasks.size()) return std::nullopt;
-    return sum_of(assignment, label.student, tasks);
+    FolderLabel label;
+    if (!options.grading) label = label_of(submission);
+    const Assignment assignment =
+        options.grading ? graded_assignment(*options.grading) : load(assignment_of(label));
+    const Marked marked = marked_by_children(assignment, submission, options);
+    if (marked.tasks.size() < assignment.tasks.size()) return std::nullopt;
+    if (!options.grading) return sum_of(assignment, label.student, marked.tasks);
+    // A child that ended before it had read the submission says nothing.
+    const ordered_json nothing = ordered_json::array();
+    ordered_json sum =
+        sum_of(assignment, marked.intake.value("student", options.grading->student), marked.tasks);
+    for (const char* key : {"refused", "lacking"}) sum[key] = marked.intake.value(key, nothing);
+    sum["label"] = marked.intake.value("label", "");
+    return sum;
 }
 
-void mark_tasks(const fs::path& submission, const std::vector<std::string>& tasks, const fs::path& results,
-                bool keeps_pictures) {
-    const FolderLabel label = label_of(submission);
-    const Assignment assignment = load(assignment_of(label));
-    const Submission handed_in = read_submission(assignment, submission);
+std::vector<std::string> words_of(const MarkRequest& request) {
+    std::vector<std::string> words{"assignment", "mark", request.submission.string(),
+                                   request.results.string()};
+    std::ranges::copy(request.tasks, std::back_inserter(words));
+    if (request.keeps_pictures) words.emplace_back("--pictures");
+    if (!request.grading) return words;
+    for (const auto& [option, value] : {std::pair{"--assignment", request.grading->assignment.string()},
+                                        {"--hidden", request.grading->hidden.string()},
+                                        {"--student", request.grading->student},
+                                        {"--memory", std::to_string(request.grading->memory)},
+                                        {"--seconds", std::to_string(request.processor_seconds)}})
+        if (!value.empty()) words.push_back(fmt::format("{}={}", option, value));
+    return words;
+}
+
+namespace {
+
+/// Lists what a confined process reads besides the system's folders.
+std::vector<fs::path> readable_folders(const MarkRequest& request) {
+    std::error_code ignored;
+    fs::path program = fs::read_symlink("/proc/self/exe", ignored).parent_path();
+    if (program.filename() == "bin") program = program.parent_path();
+    return {program, request.grading->assignment, request.grading->hidden, request.submission};
+}
+
+/// A teacher's reading of a submission: whatever is wrong with it costs its points alone.
+struct Intake {
+    std::string student, label;
+    std::vector<std::string> refused;
+    Submission submission;
+};
+
+Intake taken_in(const Assignment& assignment, const MarkRequest& request) {
+    Intake intake{request.grading->student, "", {}, {}};
+    const auto refuse = [&](const Error& error) { intake.refused.emplace_back(error.what()); };
+    try {
+        const SubmittedFiles files(request.submission);
+        intake.refused = files.refused();
+        intake.submission = read_submission(assignment, files);
+        if (files.has("assignment.json")) try {
+                const FolderLabel label = label_of(files);
+                intake.label = label.assignment;
+                if (!label.student.empty()) intake.student = label.student;
+            } catch (const Error& error) {
+                refuse(error);
+            }
+    } catch (const Error& error) {
+        refuse(error);
+        for (const Task& task : assignment.tasks) intake.submission.faults[task.id] = error.what();
+    }
+    return intake;
+}
+
+void write_line(std::ostream& stream, const ordered_json& json) {
+    stream << json.dump(-1, ' ', false, ordered_json::error_handler_t::replace) << std::endl;
+}
+
+void mark_all(const Assignment& assignment, const std::string& student, const Submission& submission,
+              const MarkRequest& request, std::ostream& stream) {
+    Marker marker(assignment, student, request.keeps_pictures);
+    for (const std::string& task : request.tasks)
+        write_line(stream, marker.mark(assignment.task(task), submission));
+}
+
+} // namespace
+
+void mark_tasks(const MarkRequest& request) {
+    std::vector<std::string> lacking;
+    if (request.grading)
+        lacking = confine_files(
+            {readable_folders(request), request.results.parent_path(), request.processor_seconds});
+    std::ofstream stream(request.results, std::ios::app);
     const auto context = gl::open_context({gl::Backend::automatic, false});
-    const MemoryWatch watch(std::uint64_t{4} << 30); // a student's code may ask for any amount
-    Marker marker(assignment, label.student, keeps_pictures);
-    std::ofstream stream(results, std::ios::app);
-    for (const std::string& task : tasks)
-        stream << marker.mark(assignment.task(task), handed_in)
-                      .dump(-1, ' ', false, ordered_json::error_handler_t::replace)
-               << std::endl;
+    if (!request.grading) {
+        const SubmittedFiles files(request.submission);
+        const FolderLabel label = label_of(files);
+        const Assignment assignment = load(assignment_of(label));
+        const MemoryWatch watch(std::uint64_t{4} << 30); // a student's code may ask for any amount
+        return mark_all(assignment, label.student, read_submission(assignment, files), request, stream);
+    }
+    const Assignment assignment = graded_assignment(*request.grading);
+    const MemoryWatch watch(request.grading->memory);
+    std::ranges::copy(confine_calls(), std::back_inserter(lacking));
+    const Intake intake = taken_in(assignment, request);
+    write_line(stream, {{"intake",
+                         {{"student", intake.student},
+                          {"label", intake.label},
+                          {"refused", intake.refused},
+                          {"lacking", lacking}}}});
+    mark_all(assignment, intake.student, intake.submission, request, stream);
 }
 
 namespace {

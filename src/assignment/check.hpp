@@ -5,6 +5,7 @@
 #include "assignment/manifest.hpp"
 #include "assignment/submission.hpp"
 
+#include <cstdint>
 #include <functional>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
@@ -14,24 +15,46 @@
 
 namespace sr::assignment {
 
+/// Additional options of a teacher's check.
+struct Grading {
+    std::filesystem::path assignment;              // its folder, whatever the submission's label names
+    std::filesystem::path hidden;                  // folder of hidden checks; empty: none
+    std::string student;                           // id of a submission without a label
+    std::uint64_t memory = std::uint64_t{2} << 30; // [bytes] beyond what the driver has at the start
+};
+
 struct CheckOptions {
-    std::filesystem::path program; // steradian, whose `assignment mark` the children run
-    double time_limit = 20.0;      // [s] of one task
-    bool keeps_pictures = false;   // in the result of image checks, for reports
+    std::filesystem::path program;  // steradian, whose `assignment mark` the children run
+    double time_limit = 20.0;       // [s] of one task
+    bool keeps_pictures = false;    // in the result of image checks, for reports
+    std::optional<Grading> grading; // by a teacher; absent: a student's own check
     std::function<void(const nlohmann::ordered_json& task)>
         on_task;          // called as soon as a task is marked; may be empty
     std::stop_token stop; // ends the check
 };
 
-/// Checks a submission. @return the sum of all tasks (mark.hpp); absent if it was stopped
+/// Checks a submission. @return the sum of all tasks (mark.hpp); absent if it was stopped.
+/// With `grading` the children are confined (confinement.hpp), a submission that cannot be read gets no
+/// points, and the sum has "refused" (lines of what was not taken), "lacking" (protections that the system
+/// does not have) and "label" (the assignment that the submission names).
 /// @throws Error if the submission has no label, or the assignment itself is at fault
 std::optional<nlohmann::ordered_json> check_submission(const std::filesystem::path& submission,
                                                        const CheckOptions& options);
 
-/// The work of a child process: writes each task's result as a line of `results` once it is marked.
-/// @throws Error
-void mark_tasks(const std::filesystem::path& submission, const std::vector<std::string>& tasks,
-                const std::filesystem::path& results, bool keeps_pictures);
+/// The arguments of a child process.
+struct MarkRequest {
+    std::filesystem::path submission;
+    std::filesystem::path results; // a file
+    std::vector<std::string> tasks;
+    bool keeps_pictures = false;
+    std::optional<Grading> grading;
+    int processor_seconds = 600; // with `grading`
+};
+
+/// The words of `steradian` that make a child do this, and the work itself: writes a line of `results` once a
+/// task is marked; with `grading`, before them, {"intake": …}. @throws Error
+std::vector<std::string> words_of(const MarkRequest& request);
+void mark_tasks(const MarkRequest& request);
 
 /// One submission that was tried, and its result.
 struct Proof {

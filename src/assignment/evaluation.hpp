@@ -19,8 +19,9 @@ struct Inputs {
 };
 
 /// Makes `rows` groups, each with `mean_count` values of the column `mean_over` (one if that is empty).
-/// Columns are stratified; the first rows hold the ends of each range. Every call gives the same table.
-Inputs inputs_of(std::vector<Input> columns, int rows, const std::string& mean_over = "", int mean_count = 1);
+/// Columns are stratified; the first rows hold the ends of each range. A seed gives the same table each time.
+Inputs inputs_of(std::vector<Input> columns, int rows, const std::string& mean_over = "", int mean_count = 1,
+                 unsigned int seed = 1);
 
 /// The same rows with each number moved by one or two units in its last place, up or down.
 Inputs nudged(const Inputs& inputs);
@@ -41,8 +42,8 @@ struct Code {
 /// Code that replaces the reference's, by the region's name.
 using Codes = std::map<std::string, Code>;
 
-/// The roots of the shaders: the codes, the reference around them, the assignment's overlay/, the program's
-/// shaders.
+/// The roots of the shaders: the codes, which are untrusted, the reference around them, the assignment's
+/// overlay/, the program's shaders.
 std::vector<glsl::Root> shader_path(const Assignment& assignment, const Parameters& parameters,
                                     const Codes& codes);
 

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <fstream>
+#include <limits>
 #include <numeric>
 #include <set>
 #include <sstream>
@@ -299,6 +300,27 @@ Assignment load(const fs::path& folder) {
     }
     if (assignment.tasks.empty()) root.fail("no \"tasks\"", "add one");
     return assignment;
+}
+
+void add_hidden_checks(Assignment& assignment, const fs::path& folder) {
+    const JsonFile text(folder / "hidden.json");
+    const JsonObject root(text, JsonObject::Pointer(""));
+    root.allow_only({"$schema", "seed", "tasks"});
+    const int seed = root.integer("seed", 2, 0, std::numeric_limits<int>::max());
+    if (!root.has("tasks")) root.fail("no \"tasks\"", "write { \"A1.1\": [ checks ] }");
+    const JsonObject tasks = root.object("tasks");
+    for (const auto& [id, list] : tasks.value().items()) {
+        const auto task = std::ranges::find(assignment.tasks, id, &Task::id);
+        if (task == assignment.tasks.end())
+            tasks.fail_at(id, fmt::format("{} has no task {}", assignment.id, id), "name one of its tasks");
+        for (const JsonObject& entry : tasks.objects(id)) {
+            Check check = read_check(entry, folder);
+            check.is_hidden = true;
+            check.seed = static_cast<unsigned int>(seed);
+            if (check.kind == Check::Kind::image) check.scene = fs::absolute(folder / check.scene).string();
+            task->checks.push_back(std::move(check));
+        }
+    }
 }
 
 } // namespace sr::assignment

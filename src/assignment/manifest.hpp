@@ -50,6 +50,8 @@ struct Check {
     enum class Relation { reference, equals, at_most, at_least };
 
     std::string name;
+    bool is_hidden = false; // students learn whether it passed, and nothing else
+    unsigned int seed = 1;  // of its inputs
     Kind kind = Kind::value;
     double points = 1.0;
     std::string hint;  // for a failure without a diagnosis
@@ -120,5 +122,9 @@ struct Assignment {
 /// Reads FOLDER/assignment.json and the files that it names. @throws Error, with line and column where the
 /// JSON is at fault
 Assignment load(const std::filesystem::path& folder);
+
+/// Adds the hidden checks of FOLDER/hidden.json: {"seed": N, "tasks": {"A3.2": [checks as in
+/// assignment.json]}}. Their scenes lie in FOLDER. @throws Error likewise
+void add_hidden_checks(Assignment& assignment, const std::filesystem::path& folder);
 
 } // namespace sr::assignment

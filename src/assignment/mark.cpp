@@ -2,6 +2,7 @@
 
 #include "assignment/compile_problem.hpp"
 #include "assignment/value_check.hpp"
+#include "glsl/untrusted.hpp"
 #include "golden/page.hpp"
 
 #include <algorithm>
@@ -87,7 +88,7 @@ Finding Marker::found(const Task& task, const Check& check, const Codes& codes) 
             finding.diagnosis = pictures_.diagnose(task, check, finding);
         return finding;
     }
-    const Inputs inputs = inputs_of(check.inputs, check.rows, check.mean_over, check.mean_count);
+    const Inputs inputs = inputs_of(check.inputs, check.rows, check.mean_over, check.mean_count, check.seed);
     const Compared compared = compare_values(assignment_, parameters_, check, codes, inputs);
     Finding finding = judge(check, compared, inputs);
     if (!finding.passed && finding.is_implemented)
@@ -96,8 +97,40 @@ Finding Marker::found(const Task& task, const Check& check, const Codes& codes) 
     return finding;
 }
 
+/// The result of a check of which a student learns nothing but whether it passed.
+ordered_json Marker::mark_hidden(const Task& task, const Check& check, const Codes& codes) {
+    bool passed = false;
+    const std::string mistake_before = last_mistake_;
+    try {
+        passed = found(task, check, codes).passed;
+    } catch (const gl::ShaderError&) {
+    } catch (const glsl::LoopError&) {
+    }
+    last_mistake_ = mistake_before;
+    return {{"name", check.name},
+            {"hidden", true},
+            {"passed", passed},
+            {"implemented", true},
+            {"points", passed ? check.points : 0.0},
+            {"of", check.points},
+            {"got", ""},
+            {"expected", ""},
+            {"unit", ""},
+            {"at", ""},
+            {"message", passed ? "" : "a hidden check"},
+            {"diagnosis", nullptr},
+            {"hint", ""}};
+}
+
 ordered_json Marker::mark_check(const Task& task, const Check& check, const Codes& codes) {
-    Finding finding = found(task, check, codes);
+    if (check.is_hidden) return mark_hidden(task, check, codes);
+    Finding finding;
+    try {
+        finding = found(task, check, codes);
+    } catch (const glsl::LoopError& error) {
+        finding = {};
+        finding.message = error.what();
+    }
     // A mistake that an earlier check named is the likeliest cause of what this one cannot name.
     if (!finding.passed && finding.is_implemented && !finding.diagnosis && !last_mistake_.empty())
         finding.diagnosis = Named{last_mistake_, task.hints.at(last_mistake_)};

@@ -25,6 +25,7 @@ public:
     nlohmann::ordered_json mark(const Task& task, const Submission& submission);
 
 private:
+    nlohmann::ordered_json mark_hidden(const Task& task, const Check& check, const Codes& codes);
     nlohmann::ordered_json mark_check(const Task& task, const Check& check, const Codes& codes);
     Finding found(const Task& task, const Check& check, const Codes& codes);
 

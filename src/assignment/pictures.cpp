@@ -126,11 +126,13 @@ const image::Image& Pictures::reference(const Check& check) {
     return references_.emplace(&check, render(check, {})).first->second;
 }
 
-const image::Image& Pictures::mistaken(const Task& task, const Check& check, const Variant& variant) {
-    const auto found = mistakes_.find({&check, &variant});
-    if (found != mistakes_.end()) return found->second;
-    image::Image picture = render(check, {{task.id, {task.variants_place, variant.line, variant.text}}});
-    return mistakes_.emplace(std::pair{&check, &variant}, std::move(picture)).first->second;
+const image::Image* Pictures::mistaken(const Task& task, const Check& check, const Variant& variant) {
+    const auto [found, is_new] = mistakes_.try_emplace({&check, &variant});
+    if (is_new) try {
+            found->second = render(check, {{task.id, {task.variants_place, variant.line, variant.text}}});
+        } catch (const glsl::LoopError&) { // it has no picture
+        }
+    return found->second ? &*found->second : nullptr;
 }
 
 Finding Pictures::check(const Check& check, const Codes& codes) {
@@ -154,9 +156,9 @@ Finding Pictures::check(const Check& check, const Codes& codes) {
 std::optional<Named> Pictures::diagnose(const Task& task, const Check& check, const Finding& finding) {
     for (const Variant& variant : task.variants) {
         if (!variant.is_mistake) continue;
-        const image::Image& picture = mistaken(task, check, variant);
-        if (compare_images(*finding.picture, picture, check).passed
-            && !compare_images(picture, *finding.reference, check).passed)
+        const image::Image* picture = mistaken(task, check, variant);
+        if (picture && compare_images(*finding.picture, *picture, check).passed
+            && !compare_images(*picture, *finding.reference, check).passed)
             return Named{variant.name, task.hints.at(variant.name)};
     }
     const compare::Comparison comparison = compare_images(*finding.picture, *finding.reference, check);

@@ -32,13 +32,14 @@ private:
     };
     const Shown& shown(const Check& check);
     const image::Image& reference(const Check& check);
-    const image::Image& mistaken(const Task& task, const Check& check, const Variant& variant);
+    /// Null if one of its loops was stopped.
+    const image::Image* mistaken(const Task& task, const Check& check, const Variant& variant);
 
     const Assignment& assignment_;
     const Parameters& parameters_;
     std::map<std::string, Shown> shown_;
     std::map<const Check*, image::Image> references_;
-    std::map<std::pair<const Check*, const Variant*>, image::Image> mistakes_;
+    std::map<std::pair<const Check*, const Variant*>, std::optional<image::Image>> mistakes_;
 };
 
 } // namespace sr::assignment

@@ -1,6 +1,5 @@
 #include "assignment/submission.hpp"
 
-#include "assignment/archive.hpp"
 #include "assignment/regions.hpp"
 #include "core/error.hpp"
 #include "core/file.hpp"
@@ -63,7 +62,13 @@ fs::path program_folder() {
 } // namespace
 
 FolderLabel label_of(const fs::path& submission) {
-    const SubmittedFiles files(submission);
+    const fs::path label = submission / "assignment.json";
+    if (fs::is_directory(submission) && !fs::exists(label))
+        throw Error({label.string()}, "no file", "put it back: `steradian assignment new` makes it");
+    return label_of(SubmittedFiles(submission));
+}
+
+FolderLabel label_of(const SubmittedFiles& files) {
     const std::string name = "assignment.json";
     const JsonFile text(files.place(name), files.text(name));
     const JsonObject root(text, JsonObject::Pointer(""));
@@ -72,8 +77,7 @@ FolderLabel label_of(const fs::path& submission) {
     return {root.required_text("assignment"), root.text("student", "")};
 }
 
-Submission read_submission(const Assignment& assignment, const fs::path& from) {
-    const SubmittedFiles files(from);
+Submission read_submission(const Assignment& assignment, const SubmittedFiles& files) {
     Submission submission;
     for (const auto& [name, reference] : assignment.files) {
         if (!is_written(assignment, name)) continue; // given

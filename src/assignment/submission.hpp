@@ -1,5 +1,6 @@
 #pragma once
 // A student's folder: made from an assignment, read back.
+#include "assignment/archive.hpp"
 #include "assignment/evaluation.hpp"
 
 #include <filesystem>
@@ -17,6 +18,7 @@ struct FolderLabel {
 
 /// Of a folder or an archive. @throws Error if it is none that `assignment new` or `pack` made
 FolderLabel label_of(const std::filesystem::path& submission);
+FolderLabel label_of(const SubmittedFiles& files);
 
 /// A student's code by task, and what is wrong with files that cannot be read as regions.
 struct Submission {
@@ -24,9 +26,8 @@ struct Submission {
     std::map<std::string, std::string> faults; // by task: one line
 };
 
-/// Reads the student's *.glsl files from a folder or an archive. Whatever is wrong with them becomes a fault
-/// of the tasks concerned.
-Submission read_submission(const Assignment& assignment, const std::filesystem::path& from);
+/// Reads the student's *.glsl files. Whatever is wrong with them becomes a fault of the tasks concerned.
+Submission read_submission(const Assignment& assignment, const SubmittedFiles& files);
 
 /// A folder's label and the files that its student writes; an archive itself. @throws Error
 std::vector<std::filesystem::path> files_of(const std::filesystem::path& submission);

@@ -3,6 +3,7 @@
 #include "assignment/evaluation.hpp"
 #include "core/error.hpp"
 #include "core/math.hpp"
+#include "glsl/untrusted.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -203,7 +204,12 @@ std::optional<Named> diagnose(const Assignment& assignment, const Parameters& pa
     for (const Variant* mistake : mistakes) {
         const auto path = shader_path(assignment, parameters,
                                       {{task.id, {task.variants_place, mistake->line, mistake->text}}});
-        const Values values = evaluate(path, assignment, {check.value, check.type}, inputs);
+        Values values;
+        try {
+            values = evaluate(path, assignment, {check.value, check.type}, inputs);
+        } catch (const glsl::LoopError&) {
+            continue;
+        }
         const double d = distance(compared.got.means, values.means, compared, check.nearness, count);
         if (d < least) {
             least = d;
@@ -263,7 +269,7 @@ Inputs fixed_inputs(const Check& check, const std::string& without) {
     std::vector<Input> columns;
     for (const Input& input : check.inputs)
         if (input.name != without) columns.push_back(input);
-    return inputs_of(columns, check.rows);
+    return inputs_of(columns, check.rows, "", 1, check.seed);
 }
 
 } // namespace
@@ -275,8 +281,8 @@ Finding check_samples(const Assignment& assignment, const Parameters& parameters
     std::vector<Input> drawing = fixed.columns, asking = fixed.columns;
     drawing.push_back(column("u", Input::Kind::square));
     asking.push_back(column("w", Input::Kind::sphere));
-    const Inputs draws = inputs_of(drawing, check.rows, "u", drawn_side * drawn_side);
-    const Inputs asks = inputs_of(asking, check.rows, "w", asked_side * asked_side);
+    const Inputs draws = inputs_of(drawing, check.rows, "u", drawn_side * drawn_side, check.seed);
+    const Inputs asks = inputs_of(asking, check.rows, "w", asked_side * asked_side, check.seed);
     const std::vector<vec4> directions = evaluate_rows(path, assignment, {check.value, "vec3"}, draws);
     const std::vector<vec4> densities = evaluate_rows(path, assignment, {check.other, "float"}, asks);
     const std::vector<vec4> asked = evaluate_rows(path, assignment, {"w", "vec3"}, asks);
@@ -326,7 +332,7 @@ Finding check_slope(const Assignment& assignment, const Parameters& parameters, 
         std::vector<Input> columns = fixed_inputs(check, "").columns;
         columns.push_back(counts);
         columns.push_back(seed);
-        const Inputs inputs = inputs_of(columns, slope_seeds);
+        const Inputs inputs = inputs_of(columns, slope_seeds, "", 1, check.seed);
         const std::vector<vec4> got = evaluate_rows(path, assignment, {check.value, check.type}, inputs);
         const std::vector<vec4> exact = evaluate_rows(shader_path(assignment, parameters, {}), assignment,
                                                       {check.other, check.type}, inputs);

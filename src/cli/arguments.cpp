@@ -71,9 +71,12 @@ std::string refusal_of_number(const std::string& text) {
     return std::isfinite(std::strtod(text.c_str(), nullptr)) ? "" : "'" + text + "' is not a finite number";
 }
 
-std::vector<glsl::Root> shader_path(const std::vector<std::string>& folders) {
+std::vector<glsl::Root> shader_path(const std::vector<std::string>& folders, bool is_untrusted) {
     std::vector<glsl::Root> path;
-    for (const std::string& folder : folders) path.push_back(glsl::Root::folder(folder));
+    for (const std::string& folder : folders) {
+        const glsl::Root root = glsl::Root::folder(folder);
+        path.push_back(is_untrusted ? root.untrusted() : root);
+    }
     path.push_back(glsl::embedded());
     for (const std::string& folder : folders)
         if (const auto remark = glsl::remark_on_overlay(folder, path.back(), folders)) write_remark(*remark);

@@ -27,7 +27,7 @@ Size picture_size(std::optional<float> aspect_ratio);
 std::string refusal_of_number(const std::string& text);
 
 /// Returns the given folders in front of the built-in shaders; remarks on those that replace nothing.
-/// @throws Error if one is no folder.
-std::vector<glsl::Root> shader_path(const std::vector<std::string>& folders);
+/// @param is_untrusted whether they pass the gate of glsl/untrusted.hpp. @throws Error if one is no folder.
+std::vector<glsl::Root> shader_path(const std::vector<std::string>& folders, bool is_untrusted = false);
 
 } // namespace sr::cli

@@ -1,4 +1,5 @@
 #include "assignment/check.hpp"
+#include "assignment/class_report.hpp"
 #include "assignment/mark.hpp"
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
@@ -32,14 +33,16 @@ struct AssignmentArguments {
     std::string name;   // of an assignment, or its folder
     std::string folder; // a student's
     std::string student;
-    std::string results; // of a child: where its tasks' results go, one line each
-    std::vector<std::string> tasks;
     std::string output;       // of `pack`; empty: named by assignment and student
     std::string report;       // HTML; empty: none
+    std::string graded_as;    // an assignment; empty: the one that the folder's label names
+    std::string hidden;       // folder of hidden checks; empty: none
+    std::string gradescope;   // results.json; empty: none
+    std::string junit;        // XML; empty: none
+    double vpl = 0.0;         // the highest grade; 0: a table is printed
     double time_limit = 20.0; // [s] of one task
     bool json = false;
     bool watch = false;
-    bool pictures = false;
 };
 
 void list_assignments() {
@@ -65,18 +68,45 @@ assignment::CheckOptions options_of(const AssignmentArguments& arguments) {
     options.program = running_program();
     options.time_limit = arguments.time_limit;
     options.keeps_pictures = !arguments.report.empty();
+    if (arguments.graded_as.empty()) return options;
+    assignment::Grading grading;
+    grading.assignment = fs::absolute(assignment::assignment_named(arguments.graded_as));
+    if (!arguments.hidden.empty()) grading.hidden = fs::absolute(arguments.hidden);
+    grading.student = arguments.student;
+    options.grading = grading;
     return options;
+}
+
+void write_gradescope(const std::string& file, const ordered_json& result) {
+    image::write_text(file, assignment::gradescope_of(result).dump(1, ' ', false, replace) + "\n");
+}
+
+/// Writes the tasks that are marked so far whenever one is, so that a run that is ended leaves a result.
+void write_partial_results(assignment::CheckOptions& options, const std::string& file) {
+    const auto partial = std::make_shared<ordered_json>(
+        ordered_json{{"points", 0.0}, {"of", 0.0}, {"tasks", ordered_json::array()}});
+    options.on_task = [partial, file](const ordered_json& task) {
+        (*partial)["tasks"].push_back(task);
+        (*partial)["points"] = (*partial)["points"].get<double>() + task["points"].get<double>();
+        if (!task["extra"].get<bool>())
+            (*partial)["of"] = (*partial)["of"].get<double>() + task["of"].get<double>();
+        write_gradescope(file, assignment::without_pictures(*partial));
+    };
 }
 
 /// Prints a result and writes the report. Whether every task that is not extra has all its points.
 bool show(const ordered_json& result, const AssignmentArguments& arguments) {
     const ordered_json bare = assignment::without_pictures(result);
-    if (arguments.json)
+    if (arguments.vpl > 0.0)
+        print_data("{}", assignment::vpl_of(bare, arguments.vpl));
+    else if (arguments.json)
         print_data("{}\n", shown_json(bare.dump(arguments.watch ? -1 : 2, ' ', false, replace)));
     else
         print_data("{}", shown_lines(assignment::table_of(bare))); // it quotes the student's lines
     flush_output();
     if (!arguments.report.empty()) image::write_text(arguments.report, assignment::report_html(result));
+    if (!arguments.junit.empty()) image::write_text(arguments.junit, assignment::junit_of({bare}));
+    if (!arguments.gradescope.empty()) write_gradescope(arguments.gradescope, bare);
     return std::ranges::all_of(result["tasks"], [](const ordered_json& task) {
         return task["extra"].get<bool>() || task["status"] == "passed";
     });
@@ -86,8 +116,11 @@ ExitStatus check_once(const AssignmentArguments& arguments) {
     const Interruption interruption;
     assignment::CheckOptions options = options_of(arguments);
     options.stop = interruption.token();
+    if (!arguments.gradescope.empty()) write_partial_results(options, arguments.gradescope);
     const auto result = assignment::check_submission(arguments.folder, options);
     if (!result) return interrupted;
+    for (const ordered_json& line : result->value("refused", ordered_json::array()))
+        write_remark(line.get<std::string>());
     return show(*result, arguments) ? done : failed_check;
 }
 
@@ -181,6 +214,26 @@ void add_name(CLI::App& command, AssignmentArguments& arguments) {
     command.add_option("NAME", arguments.name, "an assignment (a3, a3-brdf) or its folder")->required();
 }
 
+/// The hidden command that `check` and `grade` run as a child.
+void add_marking(CLI::App& app) {
+    const auto request = std::make_shared<assignment::MarkRequest>();
+    const auto grading = std::make_shared<assignment::Grading>();
+    CLI::App* marking = app.add_subcommand("mark", "what `check` runs as a child")->group("");
+    marking->add_option("DIR", request->submission)->required();
+    marking->add_option("RESULTS", request->results)->required();
+    marking->add_option("TASKS", request->tasks)->required();
+    marking->add_flag("--pictures", request->keeps_pictures);
+    const CLI::Option* graded = marking->add_option("--assignment", grading->assignment);
+    marking->add_option("--hidden", grading->hidden);
+    marking->add_option("--student", grading->student);
+    marking->add_option("--memory", grading->memory);
+    marking->add_option("--seconds", request->processor_seconds);
+    marking->callback([=] {
+        if (graded->count() > 0) request->grading = *grading;
+        assignment::mark_tasks(*request);
+    });
+}
+
 void add_check(CLI::App& app, const std::shared_ptr<AssignmentArguments>& arguments) {
     CLI::App* command = app.add_subcommand("check", "check a student's folder: marks, what is wrong, hints");
     command->add_option("DIR", arguments->folder, "a folder that `new` made, or a file that `pack` made")
@@ -194,6 +247,23 @@ void add_check(CLI::App& app, const std::shared_ptr<AssignmentArguments>& argume
     command->add_option("--report", arguments->report, "write an HTML page with pictures to this file");
     command->add_flag("--watch", arguments->watch,
                       "check again whenever a file is saved, until Ctrl-C; JSON is one line a check");
+    const auto assignment = command->add_option(
+        "--assignment", arguments->graded_as,
+        "for teachers: mark it as this assignment, whatever it says that it is, confined as by `grade`");
+    command
+        ->add_option("--hidden", arguments->hidden,
+                     "folder with hidden.json: checks that show only whether they pass")
+        ->type_name("DIR")
+        ->needs(assignment);
+    command->add_option("--student", arguments->student, "id of a student whose folder has none")
+        ->needs(assignment);
+    command->add_option("--gradescope", arguments->gradescope,
+                        "write Gradescope's results.json to this file, after each task");
+    command->add_option("--junit", arguments->junit, "write JUnit XML to this file");
+    command
+        ->add_option("--vpl", arguments->vpl,
+                     "print comments and a grade up to this one, as Moodle's VPL reads them")
+        ->check(CLI::Range(0.01, 1e6));
     command->footer("Exit status 0 only if every task that is not extra has all its points.");
     command->callback(
         [arguments] { end_with(arguments->watch ? check_and_watch(*arguments) : check_once(*arguments)); });
@@ -228,14 +298,8 @@ void add_assignment_command(CLI::App& app) {
         "test", "for teachers: prove that the reference gets 100 %, nothing 0 %, and mistakes their names");
     add_name(*testing, *arguments);
     testing->callback([arguments] { end_with(prove(*arguments)); });
-    CLI::App* marking = command->add_subcommand("mark", "what `check` runs as a child")->group("");
-    marking->add_option("DIR", arguments->folder)->required();
-    marking->add_option("RESULTS", arguments->results)->required();
-    marking->add_option("TASKS", arguments->tasks)->required();
-    marking->add_flag("--pictures", arguments->pictures);
-    marking->callback([arguments] {
-        assignment::mark_tasks(arguments->folder, arguments->tasks, arguments->results, arguments->pictures);
-    });
+    add_marking(*command);
+    add_grade_command(*command);
     command->footer(
         "Examples:\n  steradian assignment list\n  steradian assignment new a3 my-a3 --student 12345\n"
         "  steradian assignment check my-a3 --watch\n  steradian assignment pack my-a3");

@@ -21,6 +21,7 @@ void add_golden_command(CLI::App& app);
 void add_export_command(CLI::App& app);
 void add_brdf_command(CLI::App& app);
 void add_assignment_command(CLI::App& app);
+void add_grade_command(CLI::App& app); // of `assignment`
 void add_completion_command(CLI::App& app);
 void add_trial_command(CLI::App& app); // hidden: the process of gl::TrialCompiler
 

@@ -16,6 +16,7 @@ void add_expand_command(CLI::App& app) {
     struct Arguments {
         std::string file;
         std::vector<std::string> shaders;
+        bool is_untrusted = false;
     };
     const auto arguments = std::make_shared<Arguments>();
     CLI::App* command =
@@ -25,10 +26,12 @@ void add_expand_command(CLI::App& app) {
     command->add_option("--shaders", arguments->shaders, "look for shaders in this folder first (repeatable)")
         ->type_name("DIR")
         ->allow_extra_args(false);
+    command->add_flag("--untrusted", arguments->is_untrusted,
+                      "refuse in these folders what is no plain GLSL, and bound their loops");
     command->footer(
         "Examples:\n  steradian expand forward.frag\n  steradian expand brdf/f_r.glsl --shaders my_shaders");
     command->callback([arguments] {
-        std::vector<glsl::Root> path = shader_path(arguments->shaders);
+        std::vector<glsl::Root> path = shader_path(arguments->shaders, arguments->is_untrusted);
         path.insert(path.end() - 1,
                     glsl::Root::memory("glTF's own material",
                                        render::brdf_files(scene::Model::metallic_roughness, path)));

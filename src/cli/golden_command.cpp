@@ -112,7 +112,7 @@ ExitStatus make_noise(GoldenArguments& arguments) {
     golden::RunOptions& options = arguments.run;
     options.program = running_program();
     options.output = arguments.output;
-    options.is_interrupted = [&] { return interruption.has_come(); };
+    options.stop = interruption.token();
     const auto made = golden::make_noise(suite, options, arguments.seeds);
     if (!made) {
         print_remark("interrupted: the noise of further tests was not written");

@@ -196,7 +196,7 @@ render::RenderOptions render_options(const RenderSettings& settings, Size size) 
     options.height = size.height;
     options.samples = settings.stop.samples;
     options.estimates_error = settings.stop.asks_for_error() || settings.denoises;
-    options.shader_path = shader_path(settings.shaders);
+    options.shader_path = shader_path(settings.shaders, settings.is_untrusted);
     if (!settings.shaders.empty()) options.trial = std::make_shared<gl::TrialCompiler>(settings.backend);
     if (settings.view) options.shader = settings.view->shader;
     return options;

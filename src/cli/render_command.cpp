@@ -155,7 +155,8 @@ void estimate_error(const Work& work, Picture& picture) {
     render::Renderer renderer(work.scene, work.stage.camera, options);
     StopRule rule = work.command.stop;
     rule.samples = picture.samples.max;
-    const Stop stop = add_samples(renderer, rule, work.interruption.token(), "estimating the error of " + work.what);
+    const Stop stop =
+        add_samples(renderer, rule, work.interruption.token(), "estimating the error of " + work.what);
     picture.stop.error = stop.error;
     picture.stop.estimate = stop.estimate;
     work.times.end("error");

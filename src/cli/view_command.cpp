@@ -38,7 +38,8 @@ viewer::Options viewer_options(const ViewCommand& command) {
     static_cast<RenderSettings&>(options) = r;
     options.environment_light = environment_light(r);
     options.plays = command.plays;
-    options.rendering.shader_path = shader_path(r.shaders); // says now what is wrong with the folders
+    options.rendering.shader_path =
+        shader_path(r.shaders, r.is_untrusted); // says now what is wrong with the folders
     if (!r.shaders.empty())
         options.rendering.trial = std::make_shared<gl::TrialCompiler>(gl::Backend::window);
     options.is_fullscreen = command.is_fullscreen;
@@ -60,8 +61,8 @@ void take_assignment(viewer::Options& options, const std::string& submission) {
     options.submission = submission;
     options.program = running_program();
     options.shaders.push_back(submission);
-    if (std::filesystem::is_directory(folder / "overlay"))
-        options.shaders.push_back((folder / "overlay").string());
+    if (std::filesystem::is_directory(assignment.folder / "overlay"))
+        options.shaders.push_back((assignment.folder / "overlay").string());
     options.reference_path =
         assignment::shader_path(assignment, assignment::parameters_of(assignment, label.student), {});
 }

@@ -273,7 +273,7 @@ void draw_with(const Program& program) {
 }
 
 void try_program(std::string vertex, std::string fragment) {
-    const auto source = [](std::string text) { return glsl::Source{std::move(text), {"trial"}, {}, {}}; };
+    const auto source = [](std::string text) { return glsl::Source{std::move(text), {"trial"}, {}, {}, {}}; };
     try {
         draw_with(Program("trial", source(std::move(vertex)), source(std::move(fragment))));
     } catch (const ShaderError&) {

@@ -2,6 +2,7 @@
 
 #include "core/error.hpp"
 #include "core/file.hpp"
+#include "glsl/untrusted.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -33,13 +34,40 @@ Root Root::single(std::string place, std::string name, std::string text) {
     return root;
 }
 
+Root Root::untrusted(std::vector<std::string> permitted) const {
+    Root root = *this;
+    root.permitted_ = std::move(permitted);
+    return root;
+}
+
+namespace {
+
+/// @throws Error for a file of an untrusted folder that is reached by a link, is no regular file or too large
+void require_own_file(const fs::path& folder, std::string_view name) {
+    std::error_code ignored;
+    fs::path file = folder;
+    for (const fs::path& part : fs::path(name)) {
+        file /= part;
+        if (fs::is_symlink(fs::symlink_status(file, ignored)))
+            throw Error({file.string()}, "a link", "put the file itself there");
+    }
+    if (fs::exists(file, ignored) && !fs::is_regular_file(file, ignored))
+        throw Error({file.string()}, "no regular file", "put a file there");
+    if (fs::is_regular_file(file, ignored) && fs::file_size(file, ignored) > max_untrusted_bytes)
+        throw Error({file.string()}, "larger than 256 KiB", "write less");
+}
+
+} // namespace
+
 std::optional<std::string> Root::text_of(std::string_view name) const {
+    if (is_untrusted() && !name.ends_with(".glsl")) return std::nullopt;
     if (const Files* files = std::get_if<Files>(&place_)) {
         const auto found = files->find(name);
         return found == files->end() ? std::nullopt : std::optional(found->second);
     }
     const fs::path file = std::get<fs::path>(place_) / name;
     std::error_code ignored;
+    if (is_untrusted()) require_own_file(std::get<fs::path>(place_), name);
     // A link that leads nowhere, or a folder that may not be read, is no absence: reading says what is wrong.
     const fs::file_type type = fs::status(file, ignored).type();
     const bool is_link = fs::is_symlink(fs::symlink_status(file, ignored));

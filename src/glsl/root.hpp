@@ -26,8 +26,13 @@ public:
     /// One text that stands for the file `name`, whatever its own place is called: errors say `place`.
     static Root single(std::string place, std::string name, std::string text);
 
+    /// The same root as somebody untrusted wrote it: it has *.glsl files alone, which pass a gate
+    /// (untrusted.hpp). `permitted`: words that the gate refuses otherwise.
+    Root untrusted(std::vector<std::string> permitted = {}) const;
+
     /// The text of a file, or absent if the root has no such file.
-    /// @throws Error if a file is there and cannot be read.
+    /// @throws Error if a file is there and cannot be read; in an untrusted folder also for a link, and for a
+    /// file that is no regular one or larger than 256 KiB.
     std::optional<std::string> text_of(std::string_view name) const;
 
     /// The names of files in memory, in order; none of a folder.
@@ -40,12 +45,16 @@ public:
     /// Returns whether somebody else wrote it: a folder or a file of the user's.
     bool is_foreign() const { return is_single_ || std::holds_alternative<std::filesystem::path>(place_); }
 
+    bool is_untrusted() const { return permitted_.has_value(); }
+    const std::vector<std::string>& permitted() const { return *permitted_; }
+
 private:
     Root(std::string label, std::variant<std::filesystem::path, Files> place);
 
     std::string label_;
     std::variant<std::filesystem::path, Files> place_;
     bool is_single_ = false;
+    std::optional<std::vector<std::string>> permitted_; // words; absent: everything is
 };
 
 /// The shaders/ tree as it was when the program was built; its places read "shaders/brdf/ggx.glsl".

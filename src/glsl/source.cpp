@@ -11,6 +11,7 @@ namespace sr::glsl {
 namespace {
 
 constexpr std::string_view blank = " \t\v\f";
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF"; // which no GLSL compiler takes
 
 std::string_view without_blanks_before(std::string_view text) {
     text.remove_prefix(std::min(text.find_first_not_of(blank), text.size()));
@@ -106,13 +107,13 @@ public:
     explicit Expansion(std::span<const Root> path) : path_(path) {}
 
     void add(std::string_view name, const Location& includer);
-    Source take() { return std::move(source_); }
+    Source take();
 
 private:
     struct Found {
         std::string place;
         std::string text;
-        bool is_foreign = false;
+        const Root* root = nullptr;
     };
 
     Found find(std::string_view name, const Location& includer) const;
@@ -131,7 +132,7 @@ private:
 Expansion::Found Expansion::find(std::string_view name, const Location& includer) const {
     std::vector<std::string_view> labels;
     for (const Root& root : path_) {
-        if (auto text = root.text_of(name)) return {root.place_of(name), std::move(*text), root.is_foreign()};
+        if (auto text = root.text_of(name)) return {root.place_of(name), std::move(*text), &root};
         labels.push_back(root.label());
     }
     const std::string searched =
@@ -154,15 +155,21 @@ void Expansion::add(std::string_view name, const Location& includer) {
     const Found found = find(name, includer);
     open_.emplace_back(name);
     source_.files.push_back(found.place);
-    if (found.is_foreign) source_.foreign.push_back(found.place);
+    if (found.root->is_foreign()) source_.foreign.push_back(found.place);
     require_no_nul(found.text, found.place);
-    add_lines(with_plain_breaks(found.text), static_cast<int>(source_.files.size()) - 1);
+    std::string text = with_plain_breaks(found.text);
+    if (found.root->is_untrusted()) {
+        if (text.starts_with(byte_order_mark)) text.erase(0, byte_order_mark.size());
+        Bounded safe = bounded(text, found.place, found.root->permitted());
+        source_.loops.insert(source_.loops.end(), safe.loops.begin(), safe.loops.end());
+        text = std::move(safe.text);
+    }
+    add_lines(text, static_cast<int>(source_.files.size()) - 1);
     open_.pop_back();
 }
 
 void Expansion::add_lines(std::string_view text, int file) {
-    if (text.starts_with("\xEF\xBB\xBF"))
-        text.remove_prefix(3); // a byte order mark, which no GLSL compiler takes
+    if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
     bool is_comment = false;
     int comment_line = 0;
     const std::size_t conditions_before = conditions_.size();
@@ -230,6 +237,30 @@ void Expansion::include(std::string_view argument, const Location& here) {
         throw Error(here, "malformed #include",
                     "write #include \"folder/file.glsl\", with a name relative to a root and without '..'");
     add(*name, here);
+}
+
+/// The output of a fragment shader that can say that a loop was stopped; empty if it has none.
+std::string_view telling_output(std::string_view text) {
+    for (const std::string_view out : {"film", "answer"})
+        if (text.find(fmt::format("out vec4 {};", out)) != text.npos) return out;
+    return {};
+}
+
+Source Expansion::take() {
+    if (source_.loops.empty()) return std::move(source_);
+    const std::string_view out = telling_output(source_.text);
+    const std::string before = std::string(turn_counter()) + std::string(out.empty() ? "" : main_renamed());
+    const bool has_version = source_.text.starts_with("#version");
+    const std::size_t at = has_version ? source_.text.find('\n') + 1 : 0;
+    source_.text.insert(at, before);
+    source_.lines.insert(source_.lines.begin() + (has_version ? 1 : 0),
+                         static_cast<std::size_t>(std::ranges::count(before, '\n')), {0, 1});
+    if (out.empty()) return std::move(source_);
+    const std::string behind = main_that_tells(out);
+    source_.text += behind;
+    source_.lines.insert(source_.lines.end(), static_cast<std::size_t>(std::ranges::count(behind, '\n')),
+                         source_.lines.back());
+    return std::move(source_);
 }
 
 } // namespace

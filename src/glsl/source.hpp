@@ -4,6 +4,7 @@
 // errors.
 #include "core/error.hpp"
 #include "glsl/root.hpp"
+#include "glsl/untrusted.hpp"
 
 #include <span>
 #include <string>
@@ -24,6 +25,7 @@ struct Source {
     std::vector<std::string> files; // as errors name them; files[0] is the entry. A hot reload watches these.
     std::vector<Line> lines;        // lines[i] is the origin of the text's line i + 1
     std::vector<std::string> foreign; // those of `files` that somebody else wrote (Root::is_foreign)
+    std::vector<Loop> loops;          // of untrusted roots
 
     /// The place of a flat line, which counts from 1. Beyond the end: the last line; 0: the entry file alone.
     Location location(int flat_line) const;
@@ -34,8 +36,10 @@ struct Source {
 /// A directive inside a comment does not count, one inside `#if` does: the preprocessor runs later, in the
 /// driver.
 /// `#version` may stand on the entry file's first line and nowhere else.
+/// Files of untrusted roots pass the gate, and their loops are bounded (untrusted.hpp). A fragment shader
+/// whose output is `film` or `answer` then writes there that a loop was stopped.
 /// @throws Error for a file that no root has, an include cycle (with its chain), a malformed include line, a
-/// misplaced #version, and a comment that never ends.
+/// misplaced #version, a comment that never ends, and what the gate refuses.
 Source expand(std::span<const Root> path, std::string_view file);
 
 /// True if the text has `function(…) {`: not a call and no prototype, which a ';' follows.

@@ -50,9 +50,9 @@ std::optional<image::Image> picture_of(const GoldenTest& test, const Suite& suit
     process.folder = fs::absolute(suite.folder);
     process.log = fs::absolute(options.output / "logs" / (test.name + ".noise.txt"));
     process.time_limit = test.time_limit;
-    process.is_stopped = options.is_interrupted;
+    process.stop = options.stop;
     const ProcessEnd end = run_process(process);
-    if (options.is_interrupted && options.is_interrupted()) return std::nullopt;
+    if (options.stop.stop_requested()) return std::nullopt;
     if (!end.is_success())
         throw Error({process.log.string()}, fmt::format("the command of test '{}' {}", test.name, end.text()),
                     "read this log");

@@ -241,7 +241,9 @@ image::Image Renderer::mean_of(const RenderTarget& sum, const std::vector<int>& 
 
 image::Image Renderer::film() const {
     require(sample_count_ > 0, "the film has samples");
-    return mean_of(film_, pixel_samples());
+    image::Image film = mean_of(film_, pixel_samples());
+    glsl::require_ended_loops(film.pixels, shaders_->loops());
+    return film;
 }
 
 image::Image Renderer::first_half() const {

@@ -110,7 +110,8 @@ public:
     /// with RenderOptions::estimates_error.
     image::Image first_half() const;
 
-    /// The mean of all samples so far: L_o [cd/m²] in RGB, coverage in A.
+    /// The mean of all samples so far: L_o [cd/m²] in RGB, coverage in A. @throws LoopError if a loop of
+    /// untrusted code was stopped
     image::Image film() const;
 
     /// The sum of all samples so far, where shaders can read it: film() is it over pixel_samples(), which is

@@ -357,6 +357,9 @@ constexpr std::array options{
            "where OpenGL comes from; see steradian info"},
     Option{"shaders", "Machine", by_picture, list<&S::shaders>("DIR"),
            "look for shaders in this folder first (repeatable)"},
+    Option{
+        "untrusted", "Machine", by_all, flag<&S::is_untrusted>(),
+        "refuse in these folders what is no plain GLSL (links, images, recursion, …), and bound their loops"},
     Option{"gl_debug", "Machine", by_all, flag<&S::gl_debug>(), "fail on any error or warning of the driver"},
 };
 

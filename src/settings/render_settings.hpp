@@ -62,6 +62,7 @@ struct RenderSettings {
 
     gl::Backend backend = gl::Backend::automatic;
     std::vector<std::string> shaders; // folders that come before the built-in shaders
+    bool is_untrusted = false;        // `shaders` pass the gate of glsl/untrusted.hpp
     bool gl_debug = false;            // any error or warning of the driver is an error
 
     /// Returns true if the picture estimates its error. It then takes its samples from two sequences.

@@ -12,11 +12,12 @@ namespace {
 constexpr int columns = 256;
 constexpr GLuint rows_unit = environment_texels_unit + 1;
 
-gl::Program compiled(std::span<const glsl::Root> path, const std::string& fragment,
-                     gl::TrialCompiler* trial) {
+gl::Program compiled(std::span<const glsl::Root> path, const std::string& fragment, gl::TrialCompiler* trial,
+                     std::vector<glsl::Loop>& loops) {
     const glsl::Source vertex_source = glsl::expand(path, "fullscreen.vert");
     const glsl::Source fragment_source = glsl::expand(path, fragment);
     if (trial) trial->try_out(vertex_source, fragment_source);
+    loops = fragment_source.loops;
     return {fragment, vertex_source, fragment_source};
 }
 
@@ -24,7 +25,7 @@ gl::Program compiled(std::span<const glsl::Root> path, const std::string& fragme
 
 ShaderEvaluator::ShaderEvaluator(std::span<const glsl::Root> path, const std::string& fragment,
                                  gl::TrialCompiler* trial)
-    : program_(compiled(path, fragment, trial)) {
+    : program_(compiled(path, fragment, trial, loops_)) {
     program_.bind_texture("rows", rows_unit);
     connect(program_);
 }
@@ -35,6 +36,7 @@ std::vector<vec4> ShaderEvaluator::evaluate(std::span<const Row> rows) const {
     answers.reserve(rows.size());
     for (std::size_t first = 0; first < rows.size(); first += most)
         append(rows.subspan(first, std::min(most, rows.size() - first)), answers);
+    if (!answers.empty()) glsl::require_ended_loops({&answers[0].x, 4 * answers.size()}, loops_);
     return answers;
 }
 

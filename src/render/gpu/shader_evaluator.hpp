@@ -4,6 +4,7 @@
 #include "gl/program.hpp"
 #include "gl/trial_compiler.hpp"
 #include "glsl/root.hpp"
+#include "glsl/untrusted.hpp"
 #include "render/film.hpp"
 
 #include <array>
@@ -26,8 +27,8 @@ public:
     ShaderEvaluator(std::span<const glsl::Root> path, const std::string& fragment,
                     gl::TrialCompiler* trial = nullptr);
 
-    /// The answers in the order of the rows, none of them clamped. Textures other than `rows` are the
-    /// caller's to bind, at the units of blocks.hpp.
+    /// The answers in the order of the rows, none of them clamped. @throws LoopError if a loop of untrusted
+    /// code was stopped. Textures other than `rows` are the caller's to bind, at the units of blocks.hpp.
     std::vector<vec4> evaluate(std::span<const Row> rows) const;
 
     const gl::Program& program() const { return program_; }
@@ -35,6 +36,7 @@ public:
 private:
     void append(std::span<const Row> rows, std::vector<vec4>& answers) const;
 
+    std::vector<glsl::Loop> loops_; // of untrusted code
     gl::Program program_;
 };
 

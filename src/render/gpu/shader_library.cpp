@@ -49,10 +49,11 @@ glsl::Files brdf_files(scene::Model model, std::span<const glsl::Root> path) {
 }
 
 gl::Program ShaderLibrary::compiled(const std::string& vertex, const std::string& fragment,
-                                    std::span<const glsl::Root> path) const {
+                                    std::span<const glsl::Root> path) {
     const glsl::Source vertex_source = glsl::expand(path, vertex);
     const glsl::Source fragment_source = glsl::expand(path, fragment);
     if (trial_) trial_->try_out(vertex_source, fragment_source);
+    loops_.insert(loops_.end(), fragment_source.loops.begin(), fragment_source.loops.end());
     gl::Program program(fragment, vertex_source, fragment_source);
     connect(program);
     return program;

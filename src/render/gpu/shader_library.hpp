@@ -3,6 +3,7 @@
 #include "gl/program.hpp"
 #include "gl/trial_compiler.hpp"
 #include "glsl/root.hpp"
+#include "glsl/untrusted.hpp"
 #include "render/gpu/features.hpp"
 
 #include <map>
@@ -42,15 +43,19 @@ public:
     /// fullscreen.vert with `fragment`. Compiles at the first call. @throws ShaderError, Error
     const gl::Program& fullscreen_program(const std::string& fragment);
 
+    /// The loops of untrusted code in all programs.
+    const std::vector<glsl::Loop>& loops() const { return loops_; }
+
     std::size_t program_count() const { return mesh_programs_.size() + fullscreen_programs_.size(); }
 
 private:
     gl::Program compiled(const std::string& vertex, const std::string& fragment,
-                         std::span<const glsl::Root> path) const;
+                         std::span<const glsl::Root> path);
 
     std::vector<glsl::Root> shader_path_;
     std::optional<glsl::Root> estimator_;
     std::shared_ptr<gl::TrialCompiler> trial_;
+    std::vector<glsl::Loop> loops_;
     std::map<std::tuple<std::string, Features, VisibilityTerm>, gl::Program> mesh_programs_;
     std::map<std::string, gl::Program> fullscreen_programs_;
 };

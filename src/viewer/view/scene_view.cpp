@@ -127,8 +127,11 @@ render::RenderOptions render_options(const Options& options, int width, int heig
         return rendering;
     }
     rendering.shader_path.clear();
-    for (const std::string& folder : options.shaders)
-        rendering.shader_path.push_back(glsl::Root::folder(folder));
+    for (const std::string& folder : options.shaders) {
+        const glsl::Root root = glsl::Root::folder(folder);
+        const bool is_untrusted = options.is_untrusted || folder == options.submission;
+        rendering.shader_path.push_back(is_untrusted ? root.untrusted() : root);
+    }
     rendering.shader_path.push_back(glsl::embedded());
     return rendering;
 }

@@ -132,11 +132,27 @@ class Student(unittest.TestCase):
 
     def test_work_without_an_end_costs_its_own_task_alone(self):
         self.write_solution()
-        self.edit("phong.glsl", "vec3 r =", "float s = 0.0;\n    for (int i = 0; i < 60000; ++i) s += sin(s + float(i) * k);\n"
+        self.edit("phong.glsl", "vec3 r =", "float s = 0.0;\n    for (int i = 0; i < 32000; ++i)\n"
+                                            "        s += sin(s + float(i) * k) + exp(cos(s)) + pow(sin(2.0 * s), 2.0) + atan(s, exp(sin(3.0 * s)));\n"
                                             "    if (s == 12345.0) return s;\n    vec3 r =")
         result = self.checked(1, "--time-limit", "0.5")
         self.assertEqual(result["A3.1"]["status"], "broken")
         self.assertIn("longer than 0.5 s", result["A3.1"]["problems"][0]["text"])
+
+    def test_a_loop_that_is_stopped_fails_its_checks_at_its_line(self):
+        self.write_solution()
+        self.edit("microfacets.glsl", "    vec3 h = normalize(wi + wo);\n", "    vec3 h = normalize(wi + wo);\n    if (alpha > 0.0) while (true) h += wi;\n")
+        line = (self.folder / "microfacets.glsl").read_text().split("while (true)")[0].count("\n") + 1
+        task = self.checked(1)["A3.5"]
+        self.assertEqual((task["status"], task["points"], task["problems"]), ("failed", 0, []))
+        self.assertEqual([check["name"] for check in task["checks"]], ["values", "reciprocity", "picture"])
+        for check in task["checks"]:
+            self.assertIn(f"microfacets.glsl:{line}: this loop was stopped", check["message"])
+
+    def test_long_loops_that_end_are_right(self):
+        self.write_solution()
+        self.edit("phong.glsl", "vec3 r =", "float one = 0.0;\n    for (int i = 0; i < 32000; ++i) one += 1.0 / 32000.0;\n    vec3 r = floor(one + 0.5) *")
+        self.assertEqual(self.checked(0)["A3.1"]["status"], "passed")
 
     def test_what_is_no_students_folder_is_one_line(self):
         for words in (["check", self.scratch.name], ["new", "a9", self.scratch.name + "/x"], ["new", "a3", str(self.folder)]):

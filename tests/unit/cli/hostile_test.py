@@ -192,6 +192,24 @@ class Hostile(cli_test.CommandLine):
             file = self.overlay(text)
             self.assert_refused(self.rendered_with(), f"{file}{place}")
 
+    def test_untrusted_shaders_are_refused_or_end(self):
+        text = ('#include "surface/surface.glsl"\nvec3 f_r(Surface x, vec3 wi, vec3 wo) {{\n    float a = 0.1;\n'
+                "    {}\n    return vec3(a);\n}}\n")
+        for body, words in (("while (true) a += 0.1;", ":4: this loop was stopped"), ("discard;", ":4: discard is not allowed here"),
+                            ("for (int i = 0; i < 1000000; ++i) a *= 0.5;", ":4: this loop was stopped"),
+                            ('#include "../../secret.glsl"', ":4: includes")):
+            file = self.overlay(text.format(body))
+            self.assert_refused(self.rendered_with("overlay", "--untrusted"), f"{file}{words}")
+        self.overlay(text.format("for (int i = 0; i < 3; ++i) a += 0.1;"))
+        self.assertEqual(self.rendered_with("overlay", "--untrusted").returncode, 0)
+        plain = (self.folder / "a.exr").read_bytes()
+        self.assertEqual(self.rendered_with().returncode, 0)
+        self.assertEqual(run("compare", self.folder / "a.exr", self.write(plain, "untrusted.exr")).returncode, 0)
+        for picture in self.folder.glob("*.exr"):
+            picture.unlink()
+        self.linked(self.overlay("", folder="elsewhere"), self.overlay("", folder="linked"))
+        self.assert_refused(self.rendered_with("linked", "--untrusted"), "f_r.glsl: a link")
+
     def test_an_overlay_that_replaces_nothing_is_named(self):
         self.overlay("", "brdf/fr.glsl", "misspelt")
         self.overlay("", "f_r.glsl", "flat")

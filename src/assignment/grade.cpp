@@ -1,0 +1,180 @@
+#include "assignment/grade.hpp"
+
+#include "assignment/class_report.hpp"
+#include "assignment/mark.hpp"
+#include "core/error.hpp"
+#include "core/file.hpp"
+#include "golden/sha256.hpp"
+#include "image/whole_file.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cerrno>
+#include <exception>
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <functional>
+#include <mutex>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <stop_token>
+#include <sys/file.h>
+#include <thread>
+#include <unistd.h>
+
+namespace sr::assignment {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+/// A folder into which one process at a time grades.
+class Lock {
+public:
+    explicit Lock(const fs::path& folder)
+        : file_(open((folder / ".lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)) {
+        if (file_ < 0) throw Error({folder.string()}, "cannot be written", "name another folder with --out");
+        if (flock(file_, LOCK_EX | LOCK_NB) == 0) return;
+        close(file_);
+        throw Error({folder.string()}, "another process grades into this folder",
+                    "wait for it, or name another folder");
+    }
+    ~Lock() { close(file_); }
+    Lock(const Lock&) = delete;
+    Lock& operator=(const Lock&) = delete;
+
+private:
+    int file_;
+};
+
+class Grader {
+public:
+    explicit Grader(const GradeOptions& options)
+        : options_(options),
+          submissions_(class_folder(options.submissions)),
+          basis_(fingerprint_of(options.check.grading->assignment)
+                 + fingerprint_of(options.check.grading->hidden)),
+          results_(submissions_.submissions.size()) {
+        for (const char* part : {"results", "students"}) fs::create_directories(options.output / part);
+    }
+
+    std::optional<std::vector<ordered_json>> run() {
+        for (const std::string& remark : submissions_.remarks) options_.on_remark(remark);
+        take_earlier_results();
+        {
+            std::vector<std::jthread> threads;
+            for (int i = 0; i < options_.jobs; ++i) threads.emplace_back([this] { work(); });
+        }
+        if (failure_) std::rethrow_exception(failure_);
+        if (options_.check.stop.stop_requested()) return std::nullopt;
+        return results_;
+    }
+
+private:
+    std::string fingerprint(const HandedIn& submission) const {
+        const std::string text = basis_ + fingerprint_of(submission.path);
+        return golden::hexadecimal(
+            golden::sha256({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}));
+    }
+
+    fs::path result_file(const HandedIn& submission) const {
+        return options_.output / "results" / (submission.key + ".json");
+    }
+
+    /// A result that stands in the folder already, of the same files and the same checks.
+    ordered_json earlier_result(const HandedIn& submission) const {
+        const fs::path file = result_file(submission);
+        std::error_code ignored;
+        if (!fs::is_regular_file(file, ignored)) return {};
+        auto result = ordered_json::parse(read_text(file), nullptr, false);
+        const bool is_same = result.is_object() && result.value("fingerprint", "") == fingerprint(submission);
+        return is_same ? result : ordered_json();
+    }
+
+    void take_earlier_results() {
+        for (std::size_t i = 0; i < results_.size(); ++i) {
+            results_[i] = earlier_result(submissions_.submissions[i]);
+            if (!results_[i].is_null()) finish(i);
+        }
+    }
+
+    void finish(std::size_t i) {
+        const std::lock_guard lock(mutex_);
+        ++done_;
+        for (const auto& line : results_[i]["lacking"])
+            if (lacking_.insert(line.get<std::string>()).second)
+                options_.on_remark(fmt::format("submissions run without {}", line.get<std::string>()));
+        if (options_.on_done) options_.on_done(done_, results_.size(), results_[i]);
+    }
+
+    void work() {
+        for (std::size_t i = next_++; i < results_.size(); i = next_++) {
+            if (!results_[i].is_null()) continue;
+            try {
+                if (!grade(i)) return;
+            } catch (...) {
+                const std::lock_guard lock(mutex_);
+                if (!failure_) failure_ = std::current_exception();
+                over_.request_stop();
+                return;
+            }
+        }
+    }
+
+    /// @return whether it came to its end
+    bool grade(std::size_t i) {
+        const HandedIn& submission = submissions_.submissions[i];
+        CheckOptions check = options_.check;
+        check.keeps_pictures = true;
+        check.grading->student = submission.id;
+        check.stop = over_.get_token();
+        const std::string fingerprint_before = fingerprint(submission);
+        const auto result = check_submission(submission.path, check);
+        if (!result) return false;
+        ordered_json graded{{"key", submission.key},
+                            {"name", submission.name},
+                            {"id", submission.id},
+                            {"fingerprint", fingerprint_before}};
+        graded.update(without_pictures(*result));
+        image::write_text(options_.output / "students" / (submission.key + ".html"), report_html(*result));
+        image::write_text(result_file(submission),
+                          graded.dump(1, ' ', false, ordered_json::error_handler_t::replace) + "\n");
+        results_[i] = std::move(graded);
+        finish(i);
+        return true;
+    }
+
+    const GradeOptions& options_;
+    ClassFolder submissions_;
+    std::string basis_; // of all fingerprints: the assignment's files
+    std::vector<ordered_json> results_;
+    std::set<std::string> lacking_;
+    std::atomic<std::size_t> next_ = 0;
+    std::stop_source over_; // stopped by the caller, or by a failure
+    std::stop_callback<std::function<void()>> over_with_caller_{options_.check.stop,
+                                                                [this] { over_.request_stop(); }};
+    std::mutex mutex_; // of what follows, and of on_done
+    std::size_t done_ = 0;
+    std::exception_ptr failure_;
+};
+
+} // namespace
+
+std::optional<std::vector<ordered_json>> grade_class(const GradeOptions& options) {
+    std::error_code failure;
+    fs::create_directories(options.output, failure);
+    if (failure) throw Error({options.output.string()}, failure.message(), "name another folder with --out");
+    const Lock lock(options.output);
+    auto results = Grader(options).run();
+    if (!results) return std::nullopt;
+    image::write_text(options.output / "marks.csv", csv_of(*results));
+    image::write_text(options.output / "junit.xml", junit_of(*results));
+    image::write_text(options.output / "overview.html", overview_html(*results));
+    fs::create_directories(options.output / "gradescope");
+    for (const ordered_json& result : *results)
+        image::write_text(options.output / "gradescope" / (result["key"].get<std::string>() + ".json"),
+                          gradescope_of(result).dump(1) + "\n");
+    return results;
+}
+
+} // namespace sr::assignment
