@@ -19,7 +19,7 @@ constexpr double max_score = 5.0;     // of a pixel in a sum of scores, so that 
 constexpr double many_seeds = 1e6;    // as good as a known standard error
 constexpr const char* seeds_attribute = "steradian:seeds";
 
-/// The grid of an image's blocks.
+/// The division of an image into blocks.
 struct Blocks {
     std::size_t width = 0;
     std::size_t columns = 0;

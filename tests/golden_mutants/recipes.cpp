@@ -89,7 +89,7 @@ void blur_patch(Image& image, int left, int top, int edge) {
             }
 }
 
-/// Permutes the pixels of a patch, as where two surfaces fight for the same depth.
+/// Pixels of a patch exchanged at random, as where two surfaces fight for the same depth.
 void shuffle_patch(Image& image, int left, int top, int edge) {
     Random random(34);
     for (int y = top; y < top + edge; ++y)
