@@ -33,8 +33,8 @@ Piece straight_piece(vec3 p, vec3 q, vec3 edge) {
     return Piece(arc, is_cut_at_start, is_cut_at_end);
 }
 
-// (ψ where the cone rises above the horizon, ψ where it sets); the second is the greater. Absent if has_horizon() is
-// false.
+// (ψ where the cone rises above the horizon, ψ where it sets); the second is the greater. Only for a cone that crosses
+// the horizon.
 vec2 horizon_of(Arc arc) {
     vec3 k = vec3(arc.axes[0].z, arc.axes[1].z, arc.axes[2].z) * arc.size; // z = k.z + k.x cosφ + k.y sinφ
     float s = sqrt(max(dot(k.xy, k.xy) - k.z * k.z, 0.0));

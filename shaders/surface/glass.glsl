@@ -8,7 +8,7 @@
 // bottle of two walls has two. A closed mesh attenuates where it is entered, since d is the way to its other side; an
 // open one is a sheet and attenuates from either side. Limits: no refraction, so d is the same under every angle, and no
 // blur by roughness.
-// Keep in sync with src/shadow/glass.cpp.
+// Keep in sync with src/shadow/transparency.cpp.
 #include "brdf/fresnel.glsl"
 
 struct Glass {

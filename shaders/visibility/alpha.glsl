@@ -1,4 +1,4 @@
-// Transmittance of a triangle that is masked, blended or glass. Keep in sync with src/shadow/alpha.cpp and casters.cpp.
+// Transmittance of a triangle that is masked, blended or glass. Keep in sync with src/shadow/transparency.cpp and casters.cpp.
 #include "base/texel_wrap.glsl"
 #include "interface/casters.glsl"
 

@@ -1,5 +1,5 @@
 // Transmittance of a glass triangle for shadows: its material and its textures. Keep in sync with
-// src/shadow/glass.cpp and src/render/visibility/gpu_casters.cpp. Limit: specular textures and clear-coat textures are left out.
+// src/shadow/transparency.cpp and src/render/visibility/gpu_casters.cpp. Limit: specular textures and clear-coat textures are left out.
 #include "surface/glass.glsl"
 #include "visibility/alpha.glsl"
 

@@ -5,7 +5,7 @@
 // rounding is proportional. The idea of an offset in such units is Wächter & Binder's (2019, "A Fast and Robust
 // Method for Avoiding Self-Intersection"), who take those of the point itself. A finite ray ends 2^-15 of its length
 // before the emitter's point, so that an emitter in the plane of another surface is not shadowed by it.
-// Keep in sync with src/shadow/origin.cpp.
+// Keep in sync with src/shadow/occlusion.cpp.
 #include "interface/casters.glsl"
 #include "surface/surface.glsl"
 

@@ -1,5 +1,6 @@
 #pragma once
-// Failing pixels that an edge explains: the edge fell to the other side of the pixel's centre.
+// Failing pixels that are forgiven: an edge explains them, which fell to the other side of the pixel's
+// centre.
 #include "compare/align.hpp"
 
 #include <functional>

@@ -13,7 +13,7 @@ struct ApproveOptions {
     std::vector<std::string> names; // patterns of tests; empty: every test that did not pass
     std::filesystem::path laws;     // JUnit XML of law and truth tests; empty: the suite's, if it names one
     bool force = false;             // overcomes the refusals that are marked so
-    std::string alternate;          // label: they become alternates, beside the goldens (alternate.hpp)
+    std::string alternate;          // label: they become alternates, beside the goldens (suite.hpp)
 };
 
 /// Why a candidate is not to become a golden.

@@ -20,7 +20,7 @@ namespace sr::image {
 [[nodiscard]] std::future<void> preload();
 
 /// How an .exr stores its values; the other formats have but one way each. `half` ends at 65504: larger
-/// values are stored as that (half.hpp tells how many there are), those below 3e-8 as 0.
+/// values are stored as that (half_overflow_count() tells how many there are), those below 3e-8 as 0.
 enum class SampleType { half, floating, integer8 };
 
 /// Writes an image whole or not at all (a temporary file beside it, then a rename). The extension chooses the
@@ -58,9 +58,9 @@ std::uint64_t claimed_texels(std::span<const std::uint8_t> bytes);
 /// decodes.
 bool is_ktx2(std::span<const std::uint8_t> bytes);
 
-/// Decodes a PNG or JPEG, the two formats of glTF. Grey becomes RGB, missing alpha is opaque. `name` is what
-/// errors call it. Any number of threads may decode at once. The dimensions are checked before anything is
-/// allocated for them.
+/// Decodes a PNG, a JPEG, or a WebP if decodes_webp(). Grey becomes RGB, missing alpha is opaque. `name` is
+/// what errors call it. Any number of threads may decode at once. The dimensions are checked before anything
+/// is allocated for them.
 /// @throws Error for another format, a broken file, and one wider or higher than 16384 or of more than 2^26
 /// texels.
 DecodedTexture decode_texture(std::span<const std::uint8_t> bytes, const std::string& name);

@@ -13,7 +13,7 @@ function half_value(bits) {
 
 const half_values = Float64Array.from({ length: 65536 }, (_, bits) => half_value(bits));
 
-/** {width, height, rgb} from what report_pixels.cpp packed. */
+/** {width, height, rgb} from what page.cpp packed. */
 async function unpacked(packed) {
   const bytes = Uint8Array.from(atob(packed.data), (c) => c.charCodeAt(0));
   const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"));

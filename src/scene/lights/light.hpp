@@ -14,7 +14,7 @@
 
 namespace sr::scene {
 
-/// The index of a kind is its number in GLSL (shaders/interface/light_kinds.glsl).
+/// The index of a kind is its number in GLSL (shaders/interface/features.glsl).
 using Light = std::variant<PointLight, SpotLight, DirectionalLight, RectangleLight, DiskLight, SphereLight,
                            TubeLight, PolygonLight, MeshLight, EnvironmentLight>;
 inline constexpr std::size_t light_kind_count = std::variant_size_v<Light>;

@@ -92,7 +92,7 @@ public:
     void solo(std::size_t entry);
     /// Moves a light or a softbox. @return false for a material, whose surfaces stay
     bool transform(std::size_t entry, const mat4& by);
-    /// Sets the size of a light or a softbox along one of its extents (extents.hpp) [m].
+    /// Sets the size of a light or a softbox along one of its extents (scene::sizes_of) [m].
     void set_size(std::size_t entry, std::size_t extent, float size);
     bool can_move(std::size_t entry) const { return entries_[entry].kind != LightEdit::Kind::material; }
     /// @return the index of its entry once apply() has run

@@ -173,8 +173,9 @@ def readmes(root: Path) -> list[str]:
 
 
 def paths(root: Path) -> list[str]:
-    """A file or folder of ours that a README or CONTRIBUTING.md names from the root on is there."""
+    """A file or folder of ours that a README, CONTRIBUTING.md or a comment names from the root on is there."""
     named = re.compile(r"`((?:assets|examples|shaders|src|tests|tools)/[A-Za-z0-9_./-]+)`")
+    in_comment = re.compile(r"\b((?:assets|examples|shaders|src|tests|tools)/[A-Za-z0-9_./-]+\.(?:cpp|hpp|glsl|frag|vert|py|json|md))\b")
     broken = []
     for file in sorted(root.rglob("*.md")):
         if {"build", ".venv", "out", "node_modules"} & set(file.relative_to(root).parts) or file.name == "CHANGELOG.md":
@@ -182,6 +183,14 @@ def paths(root: Path) -> list[str]:
         for path in named.findall(file.read_text()):
             if not re.search(r"NAME|aN-", path) and not (root / path).exists():
                 broken.append(f"{file.relative_to(root)}: {path}: there is no such file")
+    for folder in ("shaders", "src", "tests", "tools"):
+        for file in sorted((root / folder).rglob("*")):
+            if file.suffix not in {".cpp", ".hpp", ".glsl", ".frag", ".vert"}:
+                continue
+            for line, comment in comment_blocks(file.read_text(), "//+"):
+                for path in in_comment.findall(comment):
+                    if not re.search(r"NAME|aN-", path) and not (root / path).exists():
+                        broken.append(f"{file.relative_to(root)}:{line}: {path}: there is no such file")
     return broken
 
 
