@@ -123,9 +123,9 @@ bool SubmittedFiles::is_wanted(const std::string& path) {
 /// Of two files of one name the one that lies in fewer folders counts.
 void SubmittedFiles::keep(const std::string& path, std::string text) {
     const std::string name = last_name(path);
-    if (text.size() > max_text_bytes) return refuse(path, "larger than 1 MiB", "hand in the shaders alone");
-    bytes_ += text.size();
+    bytes_ += text.size(); // refused or not, since unpacking takes time
     if (bytes_ > max_all_bytes) throw no_archive(submission_, "more than 8 MiB of shaders");
+    if (text.size() > max_text_bytes) return refuse(path, "larger than 1 MiB", "hand in the shaders alone");
     if (const auto other = paths_.find(name); other != paths_.end()) {
         const auto depth = [](const std::string& p) { return std::ranges::count(p, '/'); };
         if (depth(other->second) == depth(path)) {
@@ -166,6 +166,7 @@ void SubmittedFiles::read_folder() {
             keep(path, read_text(file));
         }
     }
+    if (failure) throw no_archive(submission_, failure.message()); // an increment that fails is the end
     const bool has_shaders =
         std::ranges::any_of(texts_, [](const auto& t) { return t.first.ends_with(".glsl"); });
     if (archives.size() == 1 && !has_shaders) read_archive(archives.front());

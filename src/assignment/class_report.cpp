@@ -25,6 +25,7 @@ double number(const ordered_json& object, const char* key) { return object.value
 
 std::string cell(const std::string& text) {
     std::string value = shown(text);
+    std::ranges::replace(value, ';', ','); // where it separates cells, quotes within a line do not count
     if (!value.empty() && std::string_view("=+-@|%").find(value[0]) != std::string_view::npos)
         value.insert(0, "'");
     for (std::size_t at = 0; (at = value.find('"', at)) != std::string::npos; at += 2) value.insert(at, "\"");
@@ -39,7 +40,8 @@ std::vector<std::string> remarks_of(const ordered_json& result) {
         !label.empty() && label != word(result, "assignment"))
         remarks.push_back(fmt::format("its label says {}", shown(label)));
     if (const std::string id = word(result, "id"); !id.empty() && id != word(result, "student"))
-        remarks.push_back(fmt::format("{} handed in the folder of {}", id, shown(word(result, "student"))));
+        remarks.push_back(
+            fmt::format("{} handed in the folder of {}", shown(id), shown(word(result, "student"))));
     return remarks;
 }
 

@@ -72,7 +72,9 @@ public:
 
 private:
     std::string fingerprint(const HandedIn& submission) const {
-        const std::string text = basis_ + fingerprint_of(submission.path);
+        const std::string text = fmt::format("{} {} {} {} {} {} {}", basis_, submission.key, submission.name,
+                                             submission.id, options_.check.time_limit,
+                                             options_.check.grading->memory, fingerprint_of(submission.path));
         return golden::hexadecimal(
             golden::sha256({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}));
     }
@@ -173,7 +175,8 @@ std::optional<std::vector<ordered_json>> grade_class(const GradeOptions& options
     fs::create_directories(options.output / "gradescope");
     for (const ordered_json& result : *results)
         image::write_text(options.output / "gradescope" / (result["key"].get<std::string>() + ".json"),
-                          gradescope_of(result).dump(1) + "\n");
+                          gradescope_of(result).dump(1, ' ', false, ordered_json::error_handler_t::replace)
+                              + "\n");
     return results;
 }
 

@@ -31,6 +31,8 @@ struct RegionMarker {
 std::optional<RegionMarker> region_marker(const std::string& line) {
     static const std::regex form(
         R"(^\s*//\s*(begin|end)(\s+solution)?(?:\s+(helpers|[A-Z][0-9]+\.[0-9]+)\b.*)?\s*$)");
+    constexpr std::size_t max_marker = 1000; // std::regex recurses for each character
+    if (line.size() > max_marker) return std::nullopt;
     std::smatch found;
     const std::string content = line.substr(0, line.find_last_not_of("\r\n") + 1);
     if (!std::regex_match(content, found, form)) return std::nullopt;

@@ -56,7 +56,8 @@ std::vector<glm::dvec4> tolerances_around(const std::vector<glm::dvec4>& expecte
 /// The error of a value over its tolerance: 1 just passes.
 double excess(Relation relation, double got, double expected, double tolerance) {
     if (got == expected) return 0.0;
-    if (!std::isfinite(got)) return infinity;
+    // Both sides may be the student's.
+    if (!std::isfinite(got) || !std::isfinite(expected) || !std::isfinite(tolerance)) return infinity;
     const double over = got - expected;
     const double counted = relation == Relation::at_most    ? over
                            : relation == Relation::at_least ? -over

@@ -22,7 +22,7 @@ void require_plain_text(std::string_view text, const std::string& place) {
                         fmt::format("the byte {:#04x} is not UTF-8", static_cast<unsigned char>(text[i])),
                         "save the file as UTF-8");
         if (text[i] == '\0') throw Error({place, line}, "a NUL byte", "remove it: a shader is text");
-        if (text[i] == '\\' && i + 1 < text.size() && text[i + 1] == '\n')
+        if (text[i] == '\\' && (i + 1 == text.size() || text[i + 1] == '\n'))
             throw Error({place, line}, "a line ends in \\", "write it as one line");
         if (text[i] == '\n') ++line;
         i += length;

@@ -145,6 +145,10 @@ private:
         const std::string name(words.empty() ? "" : words[0].text);
         if (!is_one_of(name, allowed_directives))
             refuse(line, fmt::format("#{} is not allowed", name), "remove it");
+        // The lexer takes text in quotes as one token. To the driver a macro's is code.
+        if (name != "include"
+            && std::ranges::any_of(words, [](const Token& w) { return w.kind == Kind::name; }))
+            refuse(line, fmt::format("text in quotes in a #{}", name), "remove it: GLSL has no texts");
         if (name == "include") require_include(words, line);
         if (name == "define") read_macro(words, line);
         if (name == "undef" && (words.size() != 2 || !macros_.contains(words[1].text)))
@@ -172,6 +176,8 @@ private:
         const std::string_view name = words[1].text;
         if (is_one_of(name, flow_words) || is_one_of(name, refused_words) || name == "defined")
             refuse(line, fmt::format("#define {}", name), "choose a name that is no word of GLSL");
+        if (!defined_.insert(name).second)
+            refuse(line, fmt::format("a second #define {}", name), "choose another name");
         std::size_t body = 2;
         // "#define f(x)" has parameters, "#define f (x)" has none.
         const bool has_parameters =
@@ -307,6 +313,7 @@ private:
     std::span<const std::string> permitted_;
     std::vector<Token> tokens_;
     Macros macros_;
+    std::set<std::string_view> defined_; // macros, of which some may be undefined again
 };
 
 } // namespace
@@ -335,10 +342,12 @@ std::string_view turn_counter() {
 std::string_view main_renamed() { return "#define main steradian_main\n"; }
 
 std::string main_that_tells(std::string_view out) {
-    // 2¹⁰⁰: exact times the ten bits of each half of the number, also in a mean with other pixels.
+    // 2¹⁰⁰: exact times the ten bits of each half of the number, also in a mean with other pixels. A shader
+    // can overload functions, but neither operators nor constructors.
     return fmt::format(
         "#undef main\n"
-        "void main() {{ steradian_main(); if (steradian_stopped != 0) {} = uintBitsToFloat(0x71800000u) * "
+        "void main() {{ steradian_main(); if (steradian_stopped != 0) {} = 1267650600228229401496703205376.0 "
+        "* "
         "vec4(1.0, float(steradian_stopped >> 10) / 1024.0, float(steradian_stopped & 1023) / 1024.0, 1.0); "
         "}}\n",
         out);

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <mutex>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -92,6 +93,9 @@ struct ChildPlan {
 
 /// @return errno, 0 for success
 int start(pid_t& child, const ProcessOptions& options) {
+    // The child supervises the program and never calls exec, so it would keep the pipe of another thread.
+    static std::mutex one_at_a_time;
+    const std::lock_guard lock(one_at_a_time);
     ChildPlan plan{{}, options.folder.c_str(), options.log.c_str(), getpid()};
     for (const std::string& word : options.words) plan.words.push_back(const_cast<char*>(word.c_str()));
     plan.words.push_back(nullptr);

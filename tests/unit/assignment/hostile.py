@@ -63,6 +63,7 @@ HEADS = {
     "parameter_bomb": ("#define D(x) ((x)+(x))\nfloat big(float y) { return " + "D(" * 40 + "y" + ")" * 40 + "; }\n", "100000"),
     "function_bomb": ("float f0(float x) { return x; }\n"
                       + "".join(f"float f{i + 1}(float x) {{ return f{i}(f{i}(x)); }}\n" for i in range(60)), "100000"),
+    "text_in_macro": ('#define SECOND(a, b) b\n#define EVER SECOND(",for(;;){}",)\n', "text in quotes"),
     "hidden_loop": ("#define EVER for(;;)\n", "in a macro"),
     "hidden_keyword": ("#define while if\n", "#define while"),
     "hidden_answer": ("#define asked main\n", ""),
@@ -117,6 +118,9 @@ def make_code(make: Maker):
         make.as_folder(name, words, files={"microfacets.glsl": hostile_text(microfacets, head=head)})
     for name, comment, words in (("overlong", b"// \xc0\xaf\n", "UTF-8"), ("lone_bytes", b"// \xff\xfe\n", "UTF-8")):
         make.as_folder(name, words, files={"microfacets.glsl": microfacets.encode().replace(b"vec3 F(", comment + b"vec3 F(", 1)})
+    cycle = hostile_text(microfacets, head='#include "phong.glsl"\n')
+    make.as_folder("long_marker", "", files={"microfacets.glsl": microfacets + "// begin A3.4 " + "a" * 400000 + "\n"})
+    make.as_folder("includes_another_task", "", files={"microfacets.glsl": cycle})
     constant = microfacets.replace("return F0 + (1.0 - F0) * c * c * c * c * c;", "return vec3(1.0);")
     make.as_folder("constant_answer", "wrong for", files={"microfacets.glsl": constant})
     make.as_folder("large_file", "larger than", files={"microfacets.glsl": microfacets + "// " + "x" * 100 + "\n" + "//\n" * 500000})
