@@ -259,10 +259,11 @@ void add_compare_command(CLI::App& app) {
         ->check(refusal_of_picture);
     command->add_flag("--json", o->json, "print JSON");
     command->footer(
-        "Default limits: of light rel=0.01@edges and energy=0.005, of codes for a screen abs=0.0079@edges "
-        "(of\n"
-        "16 bits 0.001) and energy=0.01, with --noise z=auto@edges. Where a share of the pixels may fail,\n"
-        "density=0.25 is added. Alpha and all layers of REF are compared, too.\n\n"
+        "Default limits: of light rel=0.01@edges and energy=0.005, of codes for a screen abs=0.0079@edges\n"
+        "(of 16 bits 0.001) and energy=0.01, with --noise z=auto@edges. Where a share of the pixels may "
+        "fail,\n"
+        "density=0.25 is added. Alpha and all layers of REF are compared, too; with --noise they only have "
+        "to be there.\n\n"
         "Examples:\n"
         "  steradian compare test.exr golden.exr\n"
         "  steradian compare test.exr golden.exr --max rel=0.02@99.5% --max flip=0.03 --heat-map heat.png\n"

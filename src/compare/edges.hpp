@@ -1,6 +1,5 @@
 #pragma once
-// Failing pixels that are forgiven: an edge explains them, which fell to the other side of the pixel's
-// centre.
+// Failing pixels that are forgiven, because an edge fell to the other side of the pixel's centre.
 #include "compare/align.hpp"
 
 #include <functional>
@@ -15,8 +14,8 @@ inline constexpr double max_share_at_edges = 1e-3; // of the pixels of a small i
 inline constexpr int max_at_edges_nearby = 8;      // in any 16×16 window
 inline constexpr std::size_t max_edge_cluster = 4; // pixels that touch one another
 
-inline constexpr float max_lost_share =
-    0.5f; // of the change: how far the old value may be from those around it
+/// How far the old value may be from those around it, as a share of the change.
+inline constexpr float max_lost_share = 0.5f;
 
 /// The difference from a value of a pixel's channel that a limit allows.
 using Slack = std::function<float(std::size_t pixel, std::size_t channel, float value)>;
@@ -31,16 +30,18 @@ struct EdgeJudgement {
 };
 
 /// Judges the failing pixels. An edge explains a pixel if all of this is so:
-/// - its value lies within the range of the reference's 3×3 pixels around it, in each channel, so that
-/// nothing
-///   new appeared: no hole, no firefly;
-/// - the reference's value lies within the range of the test's 3×3 pixels, or near it in a picture with
-/// grain,
-///   so that nothing disappeared: no letter, no wire, no small object;
-/// - both sides of the edge are there in the reference: of its 8 neighbours at least two resemble the old
-///   value, and at least two the new one; at least three where failing pixels touch, so that no stroke of a
-///   letter goes;
-/// - it touches at most three other failing pixels, directly or through one another.
+///
+/// 1. Nothing new appeared, such as a hole or a firefly: its value lies within the range of the reference's
+///    3×3 pixels around it, in each channel.
+///
+/// 2. Nothing disappeared, such as a wire or a small object: the reference's value lies within the range of
+///    the test's 3×3 pixels, or near it in a picture with grain.
+///
+/// 3. Both sides of the edge are there: of its 8 neighbours in the reference at least two resemble the old
+///    value, and at least two the new one. Where failing pixels touch it takes three of each.
+///
+/// 4. It touches at most three other failing pixels, directly or through one another.
+///
 /// @param fails one entry for each compared pixel
 EdgeJudgement judge_edges(const AlignedImages& images, const std::vector<bool>& fails, const Slack& slack);
 
