@@ -8,9 +8,9 @@
 namespace sr::viewer {
 namespace {
 
-std::string constants(const image::ToneCurve* /*in another file*/, const output::Variable* view,
-                      ComparisonMode comparison, bool is_scaled, bool is_reference_displayed,
-                      bool has_frozen_pixels) {
+/// The curve is in display/shown_curve.glsl instead.
+std::string constants(const image::ToneCurve*, const output::Variable* view, ComparisonMode comparison,
+                      bool is_scaled, bool is_reference_displayed, bool has_frozen_pixels) {
     const bool is_false_color = view && view->display == output::Display::false_color;
     return fmt::format("const bool is_false_color = {};\n"
                        "const int comparison = {};\nconst bool is_scaled = {};\n"
