@@ -14,7 +14,7 @@ inline constexpr double max_share_at_edges = 1e-3; // of the pixels of a small i
 inline constexpr int max_at_edges_nearby = 8;      // in any 16×16 window
 inline constexpr std::size_t max_edge_cluster = 4; // pixels that touch one another
 
-/// How far the old value may be from those around it, as a share of the change.
+/// The largest distance of the old value from those around it, as a share of the change.
 inline constexpr float max_lost_share = 0.5f;
 
 /// The difference from a value of a pixel's channel that a limit allows.
