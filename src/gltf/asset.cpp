@@ -26,7 +26,8 @@ public:
           document_(read_document(file, warnings_)),
           scene_index_(options.scene),
           animations_(parse_animations(document_, warnings_)),
-          mesh_instances_(document_, flatten_nodes(document_, options.scene),
+          tree_(document_),
+          mesh_instances_(document_, tree_, tree_.flatten(options.scene),
                           find_variant(document_, options.variant)),
           measured_(document_),
           materials_(document_, measured_, warnings_),
@@ -35,7 +36,7 @@ public:
         mesh_instances_.request_materials(materials_);
         scene_.materials = materials_.materials();
         scene_.measured = measured_.brdfs();
-        place_lights(flatten_nodes(document_, scene_index_), warnings_);
+        place_lights(tree_.flatten(scene_index_), warnings_);
         scene_.profiles = lights_.profiles();
         scene_.units = unit_system_of(document_);
         warnings_.attempt("it has no environment", [&] {
@@ -81,7 +82,7 @@ public:
 private:
     /// Everything that moves: instances, the shapes of meshes, lights, cameras.
     void update(scene::Scene& scene, const MaterialTable& materials) {
-        std::vector<NodeTransform> nodes = flatten_nodes(document_, scene_index_);
+        std::vector<NodeTransform> nodes = tree_.flatten(scene_index_);
         for (NodeTransform& node : nodes) node.world_from_node[3] -= glm::dvec4(origin_, 0.0);
         scene.origin = origin_;
         const std::vector<bool> is_visible = mesh_instances_.evaluate(nodes, scene);
@@ -95,7 +96,7 @@ private:
         scene.cameras.clear();
         int number = 0;
         for (const NodeTransform& node : nodes) {
-            const int camera = integer_in(document_.entry("nodes", node.node), "camera", -1);
+            const int camera = integer_in(*node.source, "camera", -1);
             if (camera < 0) continue;
             const int own_number = number++; // a camera that is left out keeps its number
             if (document_.is_lost(fmt::format("/cameras/{}", camera))) continue;
@@ -157,6 +158,7 @@ private:
     Document document_;
     std::optional<int> scene_index_;
     std::vector<Animation> animations_; // they point into the document
+    NodeTree tree_;
     MeshInstances mesh_instances_;
     MeasuredTable measured_;
     MaterialTable materials_; // at rest; its textures are those of every time

@@ -71,7 +71,7 @@ scene::Orthographic orthographic(const json& from, const Claims& claim) {
 } // namespace
 
 scene::Camera parse_camera(const Document& document, const NodeTransform& transform) {
-    const json& node = document.entry("nodes", transform.node);
+    const json& node = *transform.source;
     const int number = node.at("camera").get<int>();
     const json& from = document.entry("cameras", number);
     const Claims claim(document, number);

@@ -339,7 +339,8 @@ void LightTable::append_punctual(const NodeTransform& transform, Warnings& warni
 }
 
 void LightTable::append(const NodeTransform& transform, Warnings& warnings) {
-    const json& node = document_.entry("nodes", transform.node);
+    const json& node = *transform.source;
+    if (!node.contains("extensions") && !node.contains("extras")) return;
     const json* authored = steradian_in(node);
     // glTF's way to animate visibility (section 3.5.3, "Implementation Note").
     if (!(largest_axis(transform) > 0.0)) {
@@ -458,7 +459,7 @@ scene::EmissionMap LightTable::map_of(const json* authored, const NodeTransform&
 }
 
 void LightTable::append_shape(const NodeTransform& transform, Warnings& warnings) {
-    const json& node = document_.entry("nodes", transform.node);
+    const json& node = *transform.source;
     const json* authored = steradian_in(node);
     if (!authored || !authored->contains("shape")) return;
     const std::string title = fmt::format("light {} (/nodes/{}/extras/steradian)",

@@ -32,10 +32,6 @@ namespace {
 
 using glm::dmat4;
 
-const json& node_of(const Document& document, const NodeTransform& transform) {
-    return document.entry("nodes", transform.node);
-}
-
 int mesh_number(const json& node) { return integer_in(node, "mesh", -1); }
 
 std::size_t primitive_count(const Document& document, int mesh) {
@@ -92,9 +88,10 @@ bool mirrors(const std::vector<dmat4>& joints) { return glm::determinant(glm::dm
 
 } // namespace
 
-MeshInstances::MeshInstances(const Document& document, const std::vector<NodeTransform>& nodes,
-                             std::optional<int> variant)
+MeshInstances::MeshInstances(const Document& document, const NodeTree& tree,
+                             const std::vector<NodeTransform>& nodes, std::optional<int> variant)
     : document_(document),
+      tree_(tree),
       nodes_(nodes),
       variant_(variant),
       made_count_(Limit::vertices, document.name),
@@ -102,7 +99,7 @@ MeshInstances::MeshInstances(const Document& document, const std::vector<NodeTra
       vertex_count_(Limit::vertices, document.name),
       name_size_(Limit::names, document.name) {
     for (const NodeTransform& node : nodes) {
-        const int mesh = mesh_number(node_of(document, node));
+        const int mesh = mesh_number(*node.source);
         if (mesh >= 0 && std::ranges::find(meshes_, mesh) == meshes_.end()) meshes_.push_back(mesh);
     }
 }
@@ -116,7 +113,7 @@ void MeshInstances::request_materials(MaterialTable& materials) const {
 void MeshInstances::build(MaterialTable& materials, scene::Scene& scene, Warnings& warnings) {
     std::map<int, std::vector<Primitive>> primitives;
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
-        const json& node = node_of(document_, nodes_[i]);
+        const json& node = *nodes_[i].source;
         const int mesh = mesh_number(node), skin = integer_in(node, "skin", -1);
         if (mesh < 0) continue;
         const auto [found, is_new] = primitives.try_emplace(mesh);
@@ -155,7 +152,7 @@ MeshInstances::build_primitives(int mesh, MaterialTable& materials, scene::Scene
 
 void MeshInstances::add(std::size_t index, Primitive& primitive, scene::Scene& scene, Warnings& warnings) {
     const NodeTransform& node = nodes_[index];
-    const int skin = integer_in(node_of(document_, node), "skin", -1);
+    const int skin = integer_in(*node.source, "skin", -1);
     const bool has_influences = primitive.deformation && primitive.deformation->influences.per_vertex > 0;
     if (skin >= 0 && !has_influences)
         warnings.add("a node has a skin, and its mesh has no joints and weights",
@@ -185,7 +182,7 @@ void MeshInstances::count(const InstancedMesh& instanced, const NodeTransform& n
     instance_count_.add(instances);
     const std::size_t quads = 2 * mesh.lines.size(); // in which lines are drawn: four vertices each
     vertex_count_.add(instances * shapes * std::max({mesh.positions.size(), mesh.indices.size() / 3, quads}));
-    name_size_.add(instances * (text_in(node_of(document_, node), "name").size() + mesh.name.size()));
+    name_size_.add(instances * (text_in(*node.source, "name").size() + mesh.name.size()));
 }
 
 void MeshInstances::require_joints(int skin, const Deformation& deformation) const {
@@ -207,7 +204,7 @@ std::map<int, std::vector<dmat4>> MeshInstances::joints(const std::vector<NodeTr
     for (const auto& [number, skin] : skins_) {
         for (const int joint : skin.joints) {
             if (world_from_joint.contains(joint)) continue;
-            if (elsewhere.empty()) elsewhere = world_from_nodes(document_);
+            if (elsewhere.empty()) elsewhere = tree_.world_from_nodes();
             dmat4& world = world_from_joint[joint] = elsewhere[static_cast<std::size_t>(joint)];
             world[3] -= glm::dvec4(origin, 0.0);
         }
@@ -218,7 +215,7 @@ std::map<int, std::vector<dmat4>> MeshInstances::joints(const std::vector<NodeTr
 
 void MeshInstances::append_instances(const InstancedMesh& instanced, const NodeTransform& node,
                                      scene::Scene& scene) const {
-    const std::string name = text_in(node_of(document_, node), "name");
+    const std::string name = text_in(*node.source, "name");
     for (const dmat4& node_from_instance : instanced.node_from_instance)
         scene.instances.push_back({instanced.mesh, mat4(node.world_from_node * node_from_instance), name});
 }
@@ -238,7 +235,7 @@ std::vector<bool> MeshInstances::evaluate(const std::vector<NodeTransform>& node
     std::vector<bool> is_visible;
     for (const InstancedMesh& instanced : instanced_) {
         const NodeTransform& node = nodes[instanced.node];
-        const json& source = node_of(document_, node);
+        const json& source = *node.source;
         const bool is_skinned = instanced.skin >= 0;
         if (instanced.deformation)
             deform(*instanced.deformation, weights_of(document_, source),

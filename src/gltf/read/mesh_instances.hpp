@@ -20,9 +20,9 @@ std::optional<int> find_variant(const Document& document, std::string_view name)
 
 class MeshInstances {
 public:
-    /// @param nodes as flatten_nodes() returns them
+    /// @param nodes of the scene, as tree.flatten() returns them
     /// @param variant as find_variant() returns it. The document must outlive this.
-    MeshInstances(const Document& document, const std::vector<NodeTransform>& nodes,
+    MeshInstances(const Document& document, const NodeTree& tree, const std::vector<NodeTransform>& nodes,
                   std::optional<int> variant);
 
     /// Requests every material that a primitive of the scene has, always in the same order.
@@ -69,6 +69,7 @@ private:
                           scene::Scene& scene) const;
 
     const Document& document_;
+    const NodeTree& tree_;
     std::vector<NodeTransform> nodes_; // at rest
     std::vector<int> meshes_;          // of the file, in the order in which nodes name them
     std::optional<int> variant_;

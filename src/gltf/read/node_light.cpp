@@ -12,7 +12,7 @@ using glm::dvec3;
 
 std::optional<NodeLight> find_light(const Document& document, const NodeTransform& transform,
                                     const char* name) {
-    const json& node = document.entry("nodes", transform.node);
+    const json& node = *transform.source;
     const json* reference = extension(node, name);
     if (!reference) return std::nullopt;
     const int index = integer_in(*reference, "light", 0);

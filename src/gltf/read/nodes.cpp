@@ -16,39 +16,7 @@ namespace {
 
 constexpr const char* make_tree = "make the nodes a tree";
 
-std::vector<int> children_of(const Document& document, int node) {
-    return document.entry("nodes", node).value("children", std::vector<int>{});
-}
-
-void check_forest(const Document& document) {
-    std::vector<int> parent(document.count("nodes"), -1);
-    for (int node = 0; node < static_cast<int>(parent.size()); ++node)
-        for (const int child : children_of(document, node)) {
-            int& known = parent[static_cast<std::size_t>(child)];
-            if (known >= 0)
-                document.fail(
-                    fmt::format("/nodes/{} is a child of both /nodes/{} and /nodes/{}", child, known, node),
-                    make_tree);
-            known = node;
-        }
-    // With one parent each, the nodes that cannot be reached from a root are on circles.
-    std::vector<int> pending;
-    std::vector<bool> is_reached(parent.size(), false);
-    for (int node = 0; node < static_cast<int>(parent.size()); ++node)
-        if (parent[static_cast<std::size_t>(node)] < 0) pending.push_back(node);
-    while (!pending.empty()) {
-        const int node = pending.back();
-        pending.pop_back();
-        is_reached[static_cast<std::size_t>(node)] = true;
-        const std::vector<int> children = children_of(document, node);
-        pending.insert(pending.end(), children.begin(), children.end());
-    }
-    for (std::size_t node = 0; node < parent.size(); ++node)
-        if (!is_reached[node]) document.fail(fmt::format("/nodes/{} is its own ancestor", node), make_tree);
-}
-
-glm::dmat4 parent_from_node(const Document& document, int index) {
-    const json& node = document.entry("nodes", index);
+glm::dmat4 parent_from_node(const Document& document, const json& node, int index) {
     if (node.contains("matrix")) return glm::make_mat4(numbers_in(node, "matrix").data());
     glm::dmat4 matrix(1.0);
     matrix[3] = glm::dvec4(three_in(node, "translation", glm::dvec3(0.0)), 1.0);
@@ -64,8 +32,8 @@ glm::dmat4 parent_from_node(const Document& document, int index) {
 }
 
 /// Returns the visibility that the node states for itself and for those below it.
-bool says_visible(const Document& document, int node) {
-    const json* visibility = extension(document.entry("nodes", node), "KHR_node_visibility");
+bool says_visible(const json& node) {
+    const json* visibility = extension(node, "KHR_node_visibility");
     return !visibility || flag_in(*visibility, "visible", true);
 }
 
@@ -77,67 +45,93 @@ void check_finite(const Document& document, const NodeTransform& placed) {
                               "scale the scene down");
 }
 
-/// The nodes that are nobody's children.
-std::vector<int> all_roots(const Document& document) {
-    std::vector<bool> is_child(document.count("nodes"), false);
-    for (int node = 0; node < static_cast<int>(is_child.size()); ++node)
-        for (const int child : children_of(document, node)) is_child[static_cast<std::size_t>(child)] = true;
-    std::vector<int> result;
-    for (std::size_t node = 0; node < is_child.size(); ++node)
-        if (!is_child[node]) result.push_back(static_cast<int>(node));
-    return result;
-}
-
-std::vector<int> roots(const Document& document, std::optional<int> scene) {
-    const std::size_t count = document.count("scenes");
-    if (scene && (*scene < 0 || *scene >= static_cast<int>(count)))
-        document.fail(fmt::format("there is no scene {}, the file has {}", *scene, count),
-                      count == 0 ? "name none" : fmt::format("choose one from 0 to {}", count - 1));
-    if (count == 0) return all_roots(document);
-    const int index = scene.value_or(integer_in(document.root, "scene", 0));
-    return document.entry("scenes", index).value("nodes", std::vector<int>{});
-}
-
 } // namespace
 
-std::vector<NodeTransform> flatten_nodes(const Document& document, std::optional<int> scene) {
-    check_forest(document);
-    std::vector<NodeTransform> pending;
-    const std::vector<int> first = roots(document, scene);
-    for (auto root = first.rbegin(); root != first.rend(); ++root)
-        pending.push_back({*root, parent_from_node(document, *root), says_visible(document, *root)});
+NodeTree::NodeTree(const Document& document) : document_(document), nodes_(document.count("nodes")) {
+    link();
+    for (int node = 0; node < static_cast<int>(nodes_.size()); ++node)
+        if (at(node).parent < 0) orphans_.push_back(node);
+    require_no_circle();
+}
 
-    std::vector<NodeTransform> placed;
-    std::vector<bool> is_placed(document.count("nodes"), false);
+void NodeTree::link() {
+    for (int node = 0; node < static_cast<int>(nodes_.size()); ++node) {
+        const json& source = document_.entry("nodes", node);
+        Node& here = nodes_[static_cast<std::size_t>(node)];
+        here.source = &source;
+        here.children = source.value("children", std::vector<int>{});
+        for (const int child : here.children) {
+            int& known = nodes_[static_cast<std::size_t>(child)].parent;
+            if (known >= 0)
+                document_.fail(
+                    fmt::format("/nodes/{} is a child of both /nodes/{} and /nodes/{}", child, known, node),
+                    make_tree);
+            known = node;
+        }
+    }
+}
+
+/// With one parent each, the nodes that cannot be reached from a root are on circles.
+void NodeTree::require_no_circle() const {
+    std::vector<int> pending = orphans_;
+    std::vector<bool> is_reached(nodes_.size(), false);
+    while (!pending.empty()) {
+        const int node = pending.back();
+        pending.pop_back();
+        is_reached[static_cast<std::size_t>(node)] = true;
+        pending.insert(pending.end(), at(node).children.begin(), at(node).children.end());
+    }
+    const auto lost = std::ranges::find(is_reached, false);
+    if (lost != is_reached.end())
+        document_.fail(fmt::format("/nodes/{} is its own ancestor", lost - is_reached.begin()), make_tree);
+}
+
+std::vector<int> NodeTree::roots(std::optional<int> scene) const {
+    const std::size_t count = document_.count("scenes");
+    if (scene && (*scene < 0 || *scene >= static_cast<int>(count)))
+        document_.fail(fmt::format("there is no scene {}, the file has {}", *scene, count),
+                       count == 0 ? "name none" : fmt::format("choose one from 0 to {}", count - 1));
+    if (count == 0) return orphans_;
+    const int index = scene.value_or(integer_in(document_.root, "scene", 0));
+    return document_.entry("scenes", index).value("nodes", std::vector<int>{});
+}
+
+NodeTransform NodeTree::below(const NodeTransform& parent, int node) const {
+    const json& source = *at(node).source;
+    return {node, &source, parent.world_from_node * parent_from_node(document_, source, node),
+            parent.is_visible && says_visible(source)};
+}
+
+std::vector<NodeTransform> NodeTree::flatten(std::optional<int> scene) const {
+    std::vector<NodeTransform> pending, placed;
+    const std::vector<int> first = roots(scene);
+    for (auto root = first.rbegin(); root != first.rend(); ++root) pending.push_back(below({}, *root));
+    std::vector<bool> is_placed(nodes_.size(), false);
     while (!pending.empty()) {
         const NodeTransform here = pending.back();
         pending.pop_back();
         if (is_placed[static_cast<std::size_t>(here.node)])
-            document.fail(fmt::format("/nodes/{} is in the scene twice", here.node),
-                          "name each root node once");
+            document_.fail(fmt::format("/nodes/{} is in the scene twice", here.node),
+                           "name each root node once");
         is_placed[static_cast<std::size_t>(here.node)] = true;
-        check_finite(document, here);
+        check_finite(document_, here);
         placed.push_back(here);
-        const std::vector<int> children = children_of(document, here.node);
+        const std::vector<int>& children = at(here.node).children;
         for (auto child = children.rbegin(); child != children.rend(); ++child)
-            pending.push_back({*child, here.world_from_node * parent_from_node(document, *child),
-                               here.is_visible && says_visible(document, *child)});
+            pending.push_back(below(here, *child));
     }
     return placed;
 }
 
-std::vector<glm::dmat4> world_from_nodes(const Document& document) {
-    std::vector<glm::dmat4> world(document.count("nodes"), glm::dmat4(1.0));
-    std::vector<int> pending = all_roots(document);
-    for (const int root : pending) world[static_cast<std::size_t>(root)] = parent_from_node(document, root);
+std::vector<glm::dmat4> NodeTree::world_from_nodes() const {
+    std::vector<glm::dmat4> world(nodes_.size(), glm::dmat4(1.0));
+    std::vector<NodeTransform> pending;
+    for (const int root : orphans_) pending.push_back(below({}, root));
     while (!pending.empty()) {
-        const int node = pending.back();
+        const NodeTransform here = pending.back();
         pending.pop_back();
-        for (const int child : children_of(document, node)) {
-            world[static_cast<std::size_t>(child)] =
-                world[static_cast<std::size_t>(node)] * parent_from_node(document, child);
-            pending.push_back(child);
-        }
+        world[static_cast<std::size_t>(here.node)] = here.world_from_node;
+        for (const int child : at(here.node).children) pending.push_back(below(here, child));
     }
     return world;
 }
