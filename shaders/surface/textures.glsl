@@ -49,41 +49,6 @@ vec4 specular() {
     return factors;
 }
 
-// The direction in the tangent plane that the lobe is stretched along, and by how much (KHR_materials_anisotropy).
-vec3 anisotropy() {
-    vec2 turn = anisotropy_factor.yz;
-    if (!has_anisotropy_texture) return vec3(turn, anisotropy_factor.x);
-    vec3 texel = texture(anisotropy_texture, uv(anisotropy_slot)).xyz;
-    vec2 along = texel.xy * 2.0 - 1.0; // texels without a direction say +X
-    along = dot(along, along) > 1e-3 ? normalize(along) : vec2(1.0, 0.0);
-    return vec3(turn.x * along.x - turn.y * along.y, turn.y * along.x + turn.x * along.y, anisotropy_factor.x * texel.z);
-}
-
-// (clearcoat, its roughness)
-vec2 clearcoat() {
-    vec2 factors = clearcoat_factor.xy;
-    if (has_clearcoat_texture) factors.x *= texture(clearcoat_texture, uv(clearcoat_slot)).r;
-    if (has_clearcoat_roughness_texture) factors.y *= texture(clearcoat_roughness_texture, uv(clearcoat_roughness_slot)).g;
-    return factors;
-}
-
-// (colour, roughness)
-vec4 sheen() {
-    vec4 factors = sheen_factor;
-    if (has_sheen_color_texture) factors.rgb *= texture(sheen_color_texture, uv(sheen_color_slot)).rgb;
-    if (has_sheen_roughness_texture) factors.a *= texture(sheen_roughness_texture, uv(sheen_roughness_slot)).a;
-    return factors;
-}
-
-// (weight, thickness [nm])
-vec2 iridescence() {
-    vec2 film = iridescence_factor.xw;
-    if (has_iridescence_texture) film.x *= texture(iridescence_texture, uv(iridescence_slot)).r;
-    if (has_film_thickness_texture)
-        film.y = mix(iridescence_factor.z, film.y, texture(film_thickness_texture, uv(film_thickness_slot)).g);
-    return film;
-}
-
 float transmission() {
     float t = transmission_factor.x;
     if (has_transmission_texture) t *= texture(transmission_texture, uv(transmission_slot)).r;
@@ -95,16 +60,6 @@ float thickness() {
     float d = transmission_factor.y;
     if (has_thickness_texture) d *= texture(thickness_texture, uv(thickness_slot)).g;
     return d;
-}
-
-// (colour, share of the diffuse base)
-vec4 diffuse_transmission() {
-    vec4 factors = diffuse_transmission_factor;
-    if (has_diffuse_transmission_color_texture)
-        factors.rgb *= texture(diffuse_transmission_color_texture, uv(diffuse_transmission_color_slot)).rgb;
-    if (has_diffuse_transmission_texture)
-        factors.a *= texture(diffuse_transmission_texture, uv(diffuse_transmission_slot)).a;
-    return factors;
 }
 
 // Returns whether the texel is not to be drawn: a material that is glass in part is drawn twice, opaque and blended.

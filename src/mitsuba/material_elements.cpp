@@ -98,39 +98,26 @@ private:
             xml_.flag("specular_glossiness", true);
             write_slot("glossiness_texture", m_.specular_color_texture, Part::alpha);
         }
-        if (has_direction()) {
-            xml_.number("anisotropy", m_.anisotropy);
-            write_direction();
+        for (const scene::MaterialLayer& layer : scene::material_layers)
+            if (layer.is_of(m_) && (has_tangents_ || !layer.needs_tangents)) write_layer(layer);
+    }
+
+    void write_layer(const scene::MaterialLayer& layer) {
+        if (layer.parameters.front().key.empty()) return;
+        for (const scene::LayerParameter& parameter : layer.parameters) {
+            if (const auto* number = std::get_if<float scene::Material::*>(&parameter.member))
+                xml_.number(parameter.key, m_.*(*number));
+            if (const auto* color = std::get_if<vec3 scene::Material::*>(&parameter.member))
+                xml_.vector(parameter.key, m_.*(*color));
         }
-        if (m_.iridescence > 0.0f) write_film();
-        if (m_.has_sheen()) write_sheen();
-        if (m_.clearcoat > 0.0f) write_clearcoat();
+        for (const auto texture : layer.textures)
+            if (texture) write_texture_of_layer(scene::texture_inputs[scene::texture_slot(texture)]);
     }
 
-    void write_film() {
-        xml_.number("iridescence", m_.iridescence);
-        xml_.number("film_ior", m_.film_ior);
-        xml_.number("least_film_thickness", m_.least_film_thickness);
-        xml_.number("largest_film_thickness", m_.largest_film_thickness);
-        write_slot("iridescence_texture", m_.iridescence_texture);
-        write_slot("film_thickness_texture", m_.film_thickness_texture);
-    }
-
-    void write_sheen() {
-        xml_.vector("sheen_color", m_.sheen_color);
-        xml_.number("sheen_roughness", m_.sheen_roughness);
-        write_slot("sheen_color_texture", m_.sheen_color_texture);
-        write_slot("sheen_roughness_texture", m_.sheen_roughness_texture, Part::alpha);
-    }
-
-    void write_clearcoat() {
-        xml_.number("clearcoat", m_.clearcoat);
-        xml_.number("clearcoat_roughness", m_.clearcoat_roughness);
-        write_slot("clearcoat_texture", m_.clearcoat_texture);
-        write_slot("clearcoat_roughness_texture", m_.clearcoat_roughness_texture);
-        if (!has_tangents_ || !m_.clearcoat_normal_texture.is_present()) return;
-        xml_.number("clearcoat_normal_scale", m_.clearcoat_normal_scale);
-        write_slot("clearcoat_normal_texture", m_.clearcoat_normal_texture);
+    void write_texture_of_layer(const scene::TextureInput& input) {
+        if (input.member == &scene::Material::clearcoat_normal_texture && !has_tangents_) return;
+        write_slot(fmt::format("{}_texture", input.name), m_.*input.member,
+                   input.is_in_alpha ? Part::alpha : Part::color);
     }
 
     Xml& xml_;

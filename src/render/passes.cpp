@@ -51,7 +51,7 @@ void begin_nearest(const RenderTarget& frame, vec3 background) {
 } // namespace
 
 const std::string& fragment_of(const Draw& draw, const std::string& shader) {
-    return draw.features.is_transmissive && shader == "forward.frag" ? glass_shader : shader;
+    return draw.features.has(scene::Layer::transmission) && shader == "forward.frag" ? glass_shader : shader;
 }
 
 void depth_pass(const RenderTarget& frame, const GpuScene& scene, ShaderLibrary& shaders, vec3 background) {

@@ -125,8 +125,8 @@ struct Material {
     float iridescence = 0.0f; // KHR_materials_iridescence: weight; texture: red channel
     TextureSlot iridescence_texture;
     float film_ior = 1.3f;
-    float least_film_thickness = 100.0f;   // [nm], where the texture's green channel is 0
-    float largest_film_thickness = 400.0f; // [nm], where it is 1, or there is none
+    float min_film_thickness = 100.0f; // [nm], where the texture's green channel is 0
+    float max_film_thickness = 400.0f; // [nm], where it is 1, or there is none
     TextureSlot film_thickness_texture;
 
     float transmission = 0.0f; // KHR_materials_transmission: share of the base; texture: red channel
@@ -278,28 +278,29 @@ struct TextureInput {
     std::string_view
         name; // "base_color": GLSL has base_color_slot, base_color_texture and has_base_color_texture
     TextureSlot Material::*member;
-    ColorSpace color_space; // of its texels
+    ColorSpace color_space;   // of its texels
+    bool is_in_alpha = false; // its number is the texels' alpha
 };
 
-/// All of them. A slot is a place in this table, here and in GLSL (shaders/interface/texture_inputs.glsl).
+/// All of them. A slot is a place in this table, here and in GLSL (shaders/interface/material.glsl).
 inline constexpr std::array texture_inputs{
     TextureInput{"base_color", &Material::base_color_texture, ColorSpace::srgb},
     TextureInput{"metallic_roughness", &Material::metallic_roughness_texture, ColorSpace::linear},
     TextureInput{"normal", &Material::normal_texture, ColorSpace::linear},
     TextureInput{"emission", &Material::emission_texture, ColorSpace::srgb},
-    TextureInput{"specular", &Material::specular_texture, ColorSpace::linear},
+    TextureInput{"specular", &Material::specular_texture, ColorSpace::linear, true},
     TextureInput{"specular_color", &Material::specular_color_texture, ColorSpace::srgb},
     TextureInput{"anisotropy", &Material::anisotropy_texture, ColorSpace::linear},
     TextureInput{"clearcoat", &Material::clearcoat_texture, ColorSpace::linear},
     TextureInput{"clearcoat_roughness", &Material::clearcoat_roughness_texture, ColorSpace::linear},
     TextureInput{"clearcoat_normal", &Material::clearcoat_normal_texture, ColorSpace::linear},
     TextureInput{"sheen_color", &Material::sheen_color_texture, ColorSpace::srgb},
-    TextureInput{"sheen_roughness", &Material::sheen_roughness_texture, ColorSpace::linear},
+    TextureInput{"sheen_roughness", &Material::sheen_roughness_texture, ColorSpace::linear, true},
     TextureInput{"iridescence", &Material::iridescence_texture, ColorSpace::linear},
     TextureInput{"film_thickness", &Material::film_thickness_texture, ColorSpace::linear},
     TextureInput{"transmission", &Material::transmission_texture, ColorSpace::linear},
     TextureInput{"thickness", &Material::thickness_texture, ColorSpace::linear},
-    TextureInput{"diffuse_transmission", &Material::diffuse_transmission_texture, ColorSpace::linear},
+    TextureInput{"diffuse_transmission", &Material::diffuse_transmission_texture, ColorSpace::linear, true},
     TextureInput{"diffuse_transmission_color", &Material::diffuse_transmission_color_texture,
                  ColorSpace::srgb}};
 inline constexpr unsigned slot_count = static_cast<unsigned>(texture_inputs.size());
@@ -310,6 +311,76 @@ constexpr std::size_t texture_slot(TextureSlot Material::*member) {
     while (texture_inputs[slot].member != member) ++slot;
     return slot;
 }
+
+/// A property of a surface that few materials have, such as a coat. It costs shading nothing where it is
+/// absent.
+enum class Layer { anisotropy, iridescence, sheen, clearcoat, transmission, diffuse_transmission };
+
+/// A number or a colour that a layer has beside its textures.
+struct LayerParameter {
+    std::string_view key; // of the export to Mitsuba
+    std::variant<std::monostate, float Material::*, vec3 Material::*> member{};
+};
+
+struct MaterialLayer {
+    std::string_view name; // as `info` shows it
+    std::string_view flag; // the constant of shaders/interface/features.glsl
+    bool (*is_of)(const Material&);
+    std::array<TextureSlot Material::*, 3> textures; // that shading reads for this layer alone; may be null
+    std::array<LayerParameter, 4> parameters{};      // empty: Mitsuba has no such layer
+    bool needs_tangents = false;
+    bool needs_surface = false;    // lines and points do not have it
+    bool has_analytic_form = true; // the analytic estimator integrates surfaces that have it
+};
+
+/// All of them, in the order of Layer.
+inline constexpr std::array material_layers{
+    MaterialLayer{.name = "anisotropic",
+                  .flag = "has_anisotropy",
+                  .is_of = [](const Material& m) { return m.is_anisotropic(); },
+                  .textures = {&Material::anisotropy_texture},
+                  .parameters = {{{"anisotropy", &Material::anisotropy},
+                                  {"anisotropy_rotation", &Material::anisotropy_rotation}}},
+                  .needs_tangents = true,
+                  .has_analytic_form = false},
+    MaterialLayer{.name = "thin film",
+                  .flag = "has_iridescence",
+                  .is_of = [](const Material& m) { return m.iridescence > 0.0f; },
+                  .textures = {&Material::iridescence_texture, &Material::film_thickness_texture},
+                  .parameters = {{{"iridescence", &Material::iridescence},
+                                  {"film_ior", &Material::film_ior},
+                                  {"min_film_thickness", &Material::min_film_thickness},
+                                  {"max_film_thickness", &Material::max_film_thickness}}}},
+    MaterialLayer{.name = "sheen",
+                  .flag = "has_sheen",
+                  .is_of = [](const Material& m) { return m.has_sheen(); },
+                  .textures = {&Material::sheen_color_texture, &Material::sheen_roughness_texture},
+                  .parameters = {{{"sheen_color", &Material::sheen_color},
+                                  {"sheen_roughness", &Material::sheen_roughness}}},
+                  .has_analytic_form = false},
+    MaterialLayer{.name = "clearcoat",
+                  .flag = "has_clearcoat",
+                  .is_of = [](const Material& m) { return m.clearcoat > 0.0f; },
+                  .textures = {&Material::clearcoat_texture, &Material::clearcoat_roughness_texture,
+                               &Material::clearcoat_normal_texture},
+                  .parameters = {{{"clearcoat", &Material::clearcoat},
+                                  {"clearcoat_roughness", &Material::clearcoat_roughness},
+                                  {"clearcoat_normal_scale", &Material::clearcoat_normal_scale}}},
+                  .has_analytic_form = false},
+    MaterialLayer{.name = "transmission (straight through: not refracted, not blurred)",
+                  .flag = "is_transmissive",
+                  .is_of = [](const Material& m) { return m.is_transmissive(); },
+                  .textures = {&Material::transmission_texture, &Material::thickness_texture},
+                  .needs_surface = true},
+    MaterialLayer{
+        .name = "diffuse transmission",
+        .flag = "has_diffuse_transmission",
+        .is_of = [](const Material& m) { return m.transmits_diffusely(); },
+        .textures = {&Material::diffuse_transmission_texture, &Material::diffuse_transmission_color_texture},
+        .needs_surface = true,
+        .has_analytic_form = false}};
+inline constexpr std::size_t layer_count = material_layers.size();
+static_assert(layer_count == static_cast<std::size_t>(Layer::diffuse_transmission) + 1);
 
 /// True if shading reads the tangents of meshes of this material.
 bool needs_tangents(const Material& material);

@@ -65,7 +65,7 @@ const Test layers("law.brdf.layers.of_no_weight_change_nothing", [] {
     covered.clearcoat = 1e-9f;
     covered.sheen_color = vec3(1e-9f);
     covered.iridescence = 1.0f;
-    covered.largest_film_thickness = 0.0f;
+    covered.max_film_thickness = 0.0f;
     brdf::BrdfEvaluator one({plain, {}, false, {}}), two({covered, {}, false, {}});
     const auto pairs = random_pairs(500, 0.1f);
     const auto f = one.values(pairs), g = two.values(pairs);

@@ -4,7 +4,6 @@
 #include "render/visibility/gpu_casters.hpp"
 #include "scene/alpha.hpp"
 
-#include <cmath>
 #include <fmt/format.h>
 #include <variant>
 
@@ -46,18 +45,7 @@ std::array<vec4, max_model_parameters> model_parameters(const scene::Material& m
 
 MaterialBlock packed_material(const scene::Material& m, std::span<const scene::MeasuredBrdf> measured) {
     MaterialBlock block{};
-    block.base_color_factor = m.base_color;
-    block.emission_factor = vec4(m.emission, 0.0f);
-    block.specular_color_factor = vec4(m.specular_color, m.specular);
-    block.anisotropy_factor =
-        vec4(m.anisotropy, std::cos(m.anisotropy_rotation), std::sin(m.anisotropy_rotation), 0.0f);
-    block.clearcoat_factor = vec4(m.clearcoat, m.clearcoat_roughness, m.clearcoat_normal_scale, 0.0f);
-    block.sheen_factor = vec4(m.sheen_color, m.sheen_roughness);
-    block.iridescence_factor =
-        vec4(m.iridescence, m.film_ior, m.least_film_thickness, m.largest_film_thickness);
-    block.transmission_factor = vec4(m.transmission, m.thickness, 0.0f, 0.0f);
-    block.attenuation_factor = vec4(scene::attenuation_coefficient(m), 0.0f);
-    block.diffuse_transmission_factor = vec4(m.diffuse_transmission_color, m.diffuse_transmission);
+    for (std::size_t i = 0; i < material_factors.size(); ++i) block.factors[i] = material_factors[i].of(m);
     block.model_parameters = model_parameters(m, measured);
     block.metallic_factor = m.metallic;
     block.roughness_factor = m.roughness;

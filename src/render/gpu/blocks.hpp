@@ -7,6 +7,7 @@
 #include "scene/measured_brdf.hpp"
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -63,17 +64,43 @@ inline constexpr unsigned environment_texels_unit = slot_count + 11;
 /// alpha).
 inline constexpr std::size_t max_model_parameters = 4;
 
+/// The factors of a material's textures and layers that fill a vec4 of the block `Material`.
+struct MaterialFactor {
+    const char* name; // of shaders/interface/material.glsl, which says what is in it
+    vec4 (*of)(const scene::Material&);
+};
+
+/// All of them, in the order of the block.
+inline constexpr std::array material_factors{
+    MaterialFactor{"base_color_factor", [](const scene::Material& m) { return m.base_color; }},
+    MaterialFactor{"emission_factor", [](const scene::Material& m) { return vec4(m.emission, 0.0f); }},
+    MaterialFactor{"specular_color_factor",
+                   [](const scene::Material& m) { return vec4(m.specular_color, m.specular); }},
+    MaterialFactor{"anisotropy_factor",
+                   [](const scene::Material& m) {
+                       return vec4(m.anisotropy, std::cos(m.anisotropy_rotation),
+                                   std::sin(m.anisotropy_rotation), 0.0f);
+                   }},
+    MaterialFactor{"clearcoat_factor",
+                   [](const scene::Material& m) {
+                       return vec4(m.clearcoat, m.clearcoat_roughness, m.clearcoat_normal_scale, 0.0f);
+                   }},
+    MaterialFactor{"sheen_factor",
+                   [](const scene::Material& m) { return vec4(m.sheen_color, m.sheen_roughness); }},
+    MaterialFactor{"iridescence_factor",
+                   [](const scene::Material& m) {
+                       return vec4(m.iridescence, m.film_ior, m.min_film_thickness, m.max_film_thickness);
+                   }},
+    MaterialFactor{"transmission_factor",
+                   [](const scene::Material& m) { return vec4(m.transmission, m.thickness, 0.0f, 0.0f); }},
+    MaterialFactor{"attenuation_factor",
+                   [](const scene::Material& m) { return vec4(scene::attenuation_coefficient(m), 0.0f); }},
+    MaterialFactor{"diffuse_transmission_factor", [](const scene::Material& m) {
+                       return vec4(m.diffuse_transmission_color, m.diffuse_transmission);
+                   }}};
+
 struct MaterialBlock {
-    vec4 base_color_factor;
-    vec4 emission_factor;
-    vec4 specular_color_factor;
-    vec4 anisotropy_factor;
-    vec4 clearcoat_factor;
-    vec4 sheen_factor;
-    vec4 iridescence_factor;
-    vec4 transmission_factor;
-    vec4 attenuation_factor;
-    vec4 diffuse_transmission_factor;
+    std::array<vec4, material_factors.size()> factors;
     std::array<vec4, max_model_parameters> model_parameters;
     float metallic_factor;
     float roughness_factor;

@@ -38,14 +38,8 @@ constexpr std::array light_flags{Flag{"has_sun_disks", &Features::has_sun_disks}
                                  Flag{"has_environment_maps", &Features::has_environment_maps}};
 
 constexpr std::array other_flags{Flag{"has_vertex_colors", &Features::has_vertex_colors},
-                                 Flag{"has_anisotropy", &Features::has_anisotropy},
-                                 Flag{"has_clearcoat", &Features::has_clearcoat},
-                                 Flag{"has_sheen", &Features::has_sheen},
-                                 Flag{"has_iridescence", &Features::has_iridescence},
                                  Flag{"has_energy_compensation", &Features::has_energy_compensation},
-                                 Flag{"is_transmissive", &Features::is_transmissive},
                                  Flag{"is_opaque_part", &Features::is_opaque_part},
-                                 Flag{"has_diffuse_transmission", &Features::has_diffuse_transmission},
                                  Flag{"is_specular_glossiness", &Features::is_specular_glossiness},
                                  Flag{"has_transparent_casters", &Features::has_transparent_casters},
                                  Flag{"has_tinted_casters", &Features::has_tinted_casters},
@@ -55,19 +49,13 @@ constexpr std::array other_flags{Flag{"has_vertex_colors", &Features::has_vertex
                                  Flag{"is_line", &Features::is_line},
                                  Flag{"is_point", &Features::is_point}};
 
-/// Sets the features that the layers of glTF's own model need for this mesh.
-void ask_for_layers(Features& f, const scene::Material& m, bool has_tangents) {
-    f.has_anisotropy = m.is_anisotropic() && has_tangents;
-    f.has_clearcoat = m.clearcoat > 0.0f;
-    f.has_energy_compensation &= scene::brdf_model(m.model).has_microfacets;
-    f.has_sheen = m.has_sheen();
-    f.has_iridescence = m.iridescence > 0.0f;
-}
-
-/// Sets the features of the light that passes through this material.
-void ask_for_transmission(Features& f, const scene::Material& m) {
-    f.is_transmissive = m.is_transmissive();
-    f.has_diffuse_transmission = m.transmits_diffusely();
+/// Sets the features that the layers of the material need on this mesh.
+void ask_for_layers(Features& f, const scene::Material& material, const scene::Mesh& mesh) {
+    for (std::size_t i = 0; i < scene::layer_count; ++i) {
+        const scene::MaterialLayer& layer = scene::material_layers[i];
+        f.has_layer[i] = layer.is_of(material) && (!layer.needs_tangents || !mesh.tangents.empty())
+                         && (!layer.needs_surface || mesh.is_surface());
+    }
 }
 
 /// Sets the textures of the material that shading reads. It does not read those of an absent layer.
@@ -75,19 +63,12 @@ void ask_for_textures(Features& f, const scene::Material& material, bool has_tan
     using M = scene::Material;
     for (std::size_t slot = 0; slot < scene::slot_count; ++slot)
         f.has_texture[slot] = (material.*scene::texture_inputs[slot].member).is_present();
-    const auto keep_if = [&f](bool is_read, std::initializer_list<scene::TextureSlot M::*> textures) {
-        for (const auto texture : textures) f.has(texture) &= is_read;
-    };
-    keep_if(has_tangents, {&M::normal_texture, &M::clearcoat_normal_texture});
-    keep_if(material.is_emissive(), {&M::emission_texture});
-    keep_if(f.has_anisotropy, {&M::anisotropy_texture});
-    keep_if(f.has_clearcoat,
-            {&M::clearcoat_texture, &M::clearcoat_roughness_texture, &M::clearcoat_normal_texture});
-    keep_if(f.has_sheen, {&M::sheen_color_texture, &M::sheen_roughness_texture});
-    keep_if(f.has_iridescence, {&M::iridescence_texture, &M::film_thickness_texture});
-    keep_if(f.is_transmissive, {&M::transmission_texture, &M::thickness_texture});
-    keep_if(f.has_diffuse_transmission,
-            {&M::diffuse_transmission_texture, &M::diffuse_transmission_color_texture});
+    f.has(&M::normal_texture) &= has_tangents;
+    f.has(&M::clearcoat_normal_texture) &= has_tangents;
+    f.has(&M::emission_texture) &= material.is_emissive();
+    for (std::size_t i = 0; i < scene::layer_count; ++i)
+        for (const auto texture : scene::material_layers[i].textures)
+            if (texture) f.has(texture) &= f.has_layer[i];
 }
 
 /// True if `is_so` holds for the material of an instance of the scene.
@@ -117,6 +98,8 @@ std::string Features::glsl() const {
     for (std::size_t slot = 0; slot < scene::slot_count; ++slot)
         text += fmt::format("const bool has_{}_texture = {};\n", scene::texture_inputs[slot].name,
                             has_texture[slot]);
+    for (std::size_t i = 0; i < scene::layer_count; ++i)
+        text += fmt::format("const bool {} = {};\n", scene::material_layers[i].flag, has_layer[i]);
     append(other_flags);
     text += fmt::format("const bool is_mirror = {};\n", scene::brdf_model(model).is_delta);
     text += fmt::format("const bool is_lambert = {};\n", model == scene::Model::lambert);
@@ -124,7 +107,9 @@ std::string Features::glsl() const {
 }
 
 bool Features::is_analytic() const {
-    const bool is_layered = has_anisotropy || has_clearcoat || has_sheen || has_diffuse_transmission;
+    bool is_layered = false; // with a layer that has no closed form
+    for (std::size_t i = 0; i < scene::layer_count; ++i)
+        is_layered |= has_layer[i] && !scene::material_layers[i].has_analytic_form;
     const scene::BrdfModel& brdf = scene::brdf_model(model);
     return brdf.is_analytic && !(brdf.has_microfacets && is_layered);
 }
@@ -165,8 +150,8 @@ Features shading_features(const scene::Scene& scene, const scene::Mesh& mesh, co
     f.has_vertex_colors = !mesh.colors.empty();
     f.model = material.model;
     f.is_specular_glossiness = material.is_specular_glossiness;
-    ask_for_layers(f, material, !mesh.tangents.empty());
-    if (mesh.is_surface()) ask_for_transmission(f, material);
+    f.has_energy_compensation &= scene::brdf_model(material.model).has_microfacets;
+    ask_for_layers(f, material, mesh);
     ask_for_textures(f, material, !mesh.tangents.empty());
     f.is_masked = material.alpha_mode == scene::AlphaMode::mask;
     f.is_blended = material.alpha_mode == scene::AlphaMode::blend;
@@ -189,7 +174,7 @@ void require_texture_units(const Features& features, std::string_view material, 
 Features depth_features(const Features& shading) {
     Features f = caster_features(shading);
     if (!shading.is_opaque_part) return f;
-    f.is_transmissive = f.is_opaque_part = true;
+    f.has(scene::Layer::transmission) = f.is_opaque_part = true;
     for (const auto texture :
          {&scene::Material::transmission_texture, &scene::Material::metallic_roughness_texture})
         f.has(texture) = shading.has(texture);

@@ -24,16 +24,11 @@ struct Features {
     bool has_vertex_colors = false;
 
     scene::Model model = scene::Model::metallic_roughness;
-    bool has_anisotropy = false;
-    bool has_clearcoat = false;
-    bool has_sheen = false;
-    bool has_iridescence = false;
+    std::array<bool, scene::layer_count> has_layer{}; // by Layer
     bool has_energy_compensation = false;
     bool is_specular_glossiness = false;
 
-    bool is_transmissive = false; // light goes straight through
-    bool is_opaque_part = false;  // but only what its textures keep opaque is drawn
-    bool has_diffuse_transmission = false;
+    bool is_opaque_part = false; // of glass, only what its textures keep opaque is drawn
 
     int rays_per_light = 1;               // that a point sends to each light
     bool has_transparent_casters = false; // surfaces that are masked, blended or of glass cast shadows
@@ -60,12 +55,15 @@ struct Features {
         return has_texture[scene::texture_slot(texture)];
     }
 
+    bool& has(scene::Layer layer) { return has_layer[static_cast<std::size_t>(layer)]; }
+    bool has(scene::Layer layer) const { return has_layer[static_cast<std::size_t>(layer)]; }
+
     /// The text that stands for interface/features.glsl.
     std::string glsl() const;
 
     /// True if a texture can make parts of glass opaque. These hide what is behind like other surfaces.
     bool may_have_opaque_part() const {
-        return is_transmissive && !is_blended
+        return has(scene::Layer::transmission) && !is_blended
                && (has(&scene::Material::transmission_texture)
                    || has(&scene::Material::metallic_roughness_texture));
     }

@@ -232,7 +232,7 @@ void GpuScene::list_draws(const scene::Scene& scene, std::span<const scene::Ligh
         draw.mirrors = scene::mirrors(instance.world_from_object);
         draw.is_surface = mesh.is_surface();
         draw.is_double_sided = !draw.is_surface || scene.materials[mesh.material].is_double_sided;
-        if (draw.features.is_blended || draw.features.is_transmissive) {
+        if (draw.features.is_blended || draw.features.has(scene::Layer::transmission)) {
             draw.center = center_of(mesh, instance.world_from_object);
             blended_.push_back(draw);
             draw.features.is_opaque_part = true;

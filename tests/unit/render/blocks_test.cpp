@@ -19,8 +19,7 @@ Features everything() {
     f.has_sun_disks = f.has_profiles = f.has_emission_maps = true;
     f.has_texture.fill(true);
     f.has_vertex_colors = f.is_masked = f.is_blended = true;
-    f.has_anisotropy = f.has_clearcoat = f.has_sheen = f.has_iridescence = true;
-    f.is_transmissive = f.has_diffuse_transmission = true;
+    f.has_layer.fill(true);
     return f;
 }
 
@@ -63,17 +62,10 @@ const Test layout("unit.render.blocks.match_the_shaders", [] {
     EXPECT_EQ(offset_of(numbers, "material"), offsetof(ObjectBlock, material));
     EXPECT_LE(size_of(program, "Object"), static_cast<GLint>(sizeof(ObjectBlock)));
 
-    EXPECT_EQ(offset_of(program, "base_color_factor"), offsetof(MaterialBlock, base_color_factor));
-    EXPECT_EQ(offset_of(program, "emission_factor"), offsetof(MaterialBlock, emission_factor));
-    EXPECT_EQ(offset_of(program, "specular_color_factor"), offsetof(MaterialBlock, specular_color_factor));
-    EXPECT_EQ(offset_of(program, "anisotropy_factor"), offsetof(MaterialBlock, anisotropy_factor));
-    EXPECT_EQ(offset_of(program, "clearcoat_factor"), offsetof(MaterialBlock, clearcoat_factor));
-    EXPECT_EQ(offset_of(program, "sheen_factor"), offsetof(MaterialBlock, sheen_factor));
-    EXPECT_EQ(offset_of(program, "iridescence_factor"), offsetof(MaterialBlock, iridescence_factor));
-    EXPECT_EQ(offset_of(program, "transmission_factor"), offsetof(MaterialBlock, transmission_factor));
-    EXPECT_EQ(offset_of(program, "attenuation_factor"), offsetof(MaterialBlock, attenuation_factor));
-    EXPECT_EQ(offset_of(program, "diffuse_transmission_factor"),
-              offsetof(MaterialBlock, diffuse_transmission_factor));
+    for (std::size_t i = 0; i < material_factors.size(); ++i)
+        EXPECT_EQ(offset_of(program, material_factors[i].name),
+                  offsetof(MaterialBlock, factors) + i * sizeof(vec4))
+            << material_factors[i].name;
     Features metal = everything();
     metal.model = scene::Model::conductor;
     EXPECT_EQ(offset_of(shaders.mesh_program("forward.frag", metal), "model_parameters[0]"),
