@@ -224,7 +224,7 @@ void declare_parameters(CLI::App& command, BrdfCommand& o) {
         ->check(refusal_of_number)
         ->check(CLI::Range(1.0f, 10.0f))
         ->capture_default_str();
-    command.add_option("--film-thickness", m.largest_film_thickness, "of the thin film [nm]")
+    command.add_option("--film-thickness", m.max_film_thickness, "of the thin film [nm]")
         ->check(refusal_of_number)
         ->check(CLI::NonNegativeNumber)
         ->capture_default_str();

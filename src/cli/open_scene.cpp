@@ -100,9 +100,9 @@ void remark_on_estimator(const RenderSettings& settings, const scene::RenderScen
             print_remark("{}: '{}' surrounds the scene: it is sampled{}", settings.scene, environment->name,
                          environment->map ? "" : ", but for Lambert's surfaces");
         const auto* mesh = std::get_if<scene::MeshLight>(&light);
-        if (mesh && mesh->triangles.size() > render::most_outlined_triangles)
+        if (mesh && mesh->triangles.size() > render::max_outlined_triangles)
             print_remark("{}: '{}' has {} emissive triangles, more than {}: it is sampled", settings.scene,
-                         mesh->name, mesh->triangles.size(), render::most_outlined_triangles);
+                         mesh->name, mesh->triangles.size(), render::max_outlined_triangles);
     }
 }
 

@@ -360,7 +360,7 @@ void add_render_command(CLI::App& app) {
         "  steradian render scene.glb -o mine.png --shaders my_shaders    (my_shaders/brdf/f_r.glsl wins)");
     command->callback([options, command] {
         if (command->count("--samples") == 0 && options->stop.asks_for_error())
-            options->stop.samples = most_samples;
+            options->stop.samples = max_samples;
         const ExitStatus status = render(*options);
         if (status != done) throw CLI::RuntimeError(status);
     });

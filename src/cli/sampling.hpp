@@ -8,7 +8,7 @@
 
 namespace sr::cli {
 
-using render::most_samples;
+using render::max_samples;
 using render::StoppedBy;
 using render::StopRule;
 

@@ -90,7 +90,7 @@ ordered_json summary(const viewer::Statistics& statistics) {
 
 /// Default stopping rule of the viewer.
 void converge_by_default(render::StopRule& stop) {
-    stop.samples = stop.asks_for_error() ? render::most_samples : 256;
+    stop.samples = stop.asks_for_error() ? render::max_samples : 256;
     if (!stop.asks_for_error()) stop.error = 0.005;
 }
 

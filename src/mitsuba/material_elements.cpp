@@ -110,8 +110,8 @@ private:
     void write_film() {
         xml_.number("iridescence", m_.iridescence);
         xml_.number("film_ior", m_.film_ior);
-        xml_.number("least_film_thickness", m_.least_film_thickness);
-        xml_.number("largest_film_thickness", m_.largest_film_thickness);
+        xml_.number("min_film_thickness", m_.min_film_thickness);
+        xml_.number("max_film_thickness", m_.max_film_thickness);
         write_slot("iridescence_texture", m_.iridescence_texture);
         write_slot("film_thickness_texture", m_.film_thickness_texture);
     }

@@ -27,8 +27,8 @@ std::optional<glsl::Root> estimator(const RenderOptions& options) {
     if (options.estimator == Estimator::sampled) return std::nullopt;
     require_lobes(options.shader_path);
     const std::string limits = fmt::format("const int analytic_points = {};\n"
-                                           "const int most_outlined_triangles = {};\n",
-                                           options.analytic_points, most_outlined_triangles);
+                                           "const int max_outlined_triangles = {};\n",
+                                           options.analytic_points, max_outlined_triangles);
     return glsl::Root::memory(
         "estimator", {{"integrator/reflected.glsl", "#include \"integrator/reflected_analytic.glsl\"\n"},
                       {"interface/estimator.glsl", limits}});

@@ -21,7 +21,7 @@ enum class Estimator { sampled, analytic };
 inline constexpr int default_analytic_points = 16;
 
 /// A mesh of more emissive triangles is sampled by the analytic estimator too.
-inline constexpr int most_outlined_triangles = 12;
+inline constexpr int max_outlined_triangles = 12;
 
 struct RenderOptions {
     int width = 1280;

@@ -10,7 +10,7 @@ namespace sr::scene {
 /// The least alpha that alphaMode MASK shows. The cutoff itself is opaque (glTF 2.0, section 3.9.4), also
 /// where an alpha that equals it was rounded: most where texels are half floats, by 2^-11 of the value. That
 /// is less than an eighth of a step of 8 bits.
-inline float least_opaque_alpha(const Material& material) {
+inline float min_opaque_alpha(const Material& material) {
     return material.alpha_cutoff * (1.0f - 1.0f / 2000.0f);
 }
 

@@ -125,8 +125,8 @@ struct Material {
     float iridescence = 0.0f; // KHR_materials_iridescence: weight; texture: red channel
     TextureSlot iridescence_texture;
     float film_ior = 1.3f;
-    float least_film_thickness = 100.0f;   // [nm], where the texture's green channel is 0
-    float largest_film_thickness = 400.0f; // [nm], where it is 1, or there is none
+    float min_film_thickness = 100.0f; // [nm], where the texture's green channel is 0
+    float max_film_thickness = 400.0f; // [nm], where it is 1, or there is none
     TextureSlot film_thickness_texture;
 
     float transmission = 0.0f; // KHR_materials_transmission: share of the base; texture: red channel

@@ -31,7 +31,7 @@ public:
         caster.emits_as = clipped(instance.emits_as);
         caster.own_share = own_share(caster.emits_as);
         caster.alpha_mode = material.alpha_mode;
-        caster.alpha_cutoff = scene::least_opaque_alpha(material);
+        caster.alpha_cutoff = scene::min_opaque_alpha(material);
         if (has_passing_lights_ && !material.is_double_sided && !material.is_transmissive())
             caster.front = scene::mirrors(instance.world_from_object) ? -1.0f : 1.0f;
         caster.first_triangle = static_cast<int>(all_.caster_of.size());

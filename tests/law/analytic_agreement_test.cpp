@@ -74,7 +74,7 @@ const Test round_spot("law.integrator.analytic.spot_with_a_radius", [] {
 
 const Test many_triangles("law.integrator.analytic.mesh_of_many_triangles_is_sampled", [] {
     scene::MeshLight light;
-    for (int k = 0; k < render::most_outlined_triangles + 8; ++k) {
+    for (int k = 0; k < render::max_outlined_triangles + 8; ++k) {
         const float x = 0.25f * static_cast<float>(k % 8) - 1.0f,
                     z = 0.25f * static_cast<float>(k / 8) - 0.6f;
         light.triangles.push_back({{vec3(x, 1, z), vec3(x + 0.2f, 1, z), vec3(x, 1, z + 0.2f)}, {}});

@@ -17,11 +17,11 @@ using scene::Model;
 
 namespace {
 
-std::vector<brdf::DirectionPair> random_pairs(int count, float lowest_cosine) {
+std::vector<brdf::DirectionPair> random_pairs(int count, float min_cosine) {
     std::mt19937 random(5);
     std::uniform_real_distribution<float> unit(0.0f, 1.0f);
     const auto any = [&] {
-        const float z = lowest_cosine + (1.0f - lowest_cosine) * unit(random), phi = 2.0f * pi * unit(random);
+        const float z = min_cosine + (1.0f - min_cosine) * unit(random), phi = 2.0f * pi * unit(random);
         const float r = std::sqrt(1.0f - z * z);
         return vec3(r * std::cos(phi), r * std::sin(phi), z);
     };
@@ -65,7 +65,7 @@ const Test layers("law.brdf.layers.of_no_weight_change_nothing", [] {
     covered.clearcoat = 1e-9f;
     covered.sheen_color = vec3(1e-9f);
     covered.iridescence = 1.0f;
-    covered.largest_film_thickness = 0.0f;
+    covered.max_film_thickness = 0.0f;
     brdf::BrdfEvaluator one({plain, {}, false, {}}), two({covered, {}, false, {}});
     const auto pairs = random_pairs(500, 0.1f);
     const auto f = one.values(pairs), g = two.values(pairs);

@@ -72,7 +72,7 @@ const Test iridescence("law.brdf.iridescence", [] {
         m.iridescence = 1.0f;
         m.base_color = vec4(0.9f, 0.5f, 0.1f, 1.0f);
         m.film_ior = 1.0f + m.roughness;
-        m.largest_film_thickness = 1000.0f * m.roughness;
+        m.max_film_thickness = 1000.0f * m.roughness;
     }));
 });
 

@@ -26,7 +26,7 @@ Extremes extremes_of(std::uint64_t seed) {
     extremes.is_coplanar = seed % 4 < 2;
     extremes.is_coincident = seed % 5 < 2;
     extremes.has_extreme_factors = seed % 3 != 1;
-    extremes.largest_length = seed % 7 == 0 ? 1e9 : seed % 7 == 1 ? 1e4 : 1.0;
+    extremes.max_length = seed % 7 == 0 ? 1e9 : seed % 7 == 1 ? 1e4 : 1.0;
     return extremes;
 }
 

@@ -36,9 +36,8 @@ const Test empty("law.shadow.nothing_in_the_way_is_no_shadow", [] {
         const auto camera = camera_from_above(2.0f);
         const auto bare = picture(plane, zoo, camera, 64, 2, 0, Visibility::none);
         for (const Visibility visibility : providers)
-            EXPECT_LT(
-                largest_relative_difference(picture(plane, zoo, camera, 64, 2, 0, visibility), bare, 1e-3f),
-                2e-4f);
+            EXPECT_LT(max_relative_difference(picture(plane, zoo, camera, 64, 2, 0, visibility), bare, 1e-3f),
+                      2e-4f);
     }
 });
 
@@ -56,7 +55,7 @@ const Test convex("law.shadow.a_convex_body_does_not_shadow_itself", [] {
         const auto bare = picture(scene, lights, camera, 96, 1, 0, Visibility::none);
         for (const Visibility visibility : providers) {
             const auto shadowed = picture(scene, lights, camera, 96, 1, 0, visibility);
-            EXPECT_LT(largest_relative_difference(shadowed, bare, 1e-2f), 1e-5f) << offset.x;
+            EXPECT_LT(max_relative_difference(shadowed, bare, 1e-2f), 1e-5f) << offset.x;
         }
     }
 });
@@ -162,7 +161,7 @@ const Test superposition("law.shadow.superposition", [] {
             const auto alone = shone(k, k + 1);
             for (std::size_t i = 0; i < sum.pixels.size(); ++i) sum.pixels[i] += alone.pixels[i];
         }
-        EXPECT_LT(largest_relative_difference(together, sum, 1e-3f), 1e-5f);
+        EXPECT_LT(max_relative_difference(together, sum, 1e-3f), 1e-5f);
     }
 });
 

@@ -165,8 +165,8 @@ private:
 
     /// Lengths of the file and of the camera by one factor, by a node over all others.
     void scale_all() {
-        if (!(extremes_.largest_length > 1.0)) return;
-        const double s = random_.scale_within(1.0 / extremes_.largest_length, extremes_.largest_length);
+        if (!(extremes_.max_length > 1.0)) return;
+        const double s = random_.scale_within(1.0 / extremes_.max_length, extremes_.max_length);
         const int root = append_node({{"scale", {s, s, s}}, {"children", roots_}});
         roots_ = json::array({root});
         json& camera = made_.root["cameras"][0];

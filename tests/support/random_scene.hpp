@@ -69,7 +69,7 @@ struct Extremes {
     bool is_coplanar = false;           // surfaces, emitters and the camera's target share planes
     bool is_coincident = false;         // the same meshes at the same places, emitters on vertices
     bool has_extreme_factors = false;   // roughness, alpha, colours and the like at the ends of their ranges
-    double largest_length = 1.0;        // the whole scene is scaled by something between its inverse and it
+    double max_length = 1.0;            // the whole scene is scaled by something between its inverse and it
 };
 
 /// A scene of about 3 m around the origin with a camera that looks at it, as a glTF file without other files.

@@ -106,7 +106,7 @@ image::Image picture(const scene::Scene& scene, std::span<const scene::Light> li
     return renderer.film();
 }
 
-float largest_relative_difference(const image::Image& a, const image::Image& b, float floor) {
+float max_relative_difference(const image::Image& a, const image::Image& b, float floor) {
     float largest = 0.0f;
     for (std::size_t i = 0; i < a.pixels.size(); ++i) {
         if (i % 4 == 3) continue;

@@ -113,7 +113,7 @@ void add_sheen(scene::Material& m) {
 void add_film(scene::Material& m, float ior, float thickness) {
     m.iridescence = 0.9f;
     m.film_ior = ior;
-    m.largest_film_thickness = thickness;
+    m.max_film_thickness = thickness;
 }
 
 scene::Material layered(std::string_view name) {

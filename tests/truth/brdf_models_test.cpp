@@ -122,7 +122,7 @@ scene::Material thin_film(const Line& line) {
     scene::Material m = gltf(line);
     m.iridescence = line.p[4];
     m.film_ior = line.p[5];
-    m.largest_film_thickness = line.p[6];
+    m.max_film_thickness = line.p[6];
     return m;
 }
 
@@ -138,7 +138,7 @@ scene::Material layers(const Line& line) {
     m.sheen_roughness = 0.5f;
     m.iridescence = line.p[6];
     m.film_ior = 1.5f;
-    m.largest_film_thickness = line.p[7];
+    m.max_film_thickness = line.p[7];
     return m;
 }
 

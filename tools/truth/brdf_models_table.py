@@ -49,7 +49,7 @@ def plugin_of(brdf, p, measured):
     anisotropy = {"anisotropy": p.get("strength"), "anisotropy_rotation": p.get("rotation", 0.4)} | along
     coat = {"clearcoat": p.get("coat"), "clearcoat_roughness": p.get("coat_roughness", 0.3)}
     sheen = {"sheen_color": [p.get("sheen", 0), 0.5, 0.3], "sheen_roughness": p.get("sheen_roughness", 0.5)}
-    film = {"iridescence": p.get("film"), "film_ior": p.get("ior", 1.5), "largest_film_thickness": p.get("thickness")}
+    film = {"iridescence": p.get("film"), "film_ior": p.get("ior", 1.5), "max_film_thickness": p.get("thickness")}
     phong = {"exponent": p.get("exponent"), "specular_color": [p.get("specular", 0), 0.4, 0.2]}
     gltf = {"type": "steradian_metallic_roughness", "metallic": p.get("metallic", 0.6)} | base
     return {

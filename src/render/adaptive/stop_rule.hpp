@@ -5,7 +5,7 @@
 namespace sr::render {
 
 /// Samples a pixel where only time or error ends a rendering.
-inline constexpr int most_samples = 65536;
+inline constexpr int max_samples = 65536;
 
 /// Conditions that end a rendering. The first one that is met ends it.
 struct StopRule {

@@ -53,8 +53,7 @@ MaterialBlock packed_material(const scene::Material& m, std::span<const scene::M
         vec4(m.anisotropy, std::cos(m.anisotropy_rotation), std::sin(m.anisotropy_rotation), 0.0f);
     block.clearcoat_factor = vec4(m.clearcoat, m.clearcoat_roughness, m.clearcoat_normal_scale, 0.0f);
     block.sheen_factor = vec4(m.sheen_color, m.sheen_roughness);
-    block.iridescence_factor =
-        vec4(m.iridescence, m.film_ior, m.least_film_thickness, m.largest_film_thickness);
+    block.iridescence_factor = vec4(m.iridescence, m.film_ior, m.min_film_thickness, m.max_film_thickness);
     block.transmission_factor = vec4(m.transmission, m.thickness, 0.0f, 0.0f);
     block.attenuation_factor = vec4(scene::attenuation_coefficient(m), 0.0f);
     block.diffuse_transmission_factor = vec4(m.diffuse_transmission_color, m.diffuse_transmission);
@@ -62,7 +61,7 @@ MaterialBlock packed_material(const scene::Material& m, std::span<const scene::M
     block.metallic_factor = m.metallic;
     block.roughness_factor = m.roughness;
     block.normal_scale = m.normal_scale;
-    block.alpha_cutoff = scene::least_opaque_alpha(m);
+    block.alpha_cutoff = scene::min_opaque_alpha(m);
     block.F0_from_ior = scene::F0_from_ior(m.ior);
     for (std::size_t s = 0; s < slot_count; ++s) {
         const scene::TextureSlot& texture = m.*scene::texture_inputs[s].member;

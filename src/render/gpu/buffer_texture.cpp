@@ -25,7 +25,7 @@ std::size_t bytes_per_texel(GLenum format) {
 BufferTexture::BufferTexture(const char* name, GLenum format)
     : name_(name), format_(format), buffer_(name), texture_(GL_TEXTURE_BUFFER, name) {}
 
-std::size_t BufferTexture::most_texels() {
+std::size_t BufferTexture::max_texels() {
     GLint most = 0;
     glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
     return static_cast<std::size_t>(most);
@@ -33,8 +33,8 @@ std::size_t BufferTexture::most_texels() {
 
 void BufferTexture::upload_bytes(std::span<const std::byte> bytes, std::string_view what_to_do) {
     const std::size_t texels = bytes.size() / bytes_per_texel(format_);
-    if (texels > most_texels())
-        throw Error(fmt::format("{} take {} texels, this driver has {}", name_, texels, most_texels()),
+    if (texels > max_texels())
+        throw Error(fmt::format("{} take {} texels, this driver has {}", name_, texels, max_texels()),
                     what_to_do);
     constexpr std::byte nothing[16]{}; // a buffer texture cannot be empty
     if (bytes.empty()) bytes = nothing;

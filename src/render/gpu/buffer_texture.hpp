@@ -22,7 +22,7 @@ public:
     void bind(GLuint unit) const { texture_.bind(unit); }
 
     /// Returns the number of texels that this driver reads from one buffer.
-    static std::size_t most_texels();
+    static std::size_t max_texels();
 
 private:
     void upload_bytes(std::span<const std::byte> bytes, std::string_view what_to_do);

@@ -38,7 +38,7 @@ const Test same("unit.gl.backend.egl_and_osmesa_agree", [] {
     const auto egl = picture_through(gl::Backend::egl);
     const auto osmesa = picture_through(gl::Backend::osmesa);
     if (!egl || !osmesa) GTEST_SKIP() << "needs both EGL and OSMesa";
-    EXPECT_LT(sr::testing::largest_relative_difference(*egl, *osmesa, 1e-4f), 1e-5f);
+    EXPECT_LT(sr::testing::max_relative_difference(*egl, *osmesa, 1e-4f), 1e-5f);
 });
 
 const Test names("unit.gl.backend.names", [] {

@@ -387,7 +387,7 @@ const Test layers("unit.gltf.material.layers", [] {
     EXPECT_TRUE(m.anisotropy_texture.is_present());
     EXPECT_EQ(vec2(m.clearcoat, m.clearcoat_normal_scale), vec2(0.75f, 2.0f));
     EXPECT_EQ(vec4(m.sheen_color, m.sheen_roughness), vec4(0.1f, 0.2f, 0.3f, 0.25f));
-    EXPECT_EQ(vec3(m.film_ior, m.least_film_thickness, m.largest_film_thickness), vec3(1.5f, 100.0f, 500.0f));
+    EXPECT_EQ(vec3(m.film_ior, m.min_film_thickness, m.max_film_thickness), vec3(1.5f, 100.0f, 500.0f));
     EXPECT_FALSE(
         load(with_material(R"({"extensions": {"KHR_materials_anisotropy": {"anisotropyStrength": 0.5}}})"))
             .scene.meshes.at(0)

@@ -44,8 +44,8 @@ class MetallicRoughness(Reflector):
             self.E = Albedo(props.get("sheen_roughness", 0.0), self.textures["sheen_roughness_texture"] is not None)
         self.iridescence = number(props, "iridescence", 0.0)
         self.film_ior = number(props, "film_ior", 1.3)
-        self.least_thickness = number(props, "least_film_thickness", 100.0)
-        self.largest_thickness = number(props, "largest_film_thickness", 400.0)
+        self.min_thickness = number(props, "min_film_thickness", 100.0)
+        self.max_thickness = number(props, "max_film_thickness", 400.0)
 
     def surface(self, si, active):
         x = Reflector.surface(self, si, active)
@@ -62,7 +62,7 @@ class MetallicRoughness(Reflector):
             x.sheen_roughness = dr.clip(self.sheen_roughness * self.read("sheen_roughness_texture", si, active).x, 0, 1)
         if self.has_film:
             x.iridescence = dr.clip(self.iridescence * self.read("iridescence_texture", si, active).x, 0, 1)
-            x.thickness = dr.lerp(self.least_thickness, self.largest_thickness,
+            x.thickness = dr.lerp(self.min_thickness, self.max_thickness,
                                   self.read("film_thickness_texture", si, active).y)
         return x
 
