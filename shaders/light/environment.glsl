@@ -8,7 +8,7 @@
 // of it, by inverting their cdf, which keeps well spread random numbers well spread (Pharr, Jakob & Humphreys 2016,
 // section 14.2.4); the light of a texel is the mean of the bilinear radiance over it. In the texel all directions are
 // as likely. Limit: random numbers have 24 bits, so what has less than 2^-24 of the light of its row is hardly ever
-// chosen; directions of the BRDF's choice find it. Keep in sync with src/render/gpu/environment_texels.hpp.
+// chosen; directions of the BRDF's choice find it. Keep in sync with src/render/gpu/light_texels.hpp.
 #include "base/angle.glsl"
 #include "interface/features.glsl"
 #include "interface/lights.glsl"

@@ -1,7 +1,6 @@
 #include "glsl/untrusted.hpp"
 
 #include "core/text.hpp"
-#include "glsl/call_costs.hpp"
 #include "glsl/tokens.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "image/header.hpp"
+#include "image/texture_formats.hpp"
 
 #include "core/error.hpp"
 

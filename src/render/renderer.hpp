@@ -2,7 +2,7 @@
 // A scene, a camera and a size; out comes the Film. Adding samples is adding frames.
 #include "render/adaptive/converged_pixels.hpp"
 #include "render/adaptive/error_estimate.hpp"
-#include "render/gpu/frame_data.hpp"
+#include "render/gpu/blocks.hpp"
 #include "render/passes.hpp"
 #include "render/visibility/cpu_shadow_rays.hpp"
 #include "render/visibility/depth_maps.hpp"

@@ -4,7 +4,7 @@
 #include "image/display.hpp"
 #include "image/file.hpp"
 #include "output/variables.hpp"
-#include "render/adaptive/stop_rule.hpp"
+#include "render/adaptive/convergence.hpp"
 #include "render/renderer.hpp"
 #include "render/visibility/visibility_backend.hpp"
 #include "scene/prepare.hpp"

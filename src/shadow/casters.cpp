@@ -1,7 +1,6 @@
 #include "shadow/casters.hpp"
 
 #include "core/error.hpp"
-#include "scene/alpha.hpp"
 #include "scene/transform.hpp"
 
 #include <algorithm>

@@ -2,7 +2,6 @@
 
 #include "core/error.hpp"
 #include "render/visibility/gpu_casters.hpp"
-#include "scene/alpha.hpp"
 
 #include <cmath>
 #include <fmt/format.h>
@@ -92,6 +91,20 @@ void connect(const gl::Program& program) {
     program.bind_texture("map_points", map_points_unit);
     for (unsigned i = 0; i < caster_sampler_names.size(); ++i)
         program.bind_texture(caster_sampler_names[i], static_cast<GLint>(first_caster_unit + i));
+}
+
+void FrameData::upload(const FrameBlock& block) {
+    block_ = block;
+    glBindBuffer(GL_UNIFORM_BUFFER, buffer_.id());
+    glBufferData(GL_UNIFORM_BUFFER, sizeof(block_), &block_, GL_STREAM_DRAW);
+    glBindBufferBase(GL_UNIFORM_BUFFER, frame_block, buffer_.id());
+}
+
+void FrameData::select_lights(int first, int end) {
+    FrameBlock block = block_;
+    block.first_light = first;
+    block.end_light = end;
+    upload(block);
 }
 
 } // namespace sr::render

@@ -1,7 +1,8 @@
 #pragma once
-// The C++ twins of the uniform blocks in shaders/interface/ (std140; a test compares the layouts with the
+// C++ side of the uniform blocks in shaders/interface/ (std140; a test compares the layouts with the
 // linker's), and the texture units.
 #include "core/math.hpp"
+#include "gl/object.hpp"
 #include "gl/program.hpp"
 #include "scene/material.hpp"
 #include "scene/measured_brdf.hpp"
@@ -91,5 +92,18 @@ MaterialBlock packed_material(const scene::Material& material, std::span<const s
 /// Connects the blocks and samplers of shaders/interface/ and of the terms with their binding points and
 /// units.
 void connect(const gl::Program& program);
+
+/// Uniform buffer of a FrameBlock.
+class FrameData {
+public:
+    /// Uploads the block and binds it.
+    void upload(const FrameBlock& block);
+    /// Uploads the last block again with the lights [first, end).
+    void select_lights(int first, int end);
+
+private:
+    gl::Buffer buffer_{"frame"};
+    FrameBlock block_{};
+};
 
 } // namespace sr::render

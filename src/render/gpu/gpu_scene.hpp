@@ -1,11 +1,10 @@
 #pragma once
 // A Scene in the memory of the GPU.
 #include "render/gpu/blocks.hpp"
-#include "render/gpu/buffer_texture.hpp"
-#include "render/gpu/emission_maps.hpp"
-#include "render/gpu/environment_texels.hpp"
 #include "render/gpu/features.hpp"
 #include "render/gpu/gpu_mesh.hpp"
+#include "render/gpu/gpu_texture.hpp"
+#include "render/gpu/light_texels.hpp"
 #include "render/gpu/ltc_table.hpp"
 #include "render/visibility/visibility_backend.hpp"
 

@@ -1,7 +1,7 @@
 #include "render/gpu/light_table.hpp"
 
 #include "core/math.hpp"
-#include "render/gpu/emission_maps.hpp"
+#include "render/gpu/light_texels.hpp"
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 
 #include "glsl/source.hpp"
 #include "render/gpu/blocks.hpp"
-#include "render/gpu/buffer_texture.hpp"
+#include "render/gpu/gpu_texture.hpp"
 
 #include <algorithm>
 

@@ -2,7 +2,6 @@
 // Rays that the shading pass will ask about, noted down by it and answered by the CPU.
 #include "render/film.hpp"
 #include "render/gpu/blocks.hpp"
-#include "render/gpu/frame_data.hpp"
 #include "render/gpu/gpu_scene.hpp"
 #include "render/gpu/shader_library.hpp"
 

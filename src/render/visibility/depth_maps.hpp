@@ -1,7 +1,7 @@
 #pragma once
 // Depth maps from points on the emitters, new ones for every frame (--visibility map).
 #include "render/film.hpp"
-#include "render/gpu/frame_data.hpp"
+#include "render/gpu/blocks.hpp"
 #include "render/gpu/gpu_scene.hpp"
 #include "render/gpu/shader_library.hpp"
 

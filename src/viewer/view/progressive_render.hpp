@@ -1,7 +1,6 @@
 #pragma once
 // Progressive render of the view: coarse and quick during interaction, then converging, then converged.
 #include "render/adaptive/convergence.hpp"
-#include "render/adaptive/stop_rule.hpp"
 #include "render/renderer.hpp"
 #include "viewer/view/presenter.hpp"
 

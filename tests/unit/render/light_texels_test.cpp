@@ -1,5 +1,5 @@
 // Textures of emitters, as the light table reads them again and again.
-#include "render/gpu/emission_maps.hpp"
+#include "render/gpu/light_texels.hpp"
 #include "support/address.hpp"
 
 using namespace sr;

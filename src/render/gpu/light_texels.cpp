@@ -1,9 +1,10 @@
-#include "render/gpu/emission_maps.hpp"
+#include "render/gpu/light_texels.hpp"
 
-#include "image/srgb.hpp"
+#include "core/error.hpp"
+#include "image/display.hpp"
 #include "render/sampling.hpp"
-#include "scene/alpha.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/gtc/packing.hpp>
 #include <limits>
@@ -79,6 +80,25 @@ vec3 EmissionMaps::measured_mean(const scene::Scene& scene, int index, const std
             vec3(glm::unpackHalf4x16(texels_[static_cast<std::size_t>(place.first + y * place.width + x)]));
     }
     return sum / static_cast<float>(points.size());
+}
+
+std::size_t EnvironmentTexels::place_of(const std::shared_ptr<const scene::EnvironmentMap>& map) {
+    const auto known = std::ranges::find(places_, map, &Place::map);
+    if (known != places_.end()) return known->first;
+    const std::size_t first = texels_.size();
+    if (first > std::size_t{1} << 24)
+        throw Error("two environments are too large together", "use a smaller one");
+    float above = 0.0f;
+    for (int j = 0; j < map->height(); ++j) {
+        const float cdf = map->row_cdf()[static_cast<std::size_t>(j)];
+        const double density = (static_cast<double>(cdf) - above) / map->solid_angle(j);
+        texels_.emplace_back(density, map->pole_heights(j), cdf);
+        above = cdf;
+    }
+    for (std::size_t i = 0; i < map->texels().size(); ++i)
+        texels_.emplace_back(map->texels()[i], map->texel_cdf()[i]);
+    places_.push_back({map, first});
+    return first;
 }
 
 } // namespace sr::render

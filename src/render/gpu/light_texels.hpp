@@ -1,9 +1,11 @@
 #pragma once
-// The textures of emitters, as linear texels that a shader can read at any point of any light.
+// Textures of emitters and maps of environments, as texels that shaders read.
+#include "scene/lights/light.hpp"
 #include "scene/scene.hpp"
 
 #include <array>
 #include <map>
+#include <vector>
 
 namespace sr::render {
 
@@ -17,9 +19,9 @@ struct EmissionMapPlace {
     int wrap = 0;
 };
 
-/// Appends every texture once, for as long as it lives: a scene at another moment, or in other light, has the
-/// same textures. Texels are linear RGBA in half precision, whose steps (2^-11) are finer than those of 8-bit
-/// sRGB.
+/// Textures of emitters, as linear texels that a shader can read at any point of any light. Each texture is
+/// appended once: a scene at another time, or in other light, has the same textures. Texels are linear RGBA
+/// in half precision, whose steps (2^-11) are finer than those of 8-bit sRGB.
 class EmissionMaps {
 public:
     EmissionMapPlace place_of(const scene::Scene& scene, int texture);
@@ -46,6 +48,28 @@ private:
     std::vector<std::uint64_t> texels_;
     std::vector<Mean> means_;
     std::size_t asked_ = 0; // of means_
+};
+
+/// Maps of environments. Each map is appended once, as in EmissionMaps. A map begins with a texel for each
+/// row: the factor of its density besides the texel's own share [1/sr], where the row begins and ends
+/// (EnvironmentMap::pole_heights), and the cdf over rows. Its texels follow, each with the cdf of its row.
+/// Keep in sync with shaders/light/environment.glsl.
+class EnvironmentTexels {
+public:
+    /// Returns the first texel of a map with light. @throws Error if maps are too large for 32-bit floats to
+    /// name it
+    std::size_t place_of(const std::shared_ptr<const scene::EnvironmentMap>& map);
+
+    const std::vector<vec4>& texels() const { return texels_; }
+
+private:
+    struct Place {
+        std::shared_ptr<const scene::EnvironmentMap> map;
+        std::size_t first = 0;
+    };
+
+    std::vector<Place> places_;
+    std::vector<vec4> texels_;
 };
 
 } // namespace sr::render
