@@ -49,8 +49,8 @@ void set_encoding(compare::CompareOptions& options, const std::string& encoding,
                      "they are (--encoding tells what they are)");
 }
 
-std::optional<compare::Region> parsed_region(const std::string& text) {
-    compare::Region region;
+std::optional<compare::PixelRegion> parsed_region(const std::string& text) {
+    compare::PixelRegion region;
     int end = 0;
     const int fields =
         std::sscanf(text.c_str(), "%d,%d,%dx%d%n", &region.x, &region.y, &region.width, &region.height, &end);

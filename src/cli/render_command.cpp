@@ -5,8 +5,8 @@
 #include "cli/render_checks.hpp"
 #include "core/error.hpp"
 #include "core/output.hpp"
+#include "output/channels.hpp"
 #include "output/denoise.hpp"
-#include "output/planes.hpp"
 #include "output/write.hpp"
 #include "render/adaptive/convergence.hpp"
 #include "settings/provenance.hpp"
@@ -229,24 +229,25 @@ void estimate_error(const Work& work, Picture& picture) {
 }
 
 /// Renders the channels of --layers and --aov. After an interruption it leaves out those of the step at hand.
-std::vector<output::Plane> further_planes(const Work& work, const Picture& picture,
-                                          const std::vector<int>& samples) {
-    std::vector<output::Plane> planes;
+std::vector<output::ImageChannel> render_further_channels(const Work& work, const Picture& picture,
+                                                          const std::vector<int>& samples) {
+    std::vector<output::ImageChannel> channels;
     const std::stop_token stop = work.interruption.token();
     if (work.command.has_light_layers && !stop.stop_requested()) {
-        planes = output::light_layers(output::layer_names(work.stage.lights, output::aov_names()),
-                                      work.renderer, [&](const std::string& layer) {
-                                          return add_again(work.renderer, picture.samples.max, stop, layer);
-                                      });
+        channels =
+            output::render_layers(output::layer_names(work.stage.lights, output::aov_names()), work.renderer,
+                                  [&](const std::string& layer) {
+                                      return add_again(work.renderer, picture.samples.max, stop, layer);
+                                  });
         work.times.end("layers");
     }
     if (!work.command.aovs.empty() && !stop.stop_requested()) {
         const output::AovSource source{work.scene, work.stage.camera, work.options, samples,
                                        picture.stop.estimate};
-        std::ranges::move(output::aov_planes(work.command.aovs, source, stop), std::back_inserter(planes));
+        std::ranges::move(output::render_aovs(work.command.aovs, source, stop), std::back_inserter(channels));
         work.times.end("aovs");
     }
-    return planes;
+    return channels;
 }
 
 /// Takes the samples, and renders further channels. After an interruption it returns what is complete.
@@ -265,8 +266,8 @@ Picture draw(const Work& work) {
         work.times.end("denoise");
     }
     if (!work.interruption.has_come()) estimate_error(work, picture);
-    const std::vector<output::Plane> planes = further_planes(work, picture, samples);
-    if (!planes.empty()) picture.layers = output::with_planes(picture.film, planes);
+    const std::vector<output::ImageChannel> channels = render_further_channels(work, picture, samples);
+    if (!channels.empty()) picture.layers = output::with_channels(picture.film, channels);
     if (work.interruption.has_come()) picture.stop.by = StoppedBy::interruption;
     return picture;
 }

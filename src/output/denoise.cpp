@@ -193,12 +193,12 @@ image::Image without_shadows(const AovSource& source, int lights, const std::sto
 }
 
 Guides guides_of(const AovSource& source, const std::stop_token& stop) {
-    std::vector<Plane> planes =
-        aov_planes({aov_named("normal"), aov_named("depth"), aov_named("object")}, source, stop);
-    if (planes.empty()) return {};
+    std::vector<ImageChannel> channels =
+        render_aovs({aov_named("normal"), aov_named("depth"), aov_named("object")}, source, stop);
+    if (channels.empty()) return {};
     image::Image normals(source.options.width, source.options.height, 3);
-    for (std::size_t i = 0; i < normals.pixels.size(); ++i) normals.pixels[i] = planes[i % 3].values[i / 3];
-    return {std::move(normals), std::move(planes[3].values), std::move(planes[4].values)};
+    for (std::size_t i = 0; i < normals.pixels.size(); ++i) normals.pixels[i] = channels[i % 3].values[i / 3];
+    return {std::move(normals), std::move(channels[3].values), std::move(channels[4].values)};
 }
 
 /// V of each pixel, and in A the variance that its halves show; negative where no light would arrive.

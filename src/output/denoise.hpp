@@ -1,6 +1,6 @@
 #pragma once
 // Shadow filter of `render --denoise`, for the analytic estimator.
-#include "output/planes.hpp"
+#include "output/channels.hpp"
 
 namespace sr::output {
 

@@ -104,12 +104,12 @@ constexpr Value number(double min, double max, const char* type = "") {
 }
 
 template<class T>
-std::string_view name_of(const Named<T>& row) {
+std::string_view name_of(const NamedValue<T>& row) {
     return row.name;
 }
 
 template<class T>
-T value_of(const Named<T>& row) {
+T value_of(const NamedValue<T>& row) {
     return row.value;
 }
 template<class T>
@@ -117,7 +117,7 @@ T value_of(const T& value) {
     return value;
 }
 
-/// One of `all`: rows of Named, or values of an enumeration whose name_of() is in its namespace.
+/// One of `all`: rows of NamedValue, or values of an enumeration whose name_of() is in its namespace.
 template<const auto& all, auto... path>
 constexpr Value choice() {
     return {.words =
@@ -161,14 +161,14 @@ constexpr Value parsed(const char* type, Words words = nullptr) {
             }};
 }
 
-constexpr std::array exr_types{Named<image::SampleType>{"half", image::SampleType::half},
-                               Named<image::SampleType>{"float", image::SampleType::floating}};
+constexpr std::array exr_types{NamedValue<image::SampleType>{"half", image::SampleType::half},
+                               NamedValue<image::SampleType>{"float", image::SampleType::floating}};
 constexpr std::array visibilities{render::Visibility::ray, render::Visibility::ray_on_cpu,
                                   render::Visibility::ray_in_glsl, render::Visibility::map,
                                   render::Visibility::none};
 constexpr std::array backends{gl::Backend::automatic, gl::Backend::egl, gl::Backend::osmesa,
                               gl::Backend::window};
-constexpr std::array layers{Named<bool>{"lights", true}};
+constexpr std::array layers{NamedValue<bool>{"lights", true}};
 
 /// EV100, or an absent one for "auto".
 std::optional<std::optional<float>> parsed_exposure(const std::string& given) {

@@ -10,12 +10,12 @@ namespace sr::settings {
 
 /// Row of a table of the names of an enumeration.
 template<class T>
-struct Named {
+struct NamedValue {
     std::string_view name;
     T value;
 };
 
-/// Returns the name of a value in an array of Named; empty if it has none.
+/// Returns the name of a value in an array of NamedValue; empty if it has none.
 template<class Table, class T>
 constexpr std::string_view name_in(const Table& table, const T& value) {
     for (const auto& row : table)

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """The house's own rules, checked by reading the sources. Each rule also shows that it fails on a tree that breaks it.
 
-usage: house.py RULE SOURCE_FOLDER      (RULE: floors, terms, includes, sizes, readmes, paths, listings, prose)
+usage: house.py RULE SOURCE_FOLDER      (RULE: floors, terms, types, includes, sizes, readmes, paths, listings, prose)
 """
 import re
 import sys
@@ -113,6 +113,17 @@ def terms(root: Path) -> list[str]:
             if room in rooms and included in rooms and included != room:
                 broken.append(f"{file.relative_to(root)}: {room}/ includes {included}/")
     return broken
+
+
+def types(root: Path) -> list[str]:
+    """No two headers of src/ define types of one name, but for those that gl/ names after OpenGL's objects."""
+    defined = re.compile(r"^(?:struct|class|enum class|enum) (\w+)\b(?=[^;{]*\{)", re.MULTILINE)
+    headers = {}
+    for file in sources(root / "src", ".hpp"):
+        if file.relative_to(root / "src").parts[0] != "gl":
+            for name in defined.findall(file.read_text()):
+                headers.setdefault(name, []).append(str(file.relative_to(root)))
+    return [f"{name}: {', '.join(files)}: rename all but one" for name, files in headers.items() if len(files) > 1]
 
 
 def included_by(root: Path, file: Path, known: dict[Path, set[str]]) -> set[str]:
@@ -267,6 +278,8 @@ BAD_TREES = {
                  "src/viewer/a.cpp": '#include "core/error.hpp"\n'}),
     terms: (2, {"shaders/brdf/a.glsl": '#include "light/sample_light.glsl"\n#include "base/math.glsl"\n',
                 "shaders/visibility/a.glsl": '#include "brdf/f_r.glsl"\n'}),
+    types: (1, {"src/core/a.hpp": "struct A {\n    struct C {};\n};\nclass B;\n", "src/scene/a.hpp": "class A final : B {\n};\nstruct C {};\n",
+                "src/scene/b.hpp": "struct B {};\nenum D : int;\n", "src/gl/a.hpp": "struct B {};\nenum class D { a };\n"}),
     sizes: (3, {"shaders/brdf/a.glsl": "\n" * 121, "src/core/a.cpp": "\n" * 501, "tools/a.py": "\n" * 501,
                 "src/core/b.hpp": "\n" * 500}),
     includes: (2, {"src/core/a.hpp": "#include <vector>\n", "src/core/b.hpp": '#include "core/a.hpp"\n#include <algorithm>\n',
