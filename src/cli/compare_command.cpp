@@ -18,6 +18,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <variant>
 
 namespace sr::cli {
 namespace {
@@ -102,16 +103,35 @@ compare::CompareOptions options_of(const CompareCommand& command) {
     return options;
 }
 
+/// Formats a metric; empty if it was not measured.
+std::string text_of(const compare::NamedMetric& metric, double value) {
+    if (std::isnan(value)) return {};
+    return metric.is_share ? fmt::format("{} {:.4g} %", metric.name, 100.0 * value)
+                           : fmt::format("{} {:.4g}", metric.name, value);
+}
+
+std::string text_of(const compare::NamedMetric& metric, const std::array<double, 3>& values) {
+    return fmt::format("{} {:.6g} {:.6g} {:.6g}", metric.name, values[0], values[1], values[2]);
+}
+
 void print_metrics(const compare::Metrics& m) {
     if (m.pixels == 0) return;
-    print_data("  {:<7} max_abs {:.4g}, mean_abs {:.4g}, rmse {:.4g}; max_rel {:.4g}, mean_rel {:.4g}, "
-               "rel_mse {:.4g}\n",
-               "numbers", m.max_abs, m.mean_abs, m.rmse, m.max_rel, m.mean_rel, m.rel_mse);
-    print_data("  {:<7} Σtest/Σreference {:.6g}, {:.6g}, {:.6g}; ssim {:.6g}, flip {:.4g}", "",
-               m.energy_ratio[0], m.energy_ratio[1], m.energy_ratio[2], m.ssim, m.flip);
-    if (!std::isnan(m.hdr_flip)) print_data(", hdr_flip {:.4g}", m.hdr_flip);
-    print_data("\n  {:<7} {:.4g} % of {} pixels fail, {:.4g} % in the densest 16x16 window\n", "",
-               100.0 * m.failing_fraction, m.pixels, 100.0 * m.density);
+    constexpr std::size_t max_columns = 100;
+    std::string line = fmt::format("pixels {}", m.pixels);
+    const char* heading = "numbers";
+    for (const compare::NamedMetric& metric : compare::named_metrics) {
+        const std::string text =
+            std::visit([&](auto member) { return text_of(metric, m.*member); }, metric.member);
+        if (text.empty()) continue;
+        if (line.size() + text.size() > max_columns) {
+            print_data("  {:<7} {},\n", heading, line);
+            heading = "";
+            line = text;
+        } else {
+            line += ", " + text;
+        }
+    }
+    print_data("  {:<7} {}\n", heading, line);
 }
 
 void print(const compare::Comparison& comparison, const CompareCommand& command) {
