@@ -391,6 +391,7 @@ std::string type_of(const Value& value) {
 }
 
 std::string allowed_by(const Value& value) {
+    if (value.words && value.words().size() == 1) return joined(value, "") + ", the only choice";
     if (value.words) return "one of " + joined(value, ", ");
     if (value.kind != Kind::number && value.kind != Kind::whole) return value.type;
     const char* const kind = value.kind == Kind::whole ? "a whole number" : "a number";
