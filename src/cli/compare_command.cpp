@@ -50,7 +50,7 @@ void set_encoding(compare::CompareOptions& options, const std::string& encoding,
                      "they are (--encoding tells what they are)");
 }
 
-std::optional<compare::PixelRegion> parsed_region(const std::string& text) {
+std::optional<compare::PixelRegion> parse_region(const std::string& text) {
     compare::PixelRegion region;
     int end = 0;
     const int fields =
@@ -59,7 +59,7 @@ std::optional<compare::PixelRegion> parsed_region(const std::string& text) {
     return region;
 }
 
-std::optional<compare::Exposures> parsed_exposures(const std::string& text) {
+std::optional<compare::Exposures> parse_exposures(const std::string& text) {
     compare::Exposures exposures;
     int end = 0;
     const int fields =
@@ -94,8 +94,8 @@ image::Image read_noise(const std::string& text) {
 
 compare::CompareOptions options_of(const CompareCommand& command) {
     compare::CompareOptions options = command.options;
-    if (!command.region.empty()) options.region = parsed_region(command.region);
-    if (!command.exposures.empty()) options.exposures = parsed_exposures(command.exposures);
+    if (!command.region.empty()) options.region = parse_region(command.region);
+    if (!command.exposures.empty()) options.exposures = parse_exposures(command.exposures);
     if (!command.other_layers.empty()) options.other_layers = names_in(command.other_layers);
     if (!command.mask.empty()) options.mask = image::read(command.mask);
     for (const std::string& noise : command.noise) options.noise.push_back(read_noise(noise));
@@ -235,7 +235,7 @@ void declare_judgement(CLI::App& command, CompareCommand& o) {
 void declare_scope(CLI::App& command, CompareCommand& o) {
     command.add_option("--region", o.region, "compare only these pixels, counted from the upper left")
         ->type_name("X,Y,WIDTHxHEIGHT")
-        ->check(accepted_by(parsed_region, "X,Y,WIDTHxHEIGHT, such as 0,0,64x64"));
+        ->check(accepted_by(parse_region, "X,Y,WIDTHxHEIGHT, such as 0,0,64x64"));
     command.add_option("--mask", o.mask, "compare only where this image's first channel exceeds 0.5")
         ->type_name("FILE");
     command
@@ -256,7 +256,7 @@ void declare_scope(CLI::App& command, CompareCommand& o) {
     command
         .add_option("--exposures", o.exposures, "of HDR-FLIP, in stops (default: from what is lit in REF)")
         ->type_name("START,STOP,COUNT")
-        ->check(accepted_by(parsed_exposures, "START,STOP,COUNT, such as -2,6,9 (at most 64)"));
+        ->check(accepted_by(parse_exposures, "START,STOP,COUNT, such as -2,6,9 (at most 64)"));
     command.add_option("--pixels-per-degree", o.options.pixels_per_degree, "of the screen, for FLIP")
         ->check(refusal_of_number)
         ->check(CLI::Range(1.0f, 1000.0f))

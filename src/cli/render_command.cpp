@@ -255,14 +255,14 @@ Picture draw(const Work& work) {
     Picture picture;
     picture.stop = add_samples(work.renderer, work.command.stop, work.interruption.token(), work.what);
     const std::vector<int> samples = work.renderer.pixel_samples();
-    picture.samples = settings::counted(samples);
+    picture.samples = settings::count_samples(samples);
     work.times.end("draw");
-    picture.film = work.renderer.film();
+    picture.film = work.renderer.read_film();
     if (work.command.view) picture.film = output::numbers_of(*work.command.view, picture.film);
     work.times.end("read");
     if (work.command.denoises && !work.interruption.has_come()) {
         const output::AovSource source{work.scene, work.stage.camera, work.options, samples, {}};
-        picture.film = output::denoised(work.renderer, source, work.interruption.token());
+        picture.film = output::denoise(work.renderer, source, work.interruption.token());
         work.times.end("denoise");
     }
     if (!work.interruption.has_come()) estimate_error(work, picture);
@@ -381,7 +381,7 @@ ExitStatus render(const RenderCommand& command) {
     PhaseTimes times;
     check(command);
     OpenScene open = open_scene(command, times);
-    render::GpuScene gpu_scene = uploaded(open, command);
+    render::GpuScene gpu_scene = upload(open, command);
     glFinish();
     times.end("upload");
     if (gpu_scene.visibility_backend())

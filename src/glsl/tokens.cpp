@@ -110,7 +110,7 @@ private:
 
 } // namespace
 
-std::vector<Token> tokens_of(std::string_view text, const std::string& place) {
+std::vector<Token> tokenize(std::string_view text, const std::string& place) {
     require_plain_text(text, place);
     return Lexer(text, place).tokens();
 }

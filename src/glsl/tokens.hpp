@@ -21,7 +21,7 @@ struct Token {
 /// tokens.
 /// @throws Error for a byte that no GLSL has outside comments, a comment that never ends, a backslash at the
 /// end of a line, and text that is not UTF-8 or has a NUL byte
-std::vector<Token> tokens_of(std::string_view text, const std::string& place);
+std::vector<Token> tokenize(std::string_view text, const std::string& place);
 
 /// Returns the index behind the bracket that closes the one at `open`, or `end` if none does.
 std::size_t behind_bracket(const std::vector<Token>& tokens, std::size_t open, std::size_t end);

@@ -19,7 +19,7 @@ struct Header {
 
 /// Returns the format and size of a PNG or JPEG, both within the limits above.
 /// @throws Error in the file `name`: not a PNG or JPEG, no size in sight, too large, truncated.
-Header header_of(std::span<const std::uint8_t> bytes, const std::string& name);
+Header read_header(std::span<const std::uint8_t> bytes, const std::string& name);
 
 /// @throws Error in the file `name` if so many texels are too many
 void check_size(std::uint32_t width, std::uint32_t height, const std::string& name);

@@ -70,7 +70,7 @@ private:
             renderer.add_sample();
             glFinish();
         } while (!stop_.stop_requested() && renderer.sample_count() < options.samples);
-        return renderer.film();
+        return renderer.read_film();
     }
 
     const AovSource& source_;
@@ -175,7 +175,7 @@ std::vector<ImageChannel> render_layers(const std::vector<std::string>& names, r
         renderer.repeat();
         renderer.use_lights(std::max(lights - 1, 0), lights); // none, then one after the other
         if (!add_samples(names[layer])) return {};
-        image::Image picture = renderer.film();
+        image::Image picture = renderer.read_film();
         if (layer == 0)
             dark = picture;
         else

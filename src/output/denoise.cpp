@@ -161,7 +161,7 @@ private:
 /// transform"), weighted by normal, depth, object, and by how far values differ in units of their noise
 /// (Schied et al. 2017, "Spatiotemporal variance-guided filtering", Eqs. 3 to 5): a pixel without noise keeps
 /// its value to the bit.
-image::Image filtered_ratio(image::Image ratio, const Guides& guides) {
+image::Image filter_ratio(image::Image ratio, const Guides& guides) {
     require(ratio.channels == 4 && guides.normals.width == ratio.width
                 && guides.normals.height == ratio.height && guides.depths.size() * 4 == ratio.pixels.size()
                 && guides.objects.size() == guides.depths.size(),
@@ -189,7 +189,7 @@ image::Image without_shadows(const AovSource& source, int lights, const std::sto
         renderer.add_sample();
         glFinish();
     } while (renderer.sample_count() < samples && !stop.stop_requested());
-    return renderer.film();
+    return renderer.read_film();
 }
 
 Guides guides_of(const AovSource& source, const std::stop_token& stop) {
@@ -222,14 +222,13 @@ image::Image ratio_of(const image::Image& film, const image::Image& first_half, 
 
 } // namespace
 
-image::Image denoised(const render::Renderer& renderer, const AovSource& source,
-                      const std::stop_token& stop) {
-    image::Image film = renderer.film();
+image::Image denoise(const render::Renderer& renderer, const AovSource& source, const std::stop_token& stop) {
+    image::Image film = renderer.read_film();
     const image::Image dark = without_shadows(source, 0, stop);
     const image::Image bright = without_shadows(source, source.scene.light_count(), stop);
     const Guides guides = guides_of(source, stop);
     if (stop.stop_requested()) return film;
-    const image::Image V = filtered_ratio(ratio_of(film, renderer.first_half(), dark, bright), guides);
+    const image::Image V = filter_ratio(ratio_of(film, renderer.read_first_half(), dark, bright), guides);
     for (std::size_t i = 0; i < film.pixels.size(); ++i) {
         const float L_r = bright.pixels[i] - dark.pixels[i];
         if (i % 4 != 3 && L_r > 0.0f) film.pixels[i] = dark.pixels[i] + L_r * V.pixels[i];

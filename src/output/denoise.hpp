@@ -8,6 +8,6 @@ namespace sr::output {
 /// noise. Renders the scene again without shadows and with the samples of `renderer`, which estimates its
 /// error and has no frozen pixels.
 /// @return the unfiltered film if it was stopped
-image::Image denoised(const render::Renderer& renderer, const AovSource& source, const std::stop_token& stop);
+image::Image denoise(const render::Renderer& renderer, const AovSource& source, const std::stop_token& stop);
 
 } // namespace sr::output

@@ -108,7 +108,7 @@ std::vector<std::string> channels_of(const Variable& variable) {
     return names;
 }
 
-std::optional<Variables> parsed_aovs(const std::string& text) {
+std::optional<Variables> parse_aovs(const std::string& text) {
     Variables aovs;
     for (std::size_t begin = 0; begin <= text.size();) {
         const auto comma = std::min(text.find(',', begin), text.size());

@@ -64,7 +64,7 @@ std::vector<std::string> aov_names();
 std::vector<std::string> channels_of(const Variable& variable);
 
 /// Reads "depth,normal"; absent if a name is unknown or occurs twice.
-std::optional<Variables> parsed_aovs(const std::string& text);
+std::optional<Variables> parse_aovs(const std::string& text);
 
 /// Returns the unit of a view; of radiance if `view` is null.
 std::string unit_of(const Variable* view, scene::UnitSystem units);

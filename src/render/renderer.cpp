@@ -36,7 +36,7 @@ std::optional<glsl::Root> estimator(const RenderOptions& options) {
 
 } // namespace
 
-std::shared_ptr<ShaderLibrary> Renderer::programs(const RenderOptions& options) {
+std::shared_ptr<ShaderLibrary> Renderer::make_programs(const RenderOptions& options) {
     require(!options.shader_path.empty(), "the shader path has a root");
     return std::make_shared<ShaderLibrary>(options.shader_path, estimator(options), options.trial);
 }
@@ -47,7 +47,7 @@ Renderer::Renderer(const GpuScene& scene, const scene::Camera& camera, const Ren
       camera_(camera),
       options_(options),
       end_light_(scene.light_count()),
-      shaders_(shaders ? std::move(shaders) : programs(options)),
+      shaders_(shaders ? std::move(shaders) : make_programs(options)),
       frame_("frame", options.width, options.height, true),
       film_("film", options.width, options.height, false),
       converged_(options.width, options.height) {
@@ -239,24 +239,24 @@ image::Image Renderer::mean_of(const RenderTarget& sum, const std::vector<int>& 
     return image;
 }
 
-image::Image Renderer::film() const {
+image::Image Renderer::read_film() const {
     require(sample_count_ > 0, "the film has samples");
     image::Image film = mean_of(film_, pixel_samples());
     glsl::require_ended_loops(film.pixels, shaders_->loops());
     return film;
 }
 
-image::Image Renderer::first_half() const {
+image::Image Renderer::read_first_half() const {
     require(first_half_.has_value() && sample_count_ > 0, "the renderer knows its error, and has samples");
     std::vector<int> samples = pixel_samples();
     for (int& count : samples) count = samples_of_half(0, count);
     return mean_of(*first_half_, samples);
 }
 
-std::optional<ErrorEstimate> Renderer::error_estimate() const {
+std::optional<ErrorEstimate> Renderer::estimate_error() const {
     require(first_half_.has_value(), "the renderer knows its error");
     if (sample_count_ < 2) return std::nullopt;
-    return estimated_error(film(), first_half(), pixel_samples());
+    return render::estimate_error(read_film(), read_first_half(), pixel_samples());
 }
 
 } // namespace sr::render

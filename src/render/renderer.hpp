@@ -44,7 +44,7 @@ struct RenderOptions {
     /// bands.
     std::size_t max_rays = std::size_t{64} << 20;
     /// Samples come by turns from two independent sequences and the first one's are kept a second time, so
-    /// that error_estimate() can tell how far the picture is from converged. Without it they come from one
+    /// that estimate_error() can tell how far the picture is from converged. Without it they come from one
     /// sequence, which converges a little faster.
     bool estimates_error = false;
     bool has_shadows = true; // false: V = 1, whatever casts them
@@ -53,13 +53,13 @@ struct RenderOptions {
 class Renderer {
 public:
     /// Needs a current context for as long as it lives. @throws Error
-    /// `shaders`: programs() of options with the same shader path and estimator, which renderers may share;
-    /// null: its own.
+    /// `shaders`: make_programs() of options with the same shader path and estimator, which renderers may
+    /// share; null: its own.
     Renderer(const GpuScene& scene, const scene::Camera& camera, const RenderOptions& options,
              std::shared_ptr<ShaderLibrary> shaders = nullptr);
 
     /// An empty library of programs for renderers with such options. @throws Error
-    static std::shared_ptr<ShaderLibrary> programs(const RenderOptions& options);
+    static std::shared_ptr<ShaderLibrary> make_programs(const RenderOptions& options);
 
     /// Compiles every program that the scene needs, so that errors and their cost come now. @throws
     /// ShaderError
@@ -104,18 +104,18 @@ public:
     bool estimates_error() const { return options_.estimates_error; }
     /// Estimates the error of the film against its limit from two halves of its samples; absent before both
     /// have one. Reads the film back. Only with RenderOptions::estimates_error.
-    std::optional<ErrorEstimate> error_estimate() const;
+    std::optional<ErrorEstimate> estimate_error() const;
 
     /// The mean of the first sequence's samples, of which a pixel has one more if their number is odd. Only
     /// with RenderOptions::estimates_error.
-    image::Image first_half() const;
+    image::Image read_first_half() const;
 
     /// The mean of all samples so far: L_o [cd/m²] in RGB, coverage in A. @throws LoopError if a loop of
     /// untrusted code was stopped
-    image::Image film() const;
+    image::Image read_film() const;
 
-    /// The sum of all samples so far, where shaders can read it: film() is it over pixel_samples(), which is
-    /// sample_count() where no pixel is frozen.
+    /// The sum of all samples so far, where shaders can read it: read_film() is it over pixel_samples(),
+    /// which is sample_count() where no pixel is frozen.
     const gl::Texture& film_sum() const { return film_.color(); }
 
     std::size_t program_count() const { return shaders_->program_count(); }

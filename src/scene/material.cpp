@@ -41,7 +41,7 @@ int tangent_texcoord(const Material& m) {
     return 0;
 }
 
-std::string described(const Material& m) {
+std::string describe(const Material& m) {
     if (m.is_unlit) return "unlit";
     std::string text(m.is_specular_glossiness ? "specular_glossiness" : name_of(m.model));
     const auto add = [&text](bool is_there, const char* layer) {

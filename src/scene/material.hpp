@@ -195,7 +195,7 @@ struct Material {
 float F0_from_ior(float ior);
 
 /// Describes the BRDF: "metallic_roughness, clearcoat, sheen".
-std::string described(const Material& material);
+std::string describe(const Material& material);
 
 /// Returns the least alpha that alphaMode MASK shows. The cutoff itself is opaque (glTF 2.0, section 3.9.4),
 /// also where an alpha that equals it was rounded: most where texels are half floats, by 2^-11 of the value.

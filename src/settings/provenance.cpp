@@ -7,7 +7,7 @@
 
 namespace sr::settings {
 
-SampleCounts counted(const std::vector<int>& samples) {
+SampleCounts count_samples(const std::vector<int>& samples) {
     if (samples.empty()) return {};
     const auto [min, max] = std::ranges::minmax(samples);
     double sum = 0.0;

@@ -17,7 +17,7 @@ struct SampleCounts {
     int min = 0;
     int max = 0;
 };
-SampleCounts counted(const std::vector<int>& samples);
+SampleCounts count_samples(const std::vector<int>& samples);
 
 /// Result of a rendering.
 struct RenderResult {

@@ -121,7 +121,7 @@ RTCBuildArguments arguments_for(RTCBVH bvh, std::vector<RTCBuildPrimitive>& prim
 
 } // namespace
 
-Bvh bvh_of(const Casters& casters, bool glass_alone) {
+Bvh build_bvh(const Casters& casters, bool glass_alone) {
     std::vector<RTCBuildPrimitive> primitives = primitives_of(casters, glass_alone);
     Bvh result;
     if (primitives.empty()) {

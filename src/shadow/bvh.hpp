@@ -22,6 +22,6 @@ struct Bvh {
 /// Embree's builder with the surface area heuristic. Triangles with corners that are no numbers or
 /// beyond 1.8e18 m are left out, degenerate ones do no harm. Of two boxes the larger comes first, since any
 /// hit will do. With `glass_alone` other surfaces are left out. @throws Error if Embree fails.
-Bvh bvh_of(const Casters& casters, bool glass_alone = false);
+Bvh build_bvh(const Casters& casters, bool glass_alone = false);
 
 } // namespace sr::shadow

@@ -140,7 +140,7 @@ private:
 
 } // namespace
 
-Casters casters_of(const scene::Scene& scene, std::span<const scene::Light> lights) {
+Casters collect_casters(const scene::Scene& scene, std::span<const scene::Light> lights) {
     constexpr std::size_t most = std::size_t{1} << 24; // shaders count triangles in floats
     const std::size_t count = scene::triangle_count(scene);
     if (count > most)

@@ -58,7 +58,7 @@ struct Casters {
 };
 
 /// @throws Error if there are more triangles than a float can count (2^24).
-Casters casters_of(const scene::Scene& scene, std::span<const scene::Light> lights);
+Casters collect_casters(const scene::Scene& scene, std::span<const scene::Light> lights);
 
 /// Returns whether the light does not see the triangle that a ray towards it meets: it passes back faces, and
 /// the ray arrives at the front of a single-sided triangle, which is where the light would come out.

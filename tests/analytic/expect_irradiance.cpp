@@ -31,7 +31,7 @@ void expect_irradiance(const scene::Light& light, const Irradiance& E, double ha
     scene::Camera camera = camera_from_above(extent);
     render::Renderer renderer(scene, camera, options);
     renderer.add_sample();
-    const image::Image film = renderer.film();
+    const image::Image film = renderer.read_film();
 
     std::vector<double> expected;
     double greatest = 0.0;

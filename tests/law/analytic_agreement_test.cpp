@@ -34,7 +34,7 @@ image::Image rendered(const render::GpuScene& scene, render::Estimator estimator
     scene::Camera camera = camera_from_above(2.0f);
     render::Renderer renderer(scene, camera, options);
     for (int i = 0; i < samples; ++i) renderer.add_sample();
-    return renderer.film();
+    return renderer.read_film();
 }
 
 /// The pictures' sums agree within `of_sum`, their pixels in the mean within `of_pixel`.

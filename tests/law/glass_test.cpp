@@ -354,7 +354,7 @@ const Test both_sides("law.glass.an_area_light_behind_a_sheet_is_integrated", []
         options.estimator = estimator;
         render::Renderer renderer(gpu_scene, camera_from_above(0.5f), options);
         for (int i = 0; i < options.samples; ++i) renderer.add_sample();
-        return renderer.film();
+        return renderer.read_film();
     };
     for (const auto estimator : {render::Estimator::sampled, render::Estimator::analytic}) {
         const auto front = film(lambert(), 1.0f, estimator), back = film(sheet, -1.0f, estimator);

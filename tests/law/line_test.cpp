@@ -189,7 +189,7 @@ vec4 middle_by(const scene::Scene& scene, const char* shader) {
     options.shader = shader;
     render::Renderer renderer(gpu_scene, camera_from_above(1.0f), options);
     renderer.add_sample();
-    return middle(renderer.film());
+    return middle(renderer.read_film());
 }
 
 const Test aovs("law.line.is_in_every_picture_of_its_terms", [] {

@@ -237,7 +237,7 @@ const Test broken("law.shadow.a_broken_ray_is_not_a_number", [] {
                                      "}\n"}}));
     render::Renderer renderer(gpu_scene, camera_from_above(2.0f), options);
     renderer.add_sample();
-    EXPECT_TRUE(std::isnan(renderer.film().at(4, 4)[0]));
+    EXPECT_TRUE(std::isnan(renderer.read_film().at(4, 4)[0]));
 });
 
 } // namespace

@@ -10,7 +10,7 @@ namespace sr::render {
 /// absolute), against the picture of endlessly many samples: noise and aliasing. What an estimator's bias
 /// adds, no half sees.
 struct ErrorEstimate {
-    double error = 0.0;    // √relMSE that the picture keeps under in most cases: see estimated_error()
+    double error = 0.0;    // √relMSE that the picture keeps under in most cases: see estimate_error()
     double expected = 0.0; // √relMSE without that allowance
     double floor = 0.0;    // [the film's unit]
     int width = 0;
@@ -31,7 +31,7 @@ void sum_up(ErrorEstimate& estimate);
 /// square without the squares of the errors, so that a firefly in one half does not hide itself. The mean
 /// over the picture is itself uncertain, most where few pixels make up most of it, so `error` adds its
 /// standard error over blocks of 8×8 pixels.
-ErrorEstimate estimated_error(const image::Image& mean, const image::Image& first,
-                              const std::vector<int>& samples);
+ErrorEstimate estimate_error(const image::Image& mean, const image::Image& first,
+                             const std::vector<int>& samples);
 
 } // namespace sr::render

@@ -43,7 +43,7 @@ std::array<vec4, max_model_parameters> model_parameters(const scene::Material& m
 
 } // namespace
 
-MaterialBlock packed_material(const scene::Material& m, std::span<const scene::MeasuredBrdf> measured) {
+MaterialBlock pack_material(const scene::Material& m, std::span<const scene::MeasuredBrdf> measured) {
     MaterialBlock block{};
     block.base_color_factor = m.base_color;
     block.emission_factor = vec4(m.emission, 0.0f);

@@ -87,7 +87,7 @@ struct MaterialBlock {
 };
 
 /// `measured`: the measured BRDFs of the scene, which Material::measured counts.
-MaterialBlock packed_material(const scene::Material& material, std::span<const scene::MeasuredBrdf> measured);
+MaterialBlock pack_material(const scene::Material& material, std::span<const scene::MeasuredBrdf> measured);
 
 /// Connects the blocks and samplers of shaders/interface/ and of the terms with their binding points and
 /// units.

@@ -45,7 +45,7 @@ std::array<vec2, 64> points_of_triangle() {
 
 } // namespace
 
-EmissionMapPlace EmissionMaps::place_of(const scene::Scene& scene, int index) {
+EmissionMapPlace EmissionMaps::add(const scene::Scene& scene, int index) {
     if (const auto known = places_.find(index); known != places_.end()) return known->second;
     const scene::Texture& texture = scene.textures[static_cast<std::size_t>(index)];
     const scene::TextureImage& image = scene.images[static_cast<std::size_t>(texture.image)];
@@ -59,14 +59,14 @@ EmissionMapPlace EmissionMaps::place_of(const scene::Scene& scene, int index) {
 }
 
 vec3 EmissionMaps::mean(const scene::Scene& scene, int index, const std::array<vec2, 3>& uv) {
-    if (asked_ == means_.size()) means_.emplace_back();
-    Mean& known = means_[asked_++];
-    if (known.texture != index || known.uv != uv) known = {index, uv, measured_mean(scene, index, uv)};
+    if (next_mean_ == means_.size()) means_.emplace_back();
+    Mean& known = means_[next_mean_++];
+    if (known.texture != index || known.uv != uv) known = {index, uv, measure_mean(scene, index, uv)};
     return known.color;
 }
 
-vec3 EmissionMaps::measured_mean(const scene::Scene& scene, int index, const std::array<vec2, 3>& uv) {
-    const EmissionMapPlace place = place_of(scene, index);
+vec3 EmissionMaps::measure_mean(const scene::Scene& scene, int index, const std::array<vec2, 3>& uv) {
+    const EmissionMapPlace place = add(scene, index);
     const scene::Sampler& sampler = scene.textures[static_cast<std::size_t>(index)].sampler;
     static const std::array points = points_of_triangle();
     vec3 sum(0.0f);
@@ -82,7 +82,7 @@ vec3 EmissionMaps::measured_mean(const scene::Scene& scene, int index, const std
     return sum / static_cast<float>(points.size());
 }
 
-std::size_t EnvironmentTexels::place_of(const std::shared_ptr<const scene::EnvironmentMap>& map) {
+std::size_t EnvironmentTexels::add(const std::shared_ptr<const scene::EnvironmentMap>& map) {
     const auto known = std::ranges::find(places_, map, &Place::map);
     if (known != places_.end()) return known->first;
     const std::size_t first = texels_.size();

@@ -24,13 +24,13 @@ struct EmissionMapPlace {
 /// in half precision, whose steps (2^-11) are finer than those of 8-bit sRGB.
 class EmissionMaps {
 public:
-    EmissionMapPlace place_of(const scene::Scene& scene, int texture);
+    EmissionMapPlace add(const scene::Scene& scene, int texture);
 
     /// The mean linear colour of the part of a texture that a triangle covers, by 64 points of it.
-    /// Remembered, for those who ask about the same triangles in the same order after each ask_anew().
+    /// Remembered, for those who ask about the same triangles in the same order after each rewind().
     vec3 mean(const scene::Scene& scene, int texture, const std::array<vec2, 3>& uv);
 
-    void ask_anew() { asked_ = 0; }
+    void rewind() { next_mean_ = 0; }
 
     /// Four half floats a texel.
     const std::vector<std::uint64_t>& texels() const { return texels_; }
@@ -42,12 +42,12 @@ private:
         vec3 color{0.0f};
     };
 
-    vec3 measured_mean(const scene::Scene& scene, int texture, const std::array<vec2, 3>& uv);
+    vec3 measure_mean(const scene::Scene& scene, int texture, const std::array<vec2, 3>& uv);
 
     std::map<int, EmissionMapPlace> places_;
     std::vector<std::uint64_t> texels_;
     std::vector<Mean> means_;
-    std::size_t asked_ = 0; // of means_
+    std::size_t next_mean_ = 0; // of means_
 };
 
 /// Maps of environments. Each map is appended once, as in EmissionMaps. A map begins with a texel for each
@@ -58,7 +58,7 @@ class EnvironmentTexels {
 public:
     /// Returns the first texel of a map with light. @throws Error if maps are too large for 32-bit floats to
     /// name it
-    std::size_t place_of(const std::shared_ptr<const scene::EnvironmentMap>& map);
+    std::size_t add(const std::shared_ptr<const scene::EnvironmentMap>& map);
 
     const std::vector<vec4>& texels() const { return texels_; }
 

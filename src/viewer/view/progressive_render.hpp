@@ -68,7 +68,7 @@ public:
 
     /// The complete samples. A converging render without any shows the interactive one.
     FilmSum shown() const;
-    image::Image film() const;
+    image::Image read_film() const;
     /// Mean of the samples of one pixel; `place` from 0 at the upper left corner to 1.
     vec3 pixel(vec2 place) const;
 

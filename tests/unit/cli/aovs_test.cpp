@@ -13,11 +13,11 @@ using namespace sr::testing;
 namespace {
 
 const Test list("unit.cli.aovs.a_list_is_read_or_refused", [] {
-    EXPECT_EQ(output::parsed_aovs("object,depth"),
+    EXPECT_EQ(output::parse_aovs("object,depth"),
               (output::Variables{output::aov_named("object"), output::aov_named("depth")}));
     for (const char* wrong : {"", "deep", "depth,", "depth,depth", "depth, normal"})
-        EXPECT_FALSE(output::parsed_aovs(wrong)) << wrong;
-    for (const std::string& name : output::aov_names()) EXPECT_TRUE(output::parsed_aovs(name)) << name;
+        EXPECT_FALSE(output::parse_aovs(wrong)) << wrong;
+    for (const std::string& name : output::aov_names()) EXPECT_TRUE(output::parse_aovs(name)) << name;
 });
 
 /// A plane with a small square above its middle, under a point light.
@@ -42,7 +42,7 @@ std::map<std::string, std::vector<float>> rendered_channels(const Table& table, 
     const output::AovSource source{scene, camera, options, std::vector<int>(size * size, 4), {}};
     std::map<std::string, std::vector<float>> channels;
     for (output::ImageChannel& channel : output::render_aovs(
-             *output::parsed_aovs("depth,normal,albedo,visibility,irradiance,object,material"), source, {}))
+             *output::parse_aovs("depth,normal,albedo,visibility,irradiance,object,material"), source, {}))
         channels[channel.name] = std::move(channel.values);
     return channels;
 }

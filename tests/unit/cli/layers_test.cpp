@@ -37,7 +37,7 @@ const Test sum("unit.cli.layers.add_up_to_the_picture", [] {
         return true;
     };
     add("");
-    const image::Image film = renderer.film();
+    const image::Image film = renderer.read_film();
     const auto channels = output::render_layers(output::layer_names(lights), renderer, add);
     const image::Image image = output::with_channels(film, channels);
     ASSERT_EQ(image.channels, 4 + 3 * 5);

@@ -30,7 +30,7 @@ std::optional<image::Image> picture_through(gl::Backend backend) {
     render::Renderer renderer(scene, sr::testing::camera_from_above(2.0f), options);
     for (int i = 0; i < options.samples; ++i) renderer.add_sample();
     context->require_silence();
-    return renderer.film();
+    return renderer.read_film();
 }
 
 // EGL and OSMesa are two doors to the same renderer: the same picture comes out of both.
