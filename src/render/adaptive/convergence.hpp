@@ -40,7 +40,7 @@ private:
     std::vector<int> samples_;
 };
 
-/// Samples a pixel where only time or error ends a rendering.
+/// Limit on the samples of a pixel where time or error ends a rendering.
 inline constexpr int max_samples = 65536;
 
 /// Conditions that end a rendering. The first one that is met ends it.
@@ -49,7 +49,7 @@ struct StopRule {
     std::optional<double> seconds; // of drawing
     std::optional<double> error;   // √relMSE, 0.005 for half a percent
 
-    /// True if the picture has to know its error. It then takes its samples from two sequences.
+    /// True if the error must be estimated, for which samples come from two sequences.
     bool asks_for_error() const { return seconds || error; }
 };
 

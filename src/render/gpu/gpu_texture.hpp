@@ -17,10 +17,10 @@ namespace sr::render {
 /// @throws Error naming the image if the driver's largest texture is smaller.
 gl::Texture upload(const std::string& name, TexelFormat format, const std::vector<MipLevel>& levels);
 
-/// A measured BRDF as a texture of 180 φ_d × 90 θ_d × 90 θ_h (shaders/brdf/merl.glsl), 17.5 MB.
+/// Uploads a measured BRDF as a texture of 180 φ_d × 90 θ_d × 90 θ_h (shaders/brdf/merl.glsl), 17.5 MB.
 gl::Texture upload(const scene::MeasuredBrdf& measured);
 
-/// The filtering and wrapping that a scene's sampler asks for.
+/// Makes a GL sampler with the filters and wrap modes of a scene's sampler.
 gl::Sampler sampler_object(const scene::Sampler& sampler);
 
 /// Array that shaders read by index.
@@ -29,7 +29,7 @@ public:
     /// `format`: GL_RGBA32F and the like, one texel an element.
     BufferTexture(const char* name, GLenum format);
 
-    /// @throws Error if the driver's buffer textures are too small; `what_to_do` is what the user hears then.
+    /// @throws Error with the remedy `what_to_do` if the driver's buffer textures are too small
     template<class Element>
     void upload(const std::vector<Element>& elements, std::string_view what_to_do) {
         upload_bytes(std::as_bytes(std::span(elements)), what_to_do);

@@ -24,15 +24,16 @@ struct EmissionMapPlace {
 /// in half precision, whose steps (2^-11) are finer than those of 8-bit sRGB.
 class EmissionMaps {
 public:
+    /// Appends the texture unless it is there. @return its place
     EmissionMapPlace add(const scene::Scene& scene, int texture);
 
-    /// The mean linear colour of the part of a texture that a triangle covers, by 64 points of it.
-    /// Remembered, for those who ask about the same triangles in the same order after each rewind().
+    /// Returns the mean linear colour of the part of a texture that a triangle covers, from 64 points of it.
+    /// Calls for the same triangles in the same order after rewind() return remembered values.
     vec3 mean(const scene::Scene& scene, int texture, const std::array<vec2, 3>& uv);
 
     void rewind() { next_mean_ = 0; }
 
-    /// Four half floats a texel.
+    /// Texels of four half floats.
     const std::vector<std::uint64_t>& texels() const { return texels_; }
 
 private:
@@ -56,8 +57,8 @@ private:
 /// Keep in sync with shaders/light/environment.glsl.
 class EnvironmentTexels {
 public:
-    /// Returns the first texel of a map with light. @throws Error if maps are too large for 32-bit floats to
-    /// name it
+    /// Appends a map with light unless it is there. @return its first texel. @throws Error if maps are too
+    /// large for 32-bit floats to name it
     std::size_t add(const std::shared_ptr<const scene::EnvironmentMap>& map);
 
     const std::vector<vec4>& texels() const { return texels_; }

@@ -71,7 +71,7 @@ CpuShadowRays::CpuShadowRays(const GpuScene& scene, const RenderTarget& frame, i
                     "choose a smaller --size, or --visibility ray-glsl");
 }
 
-std::vector<RowRange> CpuShadowRays::bands(RowRange all, int light_count) const {
+std::vector<RowRange> CpuShadowRays::divide(RowRange all, int light_count) const {
     const std::size_t per_row = static_cast<std::size_t>(width_)
                                 * static_cast<std::size_t>(std::max(light_count, 1))
                                 * static_cast<std::size_t>(rays_per_light_);
