@@ -1,5 +1,5 @@
 // The texture of an emitter: its texel multiplies L_e. Read bilinearly at full resolution, as glTF's samplers ask
-// for magnification (glTF 2.0, section 3.8.4). Keep in sync with src/render/gpu/emission_maps.hpp.
+// for magnification (glTF 2.0, section 3.8.4). Keep in sync with src/render/gpu/light_texels.hpp.
 #include "base/texel_wrap.glsl"
 #include "interface/features.glsl"
 #include "interface/lights.glsl"

@@ -8,7 +8,7 @@
 // of it, by inverting their cdf, which keeps well spread random numbers well spread (Pharr, Jakob & Humphreys 2016,
 // section 14.2.4); the light of a texel is the mean of the bilinear radiance over it. In the texel all directions are
 // as likely. Limit: random numbers have 24 bits, so what has less than 2^-24 of the light of its row is hardly ever
-// chosen; directions of the BRDF's choice find it. Keep in sync with src/render/gpu/environment_texels.hpp.
+// chosen; directions of the BRDF's choice find it. Keep in sync with src/render/gpu/light_texels.hpp.
 #include "base/angle.glsl"
 #include "interface/features.glsl"
 #include "interface/lights.glsl"
@@ -16,7 +16,7 @@
 
 uniform samplerBuffer environment_texels;
 
-const float least_density = 1e-15; // in the place of 0, for directions that sampling does not find [1/sr]
+const float min_density = 1e-15; // in the place of 0, for directions that sampling does not find [1/sr]
 
 bool has_picture(Light light) { return has_environment_maps && light.count > 0; }
 
@@ -92,7 +92,7 @@ LightSample sample_picture(Light light, vec2 u) {
     float phi = 2.0 * pi * ((float(i) + u.x) / light.half_u.x - 0.5);
     vec3 wi = normalize(world_from_picture(light, vec3(across * sin(phi), y, -across * cos(phi))));
     float p = row.x * cdf_share(first, i);
-    return light_sample(wi, infinitely_far, environment_radiance(light, wi), max(p, least_density));
+    return light_sample(wi, infinitely_far, environment_radiance(light, wi), max(p, min_density));
 }
 
 LightSample sample_environment(Light light, vec2 u) {
@@ -109,5 +109,5 @@ LightSample environment_along(Light light, vec3 wi) {
     ivec2 size = ivec2(light.half_u.xy);
     ivec2 at = clamp(ivec2(place), ivec2(0), size - 1);
     float p = texelFetch(environment_texels, light.data + at.y).x * cdf_share(light.data + size.y + at.y * size.x, at.x);
-    return light_sample(wi, infinitely_far, light.quantity * picture_radiance(light, place), max(p, least_density));
+    return light_sample(wi, infinitely_far, light.quantity * picture_radiance(light, place), max(p, min_density));
 }

@@ -45,7 +45,7 @@ vec2 horizon_of(Arc arc) {
 }
 
 // Angle at which the cone is lowest.
-float lowest_of(Arc arc) {
+float lowest_angle(Arc arc) {
     return angle_of(-arc_radii(arc) * vec2(arc.axes[0].z * arc.size.x, arc.axes[1].z * arc.size.y));
 }
 

@@ -11,13 +11,13 @@ const LightSample no_light = LightSample(vec3(0.0, 0.0, 1.0), infinitely_far, ve
 
 // Bounds far beyond what exists (the sun's disk has 2e9 cd/m², which an environment may find by a density of 1e-15), which
 // keep products and sums of samples within float range.
-const float most_light = 1e24;      // of one sample [lx]
-const float largest_density = 1e18; // [1/sr]; its square is a float, too
+const float max_irradiance = 1e24; // of one sample [lx]
+const float max_density = 1e18;    // [1/sr]; its square is a float, too
 
 // Light of radiance L_e from a direction that was chosen with density p. A point without a direction, a distance or a density
 // (x on the emitter, an emitter too small for floats) sends nothing.
 LightSample light_sample(vec3 wi, float distance, vec3 L_e, float p) {
     if (!(distance > 0.0 && p > 0.0)) return no_light;
-    float density = min(p, largest_density);
-    return LightSample(wi, distance, min(L_e / density, vec3(most_light)), density);
+    float density = min(p, max_density);
+    return LightSample(wi, distance, min(L_e / density, vec3(max_irradiance)), density);
 }

@@ -25,7 +25,7 @@ Outline empty_outline(vec3 x, mat3 warp) {
 
 // An end of a tube comes in two parts, cut where it is lowest, so that neither is visible at both ends only.
 Arc part_of_end(Arc cone, bool is_second) {
-    float lowest = lowest_of(cone);
+    float lowest = lowest_angle(cone);
     if (lowest < cone.from) lowest += 2.0 * pi;
     lowest = min(lowest, cone.to);
     return Arc(cone.axes, cone.size, is_second ? lowest : cone.from, is_second ? cone.to : lowest);

@@ -11,7 +11,7 @@
 int outlines_of(Light light) {
     if (!has_cones && !has_rectangle_lights && !has_polygon_lights && !has_mesh_lights) return 0;
     if (has_mesh_lights && light.kind == mesh_light)
-        return light.count <= most_outlined_triangles ? light.count : 0;
+        return light.count <= max_outlined_triangles ? light.count : 0;
     if (light.kind == directional_light) return has_sun_disks && light.radius > 0.0 ? 1 : 0;
     bool is_flat = light.kind == rectangle_light || light.kind == disk_light || light.kind == polygon_light;
     return is_flat || light.kind == sphere_light || light.kind == tube_light ? 1 : 0;

@@ -29,7 +29,7 @@ LightSample sample_point(Light light, vec3 x) {
     vec3 wi = to_light / d;
     if (!(d2 > 0.0)) return no_light; // x is where the light is
     vec3 E = light.quantity * profile_intensity(light, -wi) / d2;
-    return LightSample(wi, d, min(E, vec3(most_light)) * range_window(d, light.inverse_range), 0.0);
+    return LightSample(wi, d, min(E, vec3(max_irradiance)) * range_window(d, light.inverse_range), 0.0);
 }
 
 LightSample sample_spot(Light light, vec3 x) {
@@ -39,5 +39,5 @@ LightSample sample_spot(Light light, vec3 x) {
 }
 
 LightSample sample_directional(Light light) {
-    return LightSample(-light.direction, infinitely_far, min(light.quantity, vec3(most_light)), 0.0);
+    return LightSample(-light.direction, infinitely_far, min(light.quantity, vec3(max_irradiance)), 0.0);
 }

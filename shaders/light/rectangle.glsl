@@ -19,7 +19,7 @@ struct SphericalRectangle {
     float solid_angle;
 };
 
-const float least_solid_angle = 2e-3; // [sr]
+const float min_solid_angle = 2e-3; // [sr]
 
 float angle_at(float z, float x, float y, float handedness) {
     return atan(-z * sqrt(x * x + y * y + z * z), handedness * x * y);
@@ -55,7 +55,7 @@ vec2 sample_spherical_rectangle(SphericalRectangle r, vec2 u) {
 }
 
 float p_rectangle(Light light, SphericalRectangle r, float distance) {
-    if (r.solid_angle >= least_solid_angle) return 1.0 / r.solid_angle;
+    if (r.solid_angle >= min_solid_angle) return 1.0 / r.solid_angle;
     vec2 edges = r.high - r.low;
     return distance * distance * distance / (edges.x * edges.y * -r.z); // cosθ_y = |z| / d
 }
@@ -64,7 +64,7 @@ LightSample sample_rectangle(Light light, vec3 x, vec2 u) {
     vec3 to_center = light.position - x;
     if (!faces(light, x, to_center)) return no_light;
     SphericalRectangle r = spherical_rectangle(light, to_center);
-    vec2 place = r.solid_angle >= least_solid_angle ? sample_spherical_rectangle(r, u) : mix(r.low, r.high, u);
+    vec2 place = r.solid_angle >= min_solid_angle ? sample_spherical_rectangle(r, u) : mix(r.low, r.high, u);
     vec2 st = 2.0 * (place - r.low) / (r.high - r.low) - 1.0;
     vec3 to_light = to_center + st.x * light.half_u + st.y * light.half_v;
     float d = length(to_light);

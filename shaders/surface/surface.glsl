@@ -36,6 +36,6 @@ struct Surface {
 
 // alpha = roughness²: Burley 2012, section 5.4, and glTF 2.0 Appendix B. A perfect mirror (alpha = 0) has no density
 // that a point light could be seen in; below 1e-4 the square of alpha² leaves the range of floats in comfort.
-const float smallest_alpha = 1e-4;
+const float min_alpha = 1e-4;
 
-float alpha_of(float roughness) { return max(roughness * roughness, smallest_alpha); }
+float alpha_of(float roughness) { return max(roughness * roughness, min_alpha); }

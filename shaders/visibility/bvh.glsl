@@ -8,9 +8,9 @@
 #include "visibility/caster_triangle.glsl"
 
 const float far_widening = 1.00000024; // 1 + 2 ulp
-const float smallest_direction = 1e-30; // in place of 0, whose inverse times 0 is no number
+const float min_direction = 1e-30; // in place of 0, whose inverse times 0 is no number
 
-vec3 inverse_direction(vec3 d) { return 1.0 / mix(d, vec3(smallest_direction), equal(d, vec3(0.0))); }
+vec3 inverse_direction(vec3 d) { return 1.0 / mix(d, vec3(min_direction), equal(d, vec3(0.0))); }
 
 vec3 transmittance(Ray ray, int light) {
     vec3 inverse = inverse_direction(ray.direction);

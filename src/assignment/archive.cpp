@@ -99,7 +99,7 @@ SubmittedFiles::SubmittedFiles(fs::path submission) : submission_(std::move(subm
 
 void SubmittedFiles::refuse(const std::string& path, const std::string& what, const std::string& what_to_do) {
     refused_.insert_or_assign(leaves_its_folder(path) ? path : last_name(path),
-                              Error({place(shortened(path, 200)).string()}, what, what_to_do));
+                              Error({place(shorten(path, 200)).string()}, what, what_to_do));
 }
 
 /// True for a path whose text is to be read. What is no shader and no label is left alone.
@@ -112,7 +112,7 @@ bool SubmittedFiles::is_wanted(const std::string& path) {
     const std::string name = last_name(path);
     if (name != "assignment.json" && !name.ends_with(".glsl")) return false;
     try {
-        glsl::require_plain_name(name, place(shortened(path, 200)).string());
+        glsl::require_plain_name(name, place(shorten(path, 200)).string());
     } catch (const Error& error) {
         refused_.insert_or_assign(name, error);
         return false;

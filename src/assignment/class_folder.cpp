@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 constexpr int max_fingerprint_files = 10'000;
 
 std::string plain(const std::string& text) {
-    std::string result = shortened(text, 60);
+    std::string result = shorten(text, 60);
     for (char& c : result)
         if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-' && c != '_' && c != '.') c = '_';
     if (result.empty() || result[0] == '.' || result[0] == '-') result.insert(0, "_");

@@ -117,7 +117,7 @@ image::Image Pictures::render(const Check& check, const Codes& codes) {
     options.shader_path = shader_path(assignment_, parameters_, codes);
     render::Renderer renderer(*scene.gpu, scene.stage.camera, options);
     for (int i = 0; i < check.samples; ++i) renderer.add_sample();
-    return renderer.film();
+    return renderer.read_film();
 }
 
 const image::Image& Pictures::reference(const Check& check) {

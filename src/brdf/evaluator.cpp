@@ -32,7 +32,7 @@ void BrdfEvaluator::change(const scene::Material& material) {
 std::vector<vec4> BrdfEvaluator::evaluate(std::unique_ptr<render::ShaderEvaluator>& table, const char* shader,
                                           std::span<const Row> rows) {
     if (!table) table = std::make_unique<render::ShaderEvaluator>(path_, shader, tested_.trial.get());
-    const render::MaterialBlock block = render::packed_material(tested_.material, tested_.measured);
+    const render::MaterialBlock block = render::pack_material(tested_.material, tested_.measured);
     glBindBufferBase(GL_UNIFORM_BUFFER, render::material_block, material_.id());
     glBufferData(GL_UNIFORM_BUFFER, sizeof block, &block, GL_STREAM_DRAW);
     ltc_texture_.bind(render::ltc_table_unit);
@@ -44,7 +44,7 @@ std::vector<vec4> BrdfEvaluator::evaluate(std::unique_ptr<render::ShaderEvaluato
     return table->evaluate(rows);
 }
 
-std::vector<vec3> BrdfEvaluator::values(std::span<const DirectionPair> pairs) {
+std::vector<vec3> BrdfEvaluator::evaluate(std::span<const DirectionPair> pairs) {
     std::vector<Row> rows;
     for (const DirectionPair& pair : pairs) rows.push_back({vec4(pair.wi, 0.0f), vec4(pair.wo, 0.0f)});
     std::vector<vec3> values;

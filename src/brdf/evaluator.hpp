@@ -30,7 +30,7 @@ public:
     const BrdfUnderTest& tested() const { return tested_; }
 
     /// f_r [1/sr] for each pair. @throws gl::ShaderError, as do the others
-    std::vector<vec3> values(std::span<const DirectionPair> pairs);
+    std::vector<vec3> evaluate(std::span<const DirectionPair> pairs);
 
     /// ∫ f_r cosθ_i dω_i for each wo, from `count` directions each.
     std::vector<glm::dvec3> albedos(std::span<const vec3> wo, int count);

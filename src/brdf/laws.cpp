@@ -58,7 +58,7 @@ void check_values(BrdfEvaluator& evaluator, Law& reciprocity, Law& negativity) {
     const std::vector<DirectionPair> pairs = random_pairs();
     std::vector<DirectionPair> swapped;
     for (const DirectionPair& pair : pairs) swapped.push_back({pair.wo, pair.wi});
-    const std::vector<vec3> there = evaluator.values(pairs), back = evaluator.values(swapped);
+    const std::vector<vec3> there = evaluator.evaluate(pairs), back = evaluator.evaluate(swapped);
     for (std::size_t i = 0; i < pairs.size(); ++i) {
         const std::string where = "wi " + text_of(pairs[i].wi) + ", wo " + text_of(pairs[i].wo);
         const vec3 f = there[i], g = back[i];
@@ -135,7 +135,7 @@ std::vector<vec3> viewing_directions() {
     return directions;
 }
 
-std::vector<Law> laws_of(BrdfEvaluator& evaluator) {
+std::vector<Law> check_laws(BrdfEvaluator& evaluator) {
     Law reciprocity{"reciprocity", 0.0, 1e-4, {}, !evaluator.tested().is_reciprocal()};
     Law negativity{"negativity", 0.0, 0.0, {}},
         energy{"energy", 0.0, 1.0 + 1e-3, {}, !evaluator.tested().keeps_energy()};

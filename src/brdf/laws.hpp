@@ -27,6 +27,6 @@ std::vector<vec3> viewing_directions();
 /// sampling      Pearson's χ² of 16,384 sampled directions in 96 cells, in its standard deviations above its
 ///               mean, 5 (which has a probability below 1e-5)
 /// The last two need sampling. @throws gl::ShaderError
-std::vector<Law> laws_of(BrdfEvaluator& evaluator);
+std::vector<Law> check_laws(BrdfEvaluator& evaluator);
 
 } // namespace sr::brdf

@@ -66,7 +66,7 @@ std::string curve(BrdfEvaluator& evaluator, const View& view, std::size_t row) {
     std::vector<DirectionPair> pairs;
     for (int i = 1; i < steps; ++i)
         pairs.push_back({in_plane(pi * (static_cast<float>(i) / steps - 0.5f)), wo});
-    const std::vector<vec3> f = evaluator.values(pairs);
+    const std::vector<vec3> f = evaluator.evaluate(pairs);
     std::vector<double> lobe;
     for (std::size_t i = 0; i < f.size(); ++i)
         lobe.push_back(std::max(0.0, static_cast<double>(luminance(f[i]) * pairs[i].wi.z)));
@@ -110,7 +110,7 @@ scene::Mesh ball() {
 
 } // namespace
 
-std::string polar_plot(BrdfEvaluator& evaluator, const std::string& title) {
+std::string draw_polar_plot(BrdfEvaluator& evaluator, const std::string& title) {
     std::string svg =
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"640\" height=\"490\" font-family=\"sans-serif\" "
         "font-size=\"14\">\n<style>.grid{fill:none;stroke:#ccc}</style>\n"
@@ -123,7 +123,7 @@ std::string polar_plot(BrdfEvaluator& evaluator, const std::string& title) {
     return svg + "</svg>\n";
 }
 
-image::Image lit_sphere(const BrdfUnderTest& tested, int size, int samples) {
+image::Image render_sphere(const BrdfUnderTest& tested, int size, int samples) {
     scene::Scene scene;
     scene.materials.push_back(tested.material);
     scene.measured = tested.measured;
@@ -148,7 +148,7 @@ image::Image lit_sphere(const BrdfUnderTest& tested, int size, int samples) {
     options.trial = tested.trial;
     render::Renderer renderer(gpu_scene, camera, options);
     for (int i = 0; i < samples; ++i) renderer.add_sample();
-    return renderer.film();
+    return renderer.read_film();
 }
 
 } // namespace sr::brdf

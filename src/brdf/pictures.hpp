@@ -9,10 +9,10 @@ namespace sr::brdf {
 
 /// Draws f_r cosθ_i in the plane of incidence as SVG: a curve for wo at 0°, 30°, 60° and 80°, each scaled to
 /// its largest value, which is printed with the albedo. @throws gl::ShaderError
-std::string polar_plot(BrdfEvaluator& evaluator, const std::string& title);
+std::string draw_polar_plot(BrdfEvaluator& evaluator, const std::string& title);
 
 /// Renders `size`² pixels [cd/m²] of a sphere under a softbox (from the left), a strip (from the right) and a
 /// point light, with its tangents along the parallels. Needs a current context. @throws gl::ShaderError
-image::Image lit_sphere(const BrdfUnderTest& tested, int size, int samples);
+image::Image render_sphere(const BrdfUnderTest& tested, int size, int samples);
 
 } // namespace sr::brdf

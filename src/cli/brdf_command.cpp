@@ -56,7 +56,7 @@ void choose(BrdfCommand& command) {
         throw CLI::ValidationError("NAME", "'" + command.name + "' is not a BRDF: --help lists the names");
     }
     if (tested.material.model == Model::conductor)
-        tested.material.conductor = scene::fitted_ior(*scene::measured_metal(command.metal));
+        tested.material.conductor = scene::fit_ior(*scene::measured_metal(command.metal));
 }
 
 /// f_r at the middle of each of a MERL file's cells.
@@ -67,20 +67,20 @@ std::vector<vec3> tabulated(brdf::BrdfEvaluator& evaluator) {
         const auto [wi, wo] = scene::merl_directions(i);
         pairs.push_back({wi, wo});
     }
-    return evaluator.values(pairs);
+    return evaluator.evaluate(pairs);
 }
 
 void write_outputs(const BrdfCommand& command, brdf::BrdfEvaluator& evaluator) {
     image::WholeFiles files;
     for (const std::string& output : command.outputs) {
         if (output.ends_with(".svg")) {
-            const std::string svg = brdf::polar_plot(evaluator, command.name);
+            const std::string svg = brdf::draw_polar_plot(evaluator, command.name);
             files.add(output, std::span(reinterpret_cast<const std::uint8_t*>(svg.data()), svg.size()));
         } else if (output.ends_with(".binary")) {
             const std::vector<std::byte> file = scene::merl_file(tabulated(evaluator));
             files.add(output, std::span(reinterpret_cast<const std::uint8_t*>(file.data()), file.size()));
         } else {
-            const image::Image film = brdf::lit_sphere(command.tested, 256, command.samples);
+            const image::Image film = brdf::render_sphere(command.tested, 256, command.samples);
             const bool is_linear = image::is_scene_referred(output);
             files.add(is_linear ? film : image::displayed(film, image::auto_ev100(film)), output,
                       is_linear ? image::SampleType::floating : image::SampleType::integer8);
@@ -146,7 +146,7 @@ ExitStatus look_at(BrdfCommand& command) {
         return done;
     }
     brdf::BrdfEvaluator evaluator(command.tested);
-    const std::vector<brdf::Law> laws = brdf::laws_of(evaluator);
+    const std::vector<brdf::Law> laws = brdf::check_laws(evaluator);
     const ordered_json json{
         {"brdf", command.name}, {"albedo", albedos_json(evaluator)}, {"laws", laws_json(laws)}};
     write_outputs(command, evaluator);
@@ -184,7 +184,7 @@ void declare_parameters(CLI::App& command, BrdfCommand& o) {
             .add_option_function<std::string>(
                 name,
                 [name, take](const std::string& text) {
-                    const auto value = settings::parsed_color(text);
+                    const auto value = settings::parse_color(text);
                     if (!value) throw CLI::ValidationError(name, "'" + text + "' is not R,G,B or a number");
                     take(*value);
                 },

@@ -18,6 +18,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <variant>
 
 namespace sr::cli {
 namespace {
@@ -49,8 +50,8 @@ void set_encoding(compare::CompareOptions& options, const std::string& encoding,
                      "they are (--encoding tells what they are)");
 }
 
-std::optional<compare::Region> parsed_region(const std::string& text) {
-    compare::Region region;
+std::optional<compare::PixelRegion> parse_region(const std::string& text) {
+    compare::PixelRegion region;
     int end = 0;
     const int fields =
         std::sscanf(text.c_str(), "%d,%d,%dx%d%n", &region.x, &region.y, &region.width, &region.height, &end);
@@ -58,7 +59,7 @@ std::optional<compare::Region> parsed_region(const std::string& text) {
     return region;
 }
 
-std::optional<compare::Exposures> parsed_exposures(const std::string& text) {
+std::optional<compare::Exposures> parse_exposures(const std::string& text) {
     compare::Exposures exposures;
     int end = 0;
     const int fields =
@@ -93,8 +94,8 @@ image::Image read_noise(const std::string& text) {
 
 compare::CompareOptions options_of(const CompareCommand& command) {
     compare::CompareOptions options = command.options;
-    if (!command.region.empty()) options.region = parsed_region(command.region);
-    if (!command.exposures.empty()) options.exposures = parsed_exposures(command.exposures);
+    if (!command.region.empty()) options.region = parse_region(command.region);
+    if (!command.exposures.empty()) options.exposures = parse_exposures(command.exposures);
     if (!command.other_layers.empty()) options.other_layers = names_in(command.other_layers);
     if (!command.mask.empty()) options.mask = image::read(command.mask);
     for (const std::string& noise : command.noise) options.noise.push_back(read_noise(noise));
@@ -102,16 +103,35 @@ compare::CompareOptions options_of(const CompareCommand& command) {
     return options;
 }
 
+/// Formats a metric; empty if it was not measured.
+std::string text_of(const compare::NamedMetric& metric, double value) {
+    if (std::isnan(value)) return {};
+    return metric.is_share ? fmt::format("{} {:.4g} %", metric.name, 100.0 * value)
+                           : fmt::format("{} {:.4g}", metric.name, value);
+}
+
+std::string text_of(const compare::NamedMetric& metric, const std::array<double, 3>& values) {
+    return fmt::format("{} {:.6g} {:.6g} {:.6g}", metric.name, values[0], values[1], values[2]);
+}
+
 void print_metrics(const compare::Metrics& m) {
     if (m.pixels == 0) return;
-    print_data("  {:<7} max_abs {:.4g}, mean_abs {:.4g}, rmse {:.4g}; max_rel {:.4g}, mean_rel {:.4g}, "
-               "rel_mse {:.4g}\n",
-               "numbers", m.max_abs, m.mean_abs, m.rmse, m.max_rel, m.mean_rel, m.rel_mse);
-    print_data("  {:<7} Σtest/Σreference {:.6g}, {:.6g}, {:.6g}; ssim {:.6g}, flip {:.4g}", "",
-               m.energy_ratio[0], m.energy_ratio[1], m.energy_ratio[2], m.ssim, m.flip);
-    if (!std::isnan(m.hdr_flip)) print_data(", hdr_flip {:.4g}", m.hdr_flip);
-    print_data("\n  {:<7} {:.4g} % of {} pixels fail, {:.4g} % in the densest 16x16 window\n", "",
-               100.0 * m.failing_fraction, m.pixels, 100.0 * m.density);
+    constexpr std::size_t max_columns = 100;
+    std::string line = fmt::format("pixels {}", m.pixels);
+    const char* heading = "numbers";
+    for (const compare::NamedMetric& metric : compare::named_metrics) {
+        const std::string text =
+            std::visit([&](auto member) { return text_of(metric, m.*member); }, metric.member);
+        if (text.empty()) continue;
+        if (line.size() + text.size() > max_columns) {
+            print_data("  {:<7} {},\n", heading, line);
+            heading = "";
+            line = text;
+        } else {
+            line += ", " + text;
+        }
+    }
+    print_data("  {:<7} {}\n", heading, line);
 }
 
 void print(const compare::Comparison& comparison, const CompareCommand& command) {
@@ -215,7 +235,7 @@ void declare_judgement(CLI::App& command, CompareCommand& o) {
 void declare_scope(CLI::App& command, CompareCommand& o) {
     command.add_option("--region", o.region, "compare only these pixels, counted from the upper left")
         ->type_name("X,Y,WIDTHxHEIGHT")
-        ->check(accepted_by(parsed_region, "X,Y,WIDTHxHEIGHT, such as 0,0,64x64"));
+        ->check(accepted_by(parse_region, "X,Y,WIDTHxHEIGHT, such as 0,0,64x64"));
     command.add_option("--mask", o.mask, "compare only where this image's first channel exceeds 0.5")
         ->type_name("FILE");
     command
@@ -236,7 +256,7 @@ void declare_scope(CLI::App& command, CompareCommand& o) {
     command
         .add_option("--exposures", o.exposures, "of HDR-FLIP, in stops (default: from what is lit in REF)")
         ->type_name("START,STOP,COUNT")
-        ->check(accepted_by(parsed_exposures, "START,STOP,COUNT, such as -2,6,9 (at most 64)"));
+        ->check(accepted_by(parse_exposures, "START,STOP,COUNT, such as -2,6,9 (at most 64)"));
     command.add_option("--pixels-per-degree", o.options.pixels_per_degree, "of the screen, for FLIP")
         ->check(refusal_of_number)
         ->check(CLI::Range(1.0f, 1000.0f))

@@ -22,7 +22,7 @@ struct ExportCommand {
 /// Prepares the scene as `render` does, without the surfaces that `render` gives to lights.
 scene::RenderScene staged(const RenderSettings& settings, scene::Scene&& scene) {
     scene::PrepareOptions options{settings.camera, settings.rig};
-    options.environment = environment_light(settings);
+    options.environment = read_environment_light(settings);
     if (const auto& size = settings.size)
         options.aspect_ratio = static_cast<float>(size->width) / static_cast<float>(size->height);
     const std::size_t instances = scene.instances.size(), emitters = scene::emitters_of(scene).size();

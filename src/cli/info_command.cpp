@@ -133,7 +133,7 @@ private:
 
 /// A light's kind, name, quantity as RGB, area, flux Φ (its luminance; a texture counts as white) and where
 /// and how large it is. Each key names its unit, that of a radiometric scene if the scene is one.
-ordered_json described(const scene::Light& light, const scene::Scene& scene) {
+ordered_json describe(const scene::Light& light, const scene::Scene& scene) {
     const LightDescription describe(scene);
     ordered_json json = std::visit(describe, light);
     if (const auto flux = scene::flux_of(light, scene.profiles))
@@ -224,7 +224,7 @@ ordered_json brdfs_json(const scene::Scene& s) {
         if (scene::needs_tangents(material)) mesh.tangents.emplace_back(1.0f);
         scene::Scene alone;
         alone.materials.push_back(material);
-        std::string text = scene::described(material);
+        std::string text = scene::describe(material);
         if (scene::brdf_model(material.model).is_delta)
             text += " (sees emitters that have an extent; points and parallel light have none)";
         else if (!material.is_unlit && !render::shading_features(alone, mesh, {}).is_analytic())
@@ -244,8 +244,8 @@ ordered_json scene_json(const std::string& file, bool is_strict) {
     const scene::Bounds bounds = scene::bounds_of(s);
     ordered_json cameras = ordered_json::array(), lights = ordered_json::array();
     for (const scene::Camera& camera : s.cameras) cameras.push_back(camera.name);
-    for (const scene::Light& light : scene::emitters_of(s)) lights.push_back(described(light, s));
-    if (s.environment) lights.push_back(described(*s.environment, s));
+    for (const scene::Light& light : scene::emitters_of(s)) lights.push_back(describe(light, s));
+    if (s.environment) lights.push_back(describe(*s.environment, s));
     ordered_json json{{"file", file},
                       {"meshes", s.meshes.size()},
                       {"instances", s.instances.size()},

@@ -75,7 +75,7 @@ Opened open(const RenderSettings& settings) {
     if (settings.frames || settings.at) opened.animations = opened.asset.animations_named(settings.animation);
     if (settings.frames) opened.frames = frames_of(opened.asset, opened.animations, settings);
     opened.scene = gltf::build_scene(opened.asset, {{}, settings.at, settings.animation, {}});
-    opened.environment = environment_light(settings);
+    opened.environment = read_environment_light(settings);
     if (settings.frames) opened.extent = extent_of(opened, settings);
     opened.seconds = times.total();
     return opened;
@@ -100,9 +100,9 @@ void remark_on_estimator(const RenderSettings& settings, const scene::RenderScen
             print_remark("{}: '{}' surrounds the scene: it is sampled{}", settings.scene, environment->name,
                          environment->map ? "" : ", but for Lambert's surfaces");
         const auto* mesh = std::get_if<scene::MeshLight>(&light);
-        if (mesh && mesh->triangles.size() > render::most_outlined_triangles)
+        if (mesh && mesh->triangles.size() > render::max_outlined_triangles)
             print_remark("{}: '{}' has {} emissive triangles, more than {}: it is sampled", settings.scene,
-                         mesh->name, mesh->triangles.size(), render::most_outlined_triangles);
+                         mesh->name, mesh->triangles.size(), render::max_outlined_triangles);
     }
 }
 
@@ -120,11 +120,11 @@ void PhaseTimes::end(std::string phase) {
     last_ = now;
 }
 
-std::optional<scene::EnvironmentLight> environment_light(const RenderSettings& settings) {
+std::optional<scene::EnvironmentLight> read_environment_light(const RenderSettings& settings) {
     const std::string& source = settings.environment;
     if (source.empty()) return std::nullopt;
     scene::EnvironmentLight light;
-    if (const auto color = settings::parsed_color(source)) {
+    if (const auto color = settings::parse_color(source)) {
         light.name = "environment";
         if (std::min({color->r, color->g, color->b}) < 0.0f)
             throw CLI::ValidationError("--environment",
@@ -186,7 +186,7 @@ void show_frame(OpenScene& open, const RenderSettings& settings, int frame) {
     tell_new_warnings(open);
 }
 
-render::GpuScene uploaded(const OpenScene& open, const RenderSettings& settings) {
+render::GpuScene upload(const OpenScene& open, const RenderSettings& settings) {
     return {open.stage.scene, open.stage.lights, settings.visibility, settings.has_energy_compensation};
 }
 

@@ -45,7 +45,7 @@ struct OpenScene {
 
 /// Reads the environment that --environment names; absent if it names none. Warnings go to stderr.
 /// @throws Error
-std::optional<scene::EnvironmentLight> environment_light(const RenderSettings& settings);
+std::optional<scene::EnvironmentLight> read_environment_light(const RenderSettings& settings);
 
 /// Opens a context and loads the scene at the same time, at the time of --at or of the first frame. Prints
 /// warnings and remarks to stderr. @throws Error, also for a time or a frame beyond the animation
@@ -58,7 +58,7 @@ double seconds_of(int frame, const RenderSettings& settings);
 void show_frame(OpenScene& open, const RenderSettings& settings, int frame);
 
 /// The scene and its lights in the GPU's memory. @throws Error for what is beyond the driver's limits
-render::GpuScene uploaded(const OpenScene& open, const RenderSettings& settings);
+render::GpuScene upload(const OpenScene& open, const RenderSettings& settings);
 
 render::RenderOptions render_options(const RenderSettings& settings, Size size);
 

@@ -23,7 +23,7 @@ struct PixelPlace {
 };
 
 /// "X,Y"; absent if it is not two whole numbers from 0 up.
-std::optional<PixelPlace> parsed_place(const std::string& text) {
+std::optional<PixelPlace> parse_place(const std::string& text) {
     PixelPlace place;
     const char* end = text.data() + text.size();
     const auto [comma, first] = std::from_chars(text.data(), end, place.column);
@@ -137,7 +137,7 @@ ExitStatus probe(const ProbeCommand& command) {
         throw CLI::ValidationError("--pixel", fmt::format("'{},{}' is outside the picture of {}x{}",
                                                           command.pixel.column, command.pixel.row,
                                                           open.size.width, open.size.height));
-    const render::GpuScene scene = uploaded(open, command.rendering);
+    const render::GpuScene scene = upload(open, command.rendering);
     const Interruption interruption;
     const auto terms = render::probe(scene, open.stage.camera, render_options(command.rendering, open.size),
                                      command.pixel.column, command.pixel.row, interruption.token());
@@ -166,7 +166,7 @@ void add_probe_command(CLI::App& app) {
         ->add_option_function<std::string>(
             "--pixel",
             [options](const std::string& text) {
-                const auto place = parsed_place(text);
+                const auto place = parse_place(text);
                 if (!place)
                     throw CLI::ValidationError("--pixel", "'" + text + "' is not X,Y, such as 640,360");
                 options->pixel = *place;

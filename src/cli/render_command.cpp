@@ -1,29 +1,95 @@
 #include "cli/commands.hpp"
 #include "cli/interruption.hpp"
 #include "cli/open_scene.hpp"
+#include "cli/progress.hpp"
 #include "cli/render_checks.hpp"
-#include "cli/sampling.hpp"
 #include "core/error.hpp"
 #include "core/output.hpp"
+#include "output/channels.hpp"
 #include "output/denoise.hpp"
-#include "output/planes.hpp"
 #include "output/write.hpp"
-#include "render/renderer.hpp"
+#include "render/adaptive/convergence.hpp"
 #include "settings/provenance.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <fmt/format.h>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <stop_token>
+#include <string>
 #include <tuple>
 
 namespace sr::cli {
 namespace {
 
 using nlohmann::ordered_json;
+using render::max_samples;
+using render::StoppedBy;
+using render::StopRule;
+
+struct Stop {
+    StoppedBy by = StoppedBy::samples;
+    std::optional<double> error;                   // √relMSE; absent if the renderer does not know it
+    std::optional<render::ErrorEstimate> estimate; // of the final samples
+};
+
+/// Returns the completed share of the work, from 0 to 1, by the condition nearest to being met.
+double share(const StopRule& rule, int samples, double seconds, double error, double first_error) {
+    double part = static_cast<double>(samples) / rule.samples;
+    if (rule.seconds) part = std::max(part, seconds / *rule.seconds);
+    if (rule.error && first_error > *rule.error) // errors fall by powers
+        part = std::max(part, std::log(first_error / error) / std::log(first_error / *rule.error));
+    return std::clamp(part, 0.0, 1.0);
+}
+
+std::string percent(double error) { return fmt::format("{:.3g} %", 100.0 * error); }
+
+std::string state_of(const render::StopMonitor& monitor, int samples) {
+    std::string text = fmt::format("{} samples", samples);
+    if (const auto error = monitor.error()) text += ", error " + percent(*error);
+    if (monitor.rule().error) text += " of " + percent(*monitor.rule().error);
+    return text;
+}
+
+/// Adds samples, at least one, until the rule or a stop ends it. The renderer estimates its error if
+/// the rule needs it. Shows a progress bar.
+Stop add_samples(render::Renderer& renderer, const StopRule& rule, const std::stop_token& stop,
+                 const std::string& what) {
+    using Clock = std::chrono::steady_clock;
+    render::StopMonitor monitor(rule);
+    Progress progress(what);
+    std::optional<double> first_error;
+    do {
+        const Clock::time_point begin = Clock::now();
+        renderer.add_sample();
+        glFinish(); // an interruption, the time and the progress bar count complete samples
+        monitor.took_sample(renderer, std::chrono::duration<double>(Clock::now() - begin).count());
+        if (!first_error) first_error = monitor.error();
+        const int samples = renderer.sample_count();
+        const double part = share(rule, samples, monitor.seconds(), monitor.error().value_or(INFINITY),
+                                  first_error.value_or(0.0));
+        progress.update(part, state_of(monitor, samples));
+    } while (!monitor.stopped_by() && !stop.stop_requested());
+    monitor.update_error(renderer);
+    return {monitor.stopped_by().value_or(StoppedBy::interruption), monitor.error(), monitor.estimate()};
+}
+
+/// Repeats the `count` samples that the renderer had before repeat(). @return false if it was stopped
+bool add_again(render::Renderer& renderer, int count, const std::stop_token& stop, const std::string& what) {
+    Progress progress(what);
+    while (renderer.sample_count() < count && !stop.stop_requested()) {
+        renderer.add_sample();
+        glFinish();
+        progress.update(static_cast<double>(renderer.sample_count()) / count,
+                        fmt::format("{}/{}", renderer.sample_count(), count));
+    }
+    return renderer.sample_count() == count;
+}
 
 /// Result of a rendering.
 struct Picture {
@@ -163,24 +229,25 @@ void estimate_error(const Work& work, Picture& picture) {
 }
 
 /// Renders the channels of --layers and --aov. After an interruption it leaves out those of the step at hand.
-std::vector<output::Plane> further_planes(const Work& work, const Picture& picture,
-                                          const std::vector<int>& samples) {
-    std::vector<output::Plane> planes;
+std::vector<output::ImageChannel> render_further_channels(const Work& work, const Picture& picture,
+                                                          const std::vector<int>& samples) {
+    std::vector<output::ImageChannel> channels;
     const std::stop_token stop = work.interruption.token();
     if (work.command.has_light_layers && !stop.stop_requested()) {
-        planes = output::light_layers(output::layer_names(work.stage.lights, output::aov_names()),
-                                      work.renderer, [&](const std::string& layer) {
-                                          return add_again(work.renderer, picture.samples.max, stop, layer);
-                                      });
+        channels =
+            output::render_layers(output::layer_names(work.stage.lights, output::aov_names()), work.renderer,
+                                  [&](const std::string& layer) {
+                                      return add_again(work.renderer, picture.samples.max, stop, layer);
+                                  });
         work.times.end("layers");
     }
     if (!work.command.aovs.empty() && !stop.stop_requested()) {
         const output::AovSource source{work.scene, work.stage.camera, work.options, samples,
                                        picture.stop.estimate};
-        std::ranges::move(output::aov_planes(work.command.aovs, source, stop), std::back_inserter(planes));
+        std::ranges::move(output::render_aovs(work.command.aovs, source, stop), std::back_inserter(channels));
         work.times.end("aovs");
     }
-    return planes;
+    return channels;
 }
 
 /// Takes the samples, and renders further channels. After an interruption it returns what is complete.
@@ -188,19 +255,19 @@ Picture draw(const Work& work) {
     Picture picture;
     picture.stop = add_samples(work.renderer, work.command.stop, work.interruption.token(), work.what);
     const std::vector<int> samples = work.renderer.pixel_samples();
-    picture.samples = settings::counted(samples);
+    picture.samples = settings::count_samples(samples);
     work.times.end("draw");
-    picture.film = work.renderer.film();
+    picture.film = work.renderer.read_film();
     if (work.command.view) picture.film = output::numbers_of(*work.command.view, picture.film);
     work.times.end("read");
     if (work.command.denoises && !work.interruption.has_come()) {
         const output::AovSource source{work.scene, work.stage.camera, work.options, samples, {}};
-        picture.film = output::denoised(work.renderer, source, work.interruption.token());
+        picture.film = output::denoise(work.renderer, source, work.interruption.token());
         work.times.end("denoise");
     }
     if (!work.interruption.has_come()) estimate_error(work, picture);
-    const std::vector<output::Plane> planes = further_planes(work, picture, samples);
-    if (!planes.empty()) picture.layers = output::with_planes(picture.film, planes);
+    const std::vector<output::ImageChannel> channels = render_further_channels(work, picture, samples);
+    if (!channels.empty()) picture.layers = output::with_channels(picture.film, channels);
     if (work.interruption.has_come()) picture.stop.by = StoppedBy::interruption;
     return picture;
 }
@@ -314,7 +381,7 @@ ExitStatus render(const RenderCommand& command) {
     PhaseTimes times;
     check(command);
     OpenScene open = open_scene(command, times);
-    render::GpuScene gpu_scene = uploaded(open, command);
+    render::GpuScene gpu_scene = upload(open, command);
     glFinish();
     times.end("upload");
     if (gpu_scene.visibility_backend())
@@ -360,7 +427,7 @@ void add_render_command(CLI::App& app) {
         "  steradian render scene.glb -o mine.png --shaders my_shaders    (my_shaders/brdf/f_r.glsl wins)");
     command->callback([options, command] {
         if (command->count("--samples") == 0 && options->stop.asks_for_error())
-            options->stop.samples = most_samples;
+            options->stop.samples = max_samples;
         const ExitStatus status = render(*options);
         if (status != done) throw CLI::RuntimeError(status);
     });

@@ -36,7 +36,7 @@ viewer::Options viewer_options(const ViewCommand& command) {
     const RenderSettings& r = command.rendering;
     viewer::Options options;
     static_cast<RenderSettings&>(options) = r;
-    options.environment_light = environment_light(r);
+    options.environment_light = read_environment_light(r);
     options.plays = command.plays;
     options.rendering.shader_path =
         shader_path(r.shaders, r.is_untrusted); // says now what is wrong with the folders
@@ -90,7 +90,7 @@ ordered_json summary(const viewer::Statistics& statistics) {
 
 /// Default stopping rule of the viewer.
 void converge_by_default(render::StopRule& stop) {
-    stop.samples = stop.asks_for_error() ? render::most_samples : 256;
+    stop.samples = stop.asks_for_error() ? render::max_samples : 256;
     if (!stop.asks_for_error()) stop.error = 0.005;
 }
 

@@ -105,7 +105,7 @@ Layer layer_of_reference(const Image& reference, const std::string& layer) {
                 "choose one of its layers, or leave the layer out to compare the pictures");
 }
 
-void exclude_outside(AlignedImages& images, const Region& region) {
+void exclude_outside(AlignedImages& images, const PixelRegion& region) {
     const Image& reference = images.reference;
     const bool fits = region.x >= 0 && region.y >= 0 && region.width > 0 && region.height > 0
                       && region.width <= reference.width - region.x

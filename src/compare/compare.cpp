@@ -9,6 +9,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <string_view>
+#include <type_traits>
+#include <variant>
 
 namespace sr::compare {
 namespace {
@@ -224,27 +226,15 @@ ordered_json metrics_json(const Metrics& m) {
     ordered_json json{{"pixels", m.pixels},
                       {"nonfinite_test", m.nonfinite_test},
                       {"nonfinite_reference", m.nonfinite_reference}};
-    const auto add = [&json](std::string_view name, double value) {
-        if (!std::isnan(value)) json[std::string(name)] = number(value);
+    const auto add = [&](const std::string& name, const auto& value) {
+        if constexpr (std::is_same_v<decltype(value), const double&>) {
+            if (!std::isnan(value)) json[name] = number(value);
+        } else if (m.pixels > 0) {
+            json[name] = {number(value[0]), number(value[1]), number(value[2])};
+        }
     };
-    add("floor", m.floor);
-    add("max_abs", m.max_abs);
-    add("mean_abs", m.mean_abs);
-    add("max_rel", m.max_rel);
-    add("mean_rel", m.mean_rel);
-    add("rmse", m.rmse);
-    add("rel_mse", m.rel_mse);
-    if (m.pixels > 0)
-        json["energy_ratio"] = {number(m.energy_ratio[0]), number(m.energy_ratio[1]),
-                                number(m.energy_ratio[2])};
-    add("flip", m.flip);
-    add("hdr_flip", m.hdr_flip);
-    add("ssim", m.ssim);
-    add("failing_fraction", m.failing_fraction);
-    add("density", m.density);
-    add("max_z", m.max_z);
-    add("max_block_z", m.max_block_z);
-    add("total_z", m.total_z);
+    for (const NamedMetric& metric : named_metrics)
+        std::visit([&](auto member) { add(std::string(metric.name), m.*member); }, metric.member);
     return json;
 }
 

@@ -141,7 +141,7 @@ bool fails(float error) { return !(error <= 1.0f); } // NaN too
 /// infinity, and no other pixel fails.
 std::optional<Diagnosis> half_overflow(const Image& error, const Image& test, const Image& reference,
                                        const std::string& layer) {
-    const auto ends = [](float value) { return std::abs(value) >= image::largest_half; };
+    const auto ends = [](float value) { return std::abs(value) >= image::max_half; };
     const Image t = extract(test, layer_of(test, layer)->colors),
                 r = extract(reference, layer_of(reference, layer)->colors);
     const auto channels = static_cast<std::size_t>(r.channels);
@@ -153,8 +153,8 @@ std::optional<Diagnosis> half_overflow(const Image& error, const Image& test, co
         for (std::size_t c = i * channels; c < (i + 1) * channels; ++c) {
             const float a = t.pixels[c], b = r.pixels[c];
             if (a == b) continue;
-            const bool test_ends = std::isinf(a) || std::abs(a) == image::largest_half;
-            const bool reference_ends = std::isinf(b) || std::abs(b) == image::largest_half;
+            const bool test_ends = std::isinf(a) || std::abs(a) == image::max_half;
+            const bool reference_ends = std::isinf(b) || std::abs(b) == image::max_half;
             if (!ends(a) || !ends(b) || (!test_ends && !reference_ends)) return std::nullopt;
             is_of_test = test_ends;
             ++overflows;

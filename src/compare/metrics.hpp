@@ -6,6 +6,8 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <string_view>
+#include <variant>
 #include <vector>
 
 namespace sr::compare {
@@ -39,6 +41,33 @@ struct Metrics {
     double max_block_z = not_measured;      // of the sums over 16×16 blocks,
     double total_z = not_measured;          // and of the sums over the image
 };
+
+/// A metric with its name in JSON and in texts.
+struct NamedMetric {
+    std::string_view name;
+    std::variant<double Metrics::*, std::array<double, 3> Metrics::*> member;
+    bool is_share = false; // texts give it in percent
+};
+
+/// All metrics but the counts, in the order of JSON and of texts.
+inline constexpr std::array named_metrics{NamedMetric{"floor", &Metrics::floor},
+                                          NamedMetric{"max_abs", &Metrics::max_abs},
+                                          NamedMetric{"mean_abs", &Metrics::mean_abs},
+                                          NamedMetric{"max_rel", &Metrics::max_rel},
+                                          NamedMetric{"mean_rel", &Metrics::mean_rel},
+                                          NamedMetric{"rmse", &Metrics::rmse},
+                                          NamedMetric{"rel_mse", &Metrics::rel_mse},
+                                          NamedMetric{"energy_ratio", &Metrics::energy_ratio},
+                                          NamedMetric{"flip", &Metrics::flip},
+                                          NamedMetric{"hdr_flip", &Metrics::hdr_flip},
+                                          NamedMetric{"ssim", &Metrics::ssim},
+                                          NamedMetric{"failing_fraction", &Metrics::failing_fraction, true},
+                                          NamedMetric{"density", &Metrics::density, true},
+                                          NamedMetric{"max_z", &Metrics::max_z},
+                                          NamedMetric{"max_block_z", &Metrics::max_block_z},
+                                          NamedMetric{"total_z", &Metrics::total_z}};
+static_assert(sizeof(Metrics) == 3 * sizeof(std::size_t) + (named_metrics.size() + 2) * sizeof(double),
+              "every metric has a row; the energy ratio has three values");
 
 /// One number for each compared pixel, in the order of AlignedImages::compared: the largest of its channels.
 using PixelValues = std::vector<float>;

@@ -10,7 +10,7 @@
 namespace sr::compare {
 
 /// A rectangle of pixels; (x, y) is its upper left one.
-struct Region {
+struct PixelRegion {
     int x = 0;
     int y = 0;
     int width = 0;
@@ -30,13 +30,13 @@ enum class Encoding { scene_referred, display_referred };
 struct CompareOptions {
     std::vector<Tolerance> tolerances{}; // empty: default_tolerances()
     Encoding encoding = Encoding::scene_referred;
-    int bits = 8;                       // of a code value of a display-referred image
-    bool allow_nonfinite = false;       // non-finite pixels are left out instead of failing
-    std::optional<Region> region{};     // only these pixels are compared
-    std::optional<image::Image> mask{}; // only pixels whose first channel exceeds 0.5; of the images' size
-    std::vector<image::Image> noise{};  // standard errors of each pixel of the test, the reference or both;
-                                        // a 1×1 image applies to all pixels. Their squares add up.
-    std::string layer{};                // compare this layer ("key" of "key.R"); empty: the picture itself
+    int bits = 8;                        // of a code value of a display-referred image
+    bool allow_nonfinite = false;        // non-finite pixels are left out instead of failing
+    std::optional<PixelRegion> region{}; // only these pixels are compared
+    std::optional<image::Image> mask{};  // only pixels whose first channel exceeds 0.5; of the images' size
+    std::vector<image::Image> noise{};   // standard errors of each pixel of the test, the reference or both;
+                                         // a 1×1 image applies to all pixels. Their squares add up.
+    std::string layer{};                 // compare this layer ("key" of "key.R"); empty: the picture itself
     /// Layers that are compared beside the picture; absent: all of the reference, and channels that are no
     /// colour.
     std::optional<std::vector<std::string>> other_layers{};

@@ -2,7 +2,6 @@
 
 #include "core/math.hpp"
 #include "image/display.hpp"
-#include "image/srgb.hpp"
 
 #include <algorithm>
 #include <cmath>

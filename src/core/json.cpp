@@ -219,7 +219,7 @@ fs::path JsonObject::path(const std::string& key, const std::string& text, const
     std::error_code failure;
     [[maybe_unused]] const fs::file_status status = fs::status(file, failure);
     if (failure == std::errc::filename_too_long || failure == std::errc::too_many_symbolic_link_levels)
-        fail_at(key, fmt::format("{} is no path ({})", shortened(text, 60), failure.message()),
+        fail_at(key, fmt::format("{} is no path ({})", shorten(text, 60), failure.message()),
                 "name a file or folder that can be there");
     return file;
 }

@@ -34,8 +34,8 @@ void write_json(std::string_view json) {
 
 void write_remark(std::string_view text) {
     while (text.ends_with('\n')) text.remove_suffix(1);
-    constexpr std::size_t longest = 4000; // [bytes]
-    const std::string line = shown(shortened(text, longest)) + '\n';
+    constexpr std::size_t max_bytes = 4000; // [bytes]
+    const std::string line = shown(shorten(text, max_bytes)) + '\n';
     std::string_view rest = line; // in one piece, so that lines of several processes do not mix
     while (!rest.empty()) {
         const ssize_t written = ::write(STDERR_FILENO, rest.data(), rest.size());

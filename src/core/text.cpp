@@ -85,7 +85,7 @@ std::string shown_json(std::string_view json) {
     });
 }
 
-std::string shortened(std::string_view text, std::size_t size) {
+std::string shorten(std::string_view text, std::size_t size) {
     if (text.size() <= size) return std::string(text);
     while (size > 0 && (static_cast<unsigned char>(text[size]) & 0xC0) == 0x80) --size;
     return std::string(text.substr(0, size)) + "…";

@@ -25,6 +25,6 @@ std::string shown_lines(std::string_view text);
 std::string shown_json(std::string_view json);
 
 /// At most the first `size` bytes, cut between characters, and then "…".
-std::string shortened(std::string_view text, std::size_t size);
+std::string shorten(std::string_view text, std::size_t size);
 
 } // namespace sr

@@ -109,7 +109,7 @@ std::vector<BackendReport> report_backends() {
 
 namespace {
 
-constexpr std::size_t most_messages = 100; // a failing call in a loop must not eat the memory
+constexpr std::size_t max_messages = 100; // a failing call in a loop must not eat the memory
 
 void GLAD_API_PTR collect(GLenum source, GLenum type, GLuint, GLenum severity, GLsizei length,
                           const GLchar* text, const void* log) {
@@ -117,7 +117,7 @@ void GLAD_API_PTR collect(GLenum source, GLenum type, GLuint, GLenum severity, G
     if (source == GL_DEBUG_SOURCE_SHADER_COMPILER)
         return; // Program tells that better, with the file and line
     auto& messages = *static_cast<std::vector<std::string>*>(const_cast<void*>(log));
-    if (messages.size() < most_messages) messages.emplace_back(text, static_cast<std::size_t>(length));
+    if (messages.size() < max_messages) messages.emplace_back(text, static_cast<std::size_t>(length));
 }
 
 } // namespace

@@ -33,8 +33,8 @@ std::string end_of(int status) {
     if (!WIFSIGNALED(status)) return fmt::format("ends the program (exit status {})", WEXITSTATUS(status));
     switch (WTERMSIG(status)) {
     case SIGXCPU:
-    case SIGALRM: return fmt::format("takes more than {} s", TrialCompiler::most_seconds);
-    case SIGKILL: return fmt::format("takes more than {} GiB of memory", TrialCompiler::most_gigabytes);
+    case SIGALRM: return fmt::format("takes more than {} s", TrialCompiler::max_seconds);
+    case SIGKILL: return fmt::format("takes more than {} GiB of memory", TrialCompiler::max_gigabytes);
     default: return fmt::format("crashes ({})", strsignal(WTERMSIG(status)));
     }
 }
@@ -206,8 +206,8 @@ void allow_time() {
     struct rusage used {};
     getrusage(RUSAGE_SELF, &used);
     limit(RLIMIT_CPU,
-          static_cast<rlim_t>(used.ru_utime.tv_sec + used.ru_stime.tv_sec + 1 + TrialCompiler::most_seconds));
-    alarm(TrialCompiler::most_wall_seconds);
+          static_cast<rlim_t>(used.ru_utime.tv_sec + used.ru_stime.tv_sec + 1 + TrialCompiler::max_seconds));
+    alarm(TrialCompiler::max_wall_seconds);
 }
 
 /// Something for every uniform block to read.
@@ -289,7 +289,7 @@ void answer_trials(Backend backend) {
     const int nowhere = open("/dev/null", O_WRONLY);
     dup2(nowhere, STDOUT_FILENO);
     const auto context = open_context({backend, false});
-    const MemoryWatch watch(std::uint64_t{TrialCompiler::most_gigabytes} << 30);
+    const MemoryWatch watch(std::uint64_t{TrialCompiler::max_gigabytes} << 30);
     write_answer(answers);
     std::string vertex, fragment;
     while (read_text(STDIN_FILENO, vertex) && read_text(STDIN_FILENO, fragment)) {

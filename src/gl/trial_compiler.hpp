@@ -12,9 +12,9 @@ namespace sr::gl {
 class TrialCompiler {
 public:
     /// Limits of the driver for one program.
-    static constexpr int most_seconds = 30; // of CPU time
-    static constexpr int most_wall_seconds = 120;
-    static constexpr int most_gigabytes = 2;
+    static constexpr int max_seconds = 30; // of CPU time
+    static constexpr int max_wall_seconds = 120;
+    static constexpr int max_gigabytes = 2;
 
     /// `backend`: what the process opens a context by. It starts with the first program that is tried.
     explicit TrialCompiler(Backend backend);

@@ -1,7 +1,6 @@
 #include "glsl/untrusted.hpp"
 
 #include "core/text.hpp"
-#include "glsl/call_costs.hpp"
 #include "glsl/tokens.hpp"
 
 #include <algorithm>
@@ -58,7 +57,7 @@ public:
 
     Bounded pass() {
         require_size();
-        tokens_ = tokens_of(text_, place_);
+        tokens_ = tokenize(text_, place_);
         if (tokens_.size() > max_tokens)
             refuse(1, fmt::format("{} tokens, above {}", tokens_.size(), max_tokens), "write less");
         require_brackets();

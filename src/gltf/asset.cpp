@@ -197,7 +197,7 @@ std::vector<int> Asset::animations_named(std::string_view text) const {
         std::iota(numbers.begin(), numbers.end(), 0);
         return numbers;
     }
-    const auto named = std::ranges::find(all, text, &Contents::Animation::name);
+    const auto named = std::ranges::find(all, text, &Contents::AnimationInfo::name);
     if (named != all.end()) return {static_cast<int>(named - all.begin())};
     std::size_t index = 0;
     const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), index);

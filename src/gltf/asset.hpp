@@ -25,13 +25,13 @@ struct AssetOptions {
 
 /// The contents of a file besides what its Scene shows.
 struct Contents {
-    struct Animation {
+    struct AnimationInfo {
         std::string name;
         double duration = 0.0;    // [s]
         std::size_t channels = 0; // that move something
         bool is_whole = true;     // false: channels are broken; it may have been longer
     };
-    std::vector<Animation> animations;
+    std::vector<AnimationInfo> animations;
     std::vector<std::string> variants;
     std::size_t skins = 0;
     std::size_t morph_targets = 0; // of all primitives

@@ -6,6 +6,7 @@
 #include "gltf/extensions.hpp"
 #include "gltf/read/compression.hpp"
 #include "gltf/schema.hpp"
+#include "gltf/tinygltf.hpp"
 #include "gltf/uri.hpp"
 #include "gltf/warnings.hpp"
 
@@ -136,7 +137,7 @@ void Document::fail(std::string_view what, std::string_view what_to_do) const {
 }
 
 Bytes Document::view(int buffer_view, std::string_view pointer) const {
-    const tinygltf::BufferView& view = model.bufferViews[static_cast<std::size_t>(buffer_view)];
+    const tinygltf::BufferView& view = model->bufferViews[static_cast<std::size_t>(buffer_view)];
     const auto& [buffer, fault] = buffers[static_cast<std::size_t>(view.buffer)];
     if (fault) throw *fault;
     if (!buffer)

@@ -2,17 +2,21 @@
 // A glTF file and everything it refers to, checked and in memory, before anything is made of it.
 #include "core/limits.hpp"
 #include "gltf/container.hpp"
-#include "gltf/tinygltf.hpp"
 #include "gltf/warnings.hpp"
 
 #include <filesystem>
 #include <glm/vec3.hpp>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 #include <string>
 #include <string_view>
 #include <vector>
+
+namespace tinygltf {
+class Model;
+}
 
 namespace sr::gltf {
 
@@ -63,7 +67,7 @@ struct Document {
     std::filesystem::path folder;
     /// The checked JSON (schema.hpp), in which animations set numbers. It lacks what the members below have.
     json root;
-    tinygltf::Model model; // accessors, buffer views and meshes
+    std::shared_ptr<tinygltf::Model> model; // accessors, buffer views and meshes (gltf/tinygltf.hpp)
     std::vector<BufferSource> buffers;
     std::vector<ImageSource> images;
     std::vector<SkinSource> skins;

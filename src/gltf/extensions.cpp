@@ -3,7 +3,7 @@
 #include "core/error.hpp"
 #include "gltf/read/compression.hpp"
 #include "gltf/warnings.hpp"
-#include "image/webp.hpp"
+#include "image/texture_formats.hpp"
 
 #include <algorithm>
 #include <array>

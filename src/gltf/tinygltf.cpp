@@ -34,7 +34,7 @@ int lend_buffer_view(json& root, std::vector<std::size_t>& borrowers) {
 
 } // namespace
 
-tinygltf::Model parse_geometry(const json& root, const std::string& name) {
+std::shared_ptr<tinygltf::Model> parse_geometry(const json& root, const std::string& name) {
     json geometry{{"asset", {{"version", "2.0"}}}};
     for (const char* list : {"accessors", "bufferViews", "meshes"})
         if (root.contains(list)) geometry[list] = root[list];
@@ -43,17 +43,17 @@ tinygltf::Model parse_geometry(const json& root, const std::string& name) {
     const std::string text = geometry.dump();
 
     tinygltf::TinyGLTF loader;
-    tinygltf::Model model;
+    const auto model = std::make_shared<tinygltf::Model>();
     std::string errors;
     std::string warnings;
-    if (!loader.LoadASCIIFromString(&model, &errors, &warnings, text.data(),
+    if (!loader.LoadASCIIFromString(model.get(), &errors, &warnings, text.data(),
                                     static_cast<unsigned>(text.size()), "", tinygltf::NO_REQUIRE)) {
         std::replace(errors.begin(), errors.end(), '\n', ' ');
         throw Error({name}, "this is not valid glTF (" + errors + ")",
                     "correct it, or export the file again");
     }
-    for (const std::size_t borrower : borrowers) model.accessors[borrower].bufferView = -1;
-    if (lent >= 0) model.bufferViews.pop_back();
+    for (const std::size_t borrower : borrowers) model->accessors[borrower].bufferView = -1;
+    if (lent >= 0) model->bufferViews.pop_back();
     return model;
 }
 

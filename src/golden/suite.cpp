@@ -100,8 +100,8 @@ void read_comparison(GoldenTest& test, const JsonObject& entry, const JsonObject
     test.allow_nonfinite = holder(entry, defaults, "allow_nonfinite").flag("allow_nonfinite", false);
     if (entry.has("region")) {
         const auto r = entry.numbers("region", 4);
-        test.region = compare::Region{static_cast<int>(r[0]), static_cast<int>(r[1]), static_cast<int>(r[2]),
-                                      static_cast<int>(r[3])};
+        test.region = compare::PixelRegion{static_cast<int>(r[0]), static_cast<int>(r[1]),
+                                           static_cast<int>(r[2]), static_cast<int>(r[3])};
     }
     if (entry.has("mask")) test.mask = entry.path("mask", entry.text("mask", ""), folder);
     for (const std::string& file : entry.texts("noise"))

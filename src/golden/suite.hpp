@@ -30,7 +30,7 @@ struct GoldenTest {
     double time_limit = 60.0;       // [s]
     std::vector<compare::Tolerance> tolerances;
     bool allow_nonfinite = false;
-    std::optional<compare::Region> region;
+    std::optional<compare::PixelRegion> region;
     std::filesystem::path mask;               // empty: none
     std::vector<std::filesystem::path> noise; // standard errors; empty: none
     std::vector<KnownPixel> pixels;

@@ -53,13 +53,13 @@ Histogram luminances_of(const Image& film) {
 } // namespace
 
 float auto_ev100(const Image& film) {
-    constexpr double key = 0.18;      // middle grey
-    constexpr double most_at_1 = 0.9; // the share of pixels that is to stay below the tone curve's 1
+    constexpr double key = 0.18;          // middle grey
+    constexpr double share_below_1 = 0.9; // the share of pixels that is to stay below the tone curve's 1
     const Histogram histogram = luminances_of(film);
     if (histogram.total() == 0) return 0.0f;
     // value = L * exposure_factor(ev100), solved for ev100.
     const double for_average = histogram.mean() - std::log2(1.2 * key);
-    const double for_highlights = histogram.quantile(most_at_1) - std::log2(1.2);
+    const double for_highlights = histogram.quantile(share_below_1) - std::log2(1.2);
     return static_cast<float>(std::max(for_average, for_highlights));
 }
 

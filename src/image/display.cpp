@@ -3,7 +3,6 @@
 #include "core/math.hpp"
 #include "core/parallel.hpp"
 #include "image/log_table.hpp"
-#include "image/srgb.hpp"
 
 #include <algorithm>
 #include <array>

@@ -4,6 +4,7 @@
 #include "core/math.hpp"
 #include "image/image.hpp"
 
+#include <cmath>
 #include <span>
 #include <string>
 #include <string_view>
@@ -45,10 +46,20 @@ float exposure_factor(float ev100);
 /// exceed 1: dark things in the picture do not burn out the bright ones. 0 for an image without lit pixels.
 float auto_ev100(const Image& film);
 
-/// The sRGB transfer function, IEC 61966-2-1. Clamps to 0..1.
+/// Encodes sRGB after clamping to 0..1.
 float srgb_encoded(float linear);
 
 /// A three-channel image in 0..1 ready for an 8-bit file. Non-finite pixels come out magenta.
 Image displayed(const Image& film, float ev100, const ToneCurve& curve = default_tone_curve());
+
+/// Decodes sRGB: linear light of a code value, both in 0..1 (IEC 61966-2-1).
+inline float linear_of_srgb(float code) {
+    return code <= 0.04045f ? code / 12.92f : std::pow((code + 0.055f) / 1.055f, 2.4f);
+}
+
+/// Encodes sRGB, the inverse. The argument is in 0..1.
+inline float srgb_of_linear(float linear) {
+    return linear <= 0.0031308f ? 12.92f * linear : 1.055f * std::pow(linear, 1.0f / 2.4f) - 0.055f;
+}
 
 } // namespace sr::image

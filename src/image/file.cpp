@@ -5,10 +5,7 @@
 #include "core/limits.hpp"
 #include "core/parallel.hpp"
 #include "image/codec.hpp"
-#include "image/header.hpp"
-#include "image/jpeg.hpp"
-#include "image/png.hpp"
-#include "image/webp.hpp"
+#include "image/texture_formats.hpp"
 #include "image/whole_file.hpp"
 
 #include <algorithm>
@@ -85,7 +82,7 @@ bool is_ktx2(std::span<const std::uint8_t> bytes) {
 std::uint64_t claimed_texels(std::span<const std::uint8_t> bytes) {
     try {
         if (is_webp(bytes)) return webp_texels(bytes);
-        const Header header = header_of(bytes, "");
+        const Header header = read_header(bytes, "");
         return std::uint64_t{header.width} * header.height;
     } catch (const Error&) { // decoding it will say what is wrong
         return 0;
@@ -94,8 +91,8 @@ std::uint64_t claimed_texels(std::span<const std::uint8_t> bytes) {
 
 DecodedTexture decode_texture(std::span<const std::uint8_t> bytes, const std::string& name) {
     if (is_webp(bytes)) return decode_webp(bytes, name);
-    return header_of(bytes, name).format == TextureFormat::png ? decode_png(bytes, name)
-                                                               : decode_jpeg(bytes, name);
+    return read_header(bytes, name).format == TextureFormat::png ? decode_png(bytes, name)
+                                                                 : decode_jpeg(bytes, name);
 }
 
 } // namespace sr::image

@@ -1,4 +1,4 @@
-#include "image/header.hpp"
+#include "image/texture_formats.hpp"
 
 #include "core/error.hpp"
 
@@ -91,7 +91,7 @@ std::string_view other_format(Bytes bytes) {
 
 } // namespace
 
-Header header_of(Bytes bytes, const std::string& name) {
+Header read_header(Bytes bytes, const std::string& name) {
     const Location where{name};
     const bool is_png = starts_with(bytes, png_magic);
     if (!is_png && !starts_with(bytes, jpeg_magic))

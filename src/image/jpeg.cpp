@@ -1,7 +1,6 @@
-#include "image/jpeg.hpp"
+#include "image/texture_formats.hpp"
 
 #include "core/error.hpp"
-#include "image/header.hpp"
 
 #include <fmt/format.h>
 #include <memory>

@@ -1,7 +1,6 @@
-#include "image/png.hpp"
+#include "image/texture_formats.hpp"
 
 #include "core/error.hpp"
-#include "image/header.hpp"
 
 #include <algorithm>
 #include <array>

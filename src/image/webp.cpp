@@ -1,7 +1,6 @@
-#include "image/webp.hpp"
+#include "image/texture_formats.hpp"
 
 #include "core/error.hpp"
-#include "image/header.hpp"
 
 #include <webp/decode.h>
 

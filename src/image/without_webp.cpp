@@ -1,6 +1,6 @@
 // Built where libwebp is not found.
 #include "core/error.hpp"
-#include "image/webp.hpp"
+#include "image/texture_formats.hpp"
 
 namespace sr::image {
 

@@ -13,35 +13,35 @@ namespace {
 
 constexpr std::array variables{
     Variable{"depth", "views/ids_depth.frag",
-             "distance from the camera's plane along its axis; 0: no surface", "m", "Z", Source::ids,
+             "distance from the camera's plane along its axis; 0: no surface", "m", "Z", SampleSource::ids,
              Finish::depth, Display::none},
     Variable{"normal", "views/normal.frag", "shading normal in world space, on the viewer's side", "1",
-             "X Y Z", Source::surface, Finish::rgb, Display::none},
-    Variable{"albedo", "views/albedo.frag", "the base colour", "1", "R G B", Source::surface, Finish::rgb,
-             Display::share},
+             "X Y Z", SampleSource::surface, Finish::rgb, Display::none},
+    Variable{"albedo", "views/albedo.frag", "the base colour", "1", "R G B", SampleSource::surface,
+             Finish::rgb, Display::share},
     Variable{"visibility", "views/visibility.frag", "V, the mean over the lights, weighted by what they send",
-             "1", "V", Source::lights, Finish::quotient, Display::share, 1.0f},
-    Variable{"cosine", "views/cosine.frag", "cosθ_i, the mean over what arrives", "1", "cos", Source::lights,
-             Finish::quotient, Display::share},
-    Variable{"irradiance", "views/irradiance.frag", "E, shadows included", "lx", "R G B", Source::lights,
-             Finish::rgb, Display::exposed},
+             "1", "V", SampleSource::lights, Finish::quotient, Display::share, 1.0f},
+    Variable{"cosine", "views/cosine.frag", "cosθ_i, the mean over what arrives", "1", "cos",
+             SampleSource::lights, Finish::quotient, Display::share},
+    Variable{"irradiance", "views/irradiance.frag", "E, shadows included", "lx", "R G B",
+             SampleSource::lights, Finish::rgb, Display::exposed},
     Variable{"object", "views/ids_depth.frag", "index into the attribute steradian:objects; -1: no surface",
-             "1", "id", Source::ids, Finish::object, Display::none},
+             "1", "id", SampleSource::ids, Finish::object, Display::none},
     Variable{"material", "views/ids_depth.frag",
-             "index into the attribute steradian:materials; -1: no surface", "1", "id", Source::ids,
+             "index into the attribute steradian:materials; -1: no surface", "1", "id", SampleSource::ids,
              Finish::material, Display::none},
-    Variable{"samples", nullptr, "number of the pixel's samples", "1", "N", Source::picture, Finish::samples,
-             Display::none},
-    Variable{"error", nullptr, "the pixel's estimated relative error", "1", "relative", Source::picture,
+    Variable{"samples", nullptr, "number of the pixel's samples", "1", "N", SampleSource::picture,
+             Finish::samples, Display::none},
+    Variable{"error", nullptr, "the pixel's estimated relative error", "1", "relative", SampleSource::picture,
              Finish::error, Display::none},
-    Variable{"emission", "views/emission.frag", "L_e", nullptr, "", Source::surface, Finish::rgb,
+    Variable{"emission", "views/emission.frag", "L_e", nullptr, "", SampleSource::surface, Finish::rgb,
              Display::exposed},
     Variable{"luminance", "forward.frag", "L_o in false colours, a decade a colour", nullptr, "",
-             Source::lights, Finish::luminance, Display::false_color},
+             SampleSource::lights, Finish::luminance, Display::false_color},
     Variable{"leaks", "views/leaks.frag",
              "of the light, shadows aside, the share that leaks through from behind the triangle in R and "
              "that its back has to keep out in G",
-             "1", "", Source::lights, Finish::leaks, Display::leaks},
+             "1", "", SampleSource::lights, Finish::leaks, Display::leaks},
 };
 
 bool is_aov(const Variable& variable) { return *variable.channels; }
@@ -108,7 +108,7 @@ std::vector<std::string> channels_of(const Variable& variable) {
     return names;
 }
 
-std::optional<Variables> parsed_aovs(const std::string& text) {
+std::optional<Variables> parse_aovs(const std::string& text) {
     Variables aovs;
     for (std::size_t begin = 0; begin <= text.size();) {
         const auto comma = std::min(text.find(',', begin), text.size());

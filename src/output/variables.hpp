@@ -12,7 +12,7 @@
 namespace sr::output {
 
 /// Source of a variable's samples.
-enum class Source {
+enum class SampleSource {
     picture, // the picture itself: no shader
     ids,     // the pixel's centre
     surface, // the surface without lights
@@ -47,7 +47,7 @@ struct Variable {
     const char* what;
     const char* unit;     // null: the film's
     const char* channels; // of the AOV, one letter or word each, separated by blanks; empty: no AOV
-    Source source;
+    SampleSource source;
     Finish finish;
     Display display;
     float without = 0.0f; // value of a surface where a quotient has no divisor
@@ -64,7 +64,7 @@ std::vector<std::string> aov_names();
 std::vector<std::string> channels_of(const Variable& variable);
 
 /// Reads "depth,normal"; absent if a name is unknown or occurs twice.
-std::optional<Variables> parsed_aovs(const std::string& text);
+std::optional<Variables> parse_aovs(const std::string& text);
 
 /// Returns the unit of a view; of radiance if `view` is null.
 std::string unit_of(const Variable* view, scene::UnitSystem units);

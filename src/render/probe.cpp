@@ -20,7 +20,7 @@ public:
         renderer_.clear();
         renderer_.use_lights(first, end);
         for (int i = 0; i < samples; ++i) renderer_.add_sample();
-        const image::Image film = renderer_.film();
+        const image::Image film = renderer_.read_film();
         const auto texel = film.at(column_, row_);
         return {texel[0], texel[1], texel[2], texel[3]};
     }
@@ -171,9 +171,9 @@ private:
 
 } // namespace
 
-std::optional<PixelBrdf> brdf_at(const GpuScene& scene, const scene::Camera& camera,
-                                 const RenderOptions& options, int column, int row,
-                                 std::span<const vec3> wi) {
+std::optional<PixelBrdf> evaluate_brdf(const GpuScene& scene, const scene::Camera& camera,
+                                       const RenderOptions& options, int column, int row,
+                                       std::span<const vec3> wi) {
     require(column >= 0 && column < options.width && row >= 0 && row < options.height,
             "the pixel is in the picture");
     require(!wi.empty(), "a direction is asked for");

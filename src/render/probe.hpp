@@ -52,7 +52,8 @@ struct PixelBrdf {
 /// there, with another direction each time. Only the pixel's triangle is drawn, so that it takes some 10 µs a
 /// direction in software GL.
 /// @return absent where nothing is seen. @throws ShaderError, Error
-std::optional<PixelBrdf> brdf_at(const GpuScene& scene, const scene::Camera& camera,
-                                 const RenderOptions& options, int column, int row, std::span<const vec3> wi);
+std::optional<PixelBrdf> evaluate_brdf(const GpuScene& scene, const scene::Camera& camera,
+                                       const RenderOptions& options, int column, int row,
+                                       std::span<const vec3> wi);
 
 } // namespace sr::render

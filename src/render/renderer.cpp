@@ -27,8 +27,8 @@ std::optional<glsl::Root> estimator(const RenderOptions& options) {
     if (options.estimator == Estimator::sampled) return std::nullopt;
     require_lobes(options.shader_path);
     const std::string limits = fmt::format("const int analytic_points = {};\n"
-                                           "const int most_outlined_triangles = {};\n",
-                                           options.analytic_points, most_outlined_triangles);
+                                           "const int max_outlined_triangles = {};\n",
+                                           options.analytic_points, max_outlined_triangles);
     return glsl::Root::memory(
         "estimator", {{"integrator/reflected.glsl", "#include \"integrator/reflected_analytic.glsl\"\n"},
                       {"interface/estimator.glsl", limits}});
@@ -36,7 +36,7 @@ std::optional<glsl::Root> estimator(const RenderOptions& options) {
 
 } // namespace
 
-std::shared_ptr<ShaderLibrary> Renderer::programs(const RenderOptions& options) {
+std::shared_ptr<ShaderLibrary> Renderer::make_programs(const RenderOptions& options) {
     require(!options.shader_path.empty(), "the shader path has a root");
     return std::make_shared<ShaderLibrary>(options.shader_path, estimator(options), options.trial);
 }
@@ -47,12 +47,12 @@ Renderer::Renderer(const GpuScene& scene, const scene::Camera& camera, const Ren
       camera_(camera),
       options_(options),
       end_light_(scene.light_count()),
-      shaders_(shaders ? std::move(shaders) : programs(options)),
+      shaders_(shaders ? std::move(shaders) : make_programs(options)),
       frame_("frame", options.width, options.height, true),
       film_("film", options.width, options.height, false),
       converged_(options.width, options.height) {
     if (options.estimates_error) first_half_.emplace("first half", options.width, options.height, false);
-    ask_for_shadows();
+    prepare_shadows();
     clear();
 }
 
@@ -67,22 +67,23 @@ void Renderer::resize(int width, int height, int samples) {
     options_.height = height;
     options_.samples = samples;
     use_lights(0, scene_.light_count());
-    ask_for_shadows();
+    prepare_shadows();
     clear();
 }
 
-void Renderer::ask_for_shadows() {
+void Renderer::prepare_shadows() {
     depth_maps_.reset();
     if (options_.has_shadows && scene_.visibility_backend()
         && scene_.visibility_backend()->shadow_map_scene())
         depth_maps_.emplace(scene_, options_.maps);
-    const bool is_asked =
+    const bool needs_cpu_rays =
         options_.has_shadows && scene_.visibility_backend() && scene_.visibility_backend()->occlusion();
     const int rays_per_point = scene_.light_count() * scene_.rays_per_light();
-    if (is_asked == shadow_rays_.has_value() && rays_per_point == rays_per_point_) return;
+    if (needs_cpu_rays == shadow_rays_.has_value() && rays_per_point == rays_per_point_) return;
     shadow_rays_.reset();
     rays_per_point_ = rays_per_point;
-    if (is_asked) shadow_rays_.emplace(scene_, frame_, options_.width, options_.height, options_.max_rays);
+    if (needs_cpu_rays)
+        shadow_rays_.emplace(scene_, frame_, options_.width, options_.height, options_.max_rays);
 }
 
 void Renderer::compile() {
@@ -126,15 +127,15 @@ void Renderer::look_from(const scene::Camera& camera) {
 
 void Renderer::add_sample() {
     const PixelRect part = window();
-    require(!part.is_empty(), "a pixel works");
-    require(rows_done_ == 0, "a sample that was begun by rows is ended by rows");
+    require(!part.is_empty(), "a pixel takes samples");
+    require(rows_done_ == 0, "no sample is incomplete");
     draw(part);
     ++sample_count_;
 }
 
 bool Renderer::add_rows(int count) {
     const PixelRect whole = window();
-    require(!whole.is_empty() && count > 0, "a pixel works");
+    require(!whole.is_empty() && count > 0, "a pixel takes samples");
     PixelRect part = whole;
     part.row += rows_done_;
     part.height = std::min(count, whole.height - rows_done_);
@@ -148,7 +149,7 @@ bool Renderer::add_rows(int count) {
 
 void Renderer::draw(const PixelRect& part) {
     const View view = begin_frame();
-    keep_to(part);
+    set_scissor(part);
     depth_pass(frame_, scene_, *shaders_, options_.background);
     glBindVertexArray(no_vertices_.id());
     if (shows_environment()) background_pass(frame_, scene_, *shaders_);
@@ -157,7 +158,7 @@ void Renderer::draw(const PixelRect& part) {
         mask_pass(frame_, *shaders_);
     }
     shade_opaque(part);
-    keep_to(part);
+    set_scissor(part);
     blend_pass(frame_, scene_, *shaders_, options_.shader, view.eye, blended_visibility());
     accumulate();
     glDisable(GL_SCISSOR_TEST);
@@ -178,7 +179,7 @@ PixelRect Renderer::window() const {
     return options_.window ? common_part(*options_.window, active) : active;
 }
 
-void Renderer::keep_to(const PixelRect& window) const {
+void Renderer::set_scissor(const PixelRect& window) const {
     if (window.width == options_.width && window.height == options_.height) return glDisable(GL_SCISSOR_TEST);
     glEnable(GL_SCISSOR_TEST);
     glScissor(window.column, options_.height - window.row - window.height, window.width,
@@ -205,7 +206,7 @@ VisibilityTerm Renderer::opaque_visibility() const {
 
 VisibilityTerm Renderer::blended_visibility() const {
     if (!scene_.visibility_backend() || !options_.has_shadows) return VisibilityTerm::none;
-    // Several layers of a pixel can ask, so the shader answers.
+    // A pixel can have several blended layers, so the shader traces their rays itself.
     return scene_.visibility_backend()->shadow_map_scene() ? VisibilityTerm::map : VisibilityTerm::ray;
 }
 
@@ -215,7 +216,7 @@ void Renderer::shade_opaque(const PixelRect& window) {
         return;
     }
     const RowRange rows{options_.height - window.row - window.height, window.height};
-    const std::vector<RowRange> bands = shadow_rays_->bands(rows, end_light_ - first_light_);
+    const std::vector<RowRange> bands = shadow_rays_->divide(rows, end_light_ - first_light_);
     glEnable(GL_SCISSOR_TEST);
     for (const RowRange& band : bands) {
         glScissor(window.column, band.first, window.width, band.count);
@@ -239,24 +240,25 @@ image::Image Renderer::mean_of(const RenderTarget& sum, const std::vector<int>& 
     return image;
 }
 
-image::Image Renderer::film() const {
+image::Image Renderer::read_film() const {
     require(sample_count_ > 0, "the film has samples");
     image::Image film = mean_of(film_, pixel_samples());
     glsl::require_ended_loops(film.pixels, shaders_->loops());
     return film;
 }
 
-image::Image Renderer::first_half() const {
-    require(first_half_.has_value() && sample_count_ > 0, "the renderer knows its error, and has samples");
+image::Image Renderer::read_first_half() const {
+    require(first_half_.has_value() && sample_count_ > 0,
+            "the renderer estimates its error, and has samples");
     std::vector<int> samples = pixel_samples();
     for (int& count : samples) count = samples_of_half(0, count);
     return mean_of(*first_half_, samples);
 }
 
-std::optional<ErrorEstimate> Renderer::error_estimate() const {
-    require(first_half_.has_value(), "the renderer knows its error");
+std::optional<ErrorEstimate> Renderer::estimate_error() const {
+    require(first_half_.has_value(), "the renderer estimates its error");
     if (sample_count_ < 2) return std::nullopt;
-    return estimated_error(film(), first_half(), pixel_samples());
+    return render::estimate_error(read_film(), read_first_half(), pixel_samples());
 }
 
 } // namespace sr::render

@@ -1,8 +1,8 @@
 #pragma once
-// A scene, a camera and a size; out comes the Film. Adding samples is adding frames.
+// Renderer of a scene from a camera: each frame adds one sample to every pixel of the film.
 #include "render/adaptive/converged_pixels.hpp"
 #include "render/adaptive/error_estimate.hpp"
-#include "render/gpu/frame_data.hpp"
+#include "render/gpu/blocks.hpp"
 #include "render/passes.hpp"
 #include "render/visibility/cpu_shadow_rays.hpp"
 #include "render/visibility/depth_maps.hpp"
@@ -17,83 +17,82 @@ namespace sr::render {
 /// few points (shaders/integrator/reflected_analytic.glsl).
 enum class Estimator { sampled, analytic };
 
-/// Points of the analytic estimator a lobe and emitter: tools/ltc/README.md has what they buy.
+/// Points per lobe and emitter of the analytic estimator; tools/ltc/README.md compares numbers of points.
 inline constexpr int default_analytic_points = 16;
 
 /// A mesh of more emissive triangles is sampled by the analytic estimator too.
-inline constexpr int most_outlined_triangles = 12;
+inline constexpr int max_outlined_triangles = 12;
 
 struct RenderOptions {
     int width = 1280;
     int height = 720;
-    int samples = 16; // how many will be added; one sample looks at the centre of each pixel
+    int samples = 16; // that will be added; a single sample is at the centre of each pixel
     std::uint32_t seed = 0;
     vec3 background{0.0f}; // radiance where there is no surface [cd/m²]
-    /// Fragment shader of the surfaces: forward.frag is the equation, each one in views/ shows a term of it.
+    /// Fragment shader of the surfaces: forward.frag evaluates the equation, those in views/ show terms of
+    /// it.
     std::string shader = "forward.frag";
     /// The only part that is drawn; the rest of the film stays black.
     std::optional<PixelRect> window;
-    /// The roots that shaders come from, most particular first.
+    /// Roots of the shader files; the first root that has a file wins.
     std::vector<glsl::Root> shader_path{glsl::embedded()};
-    /// Tries what others wrote of that path before this process compiles it; null: nothing is tried.
+    /// Compiles untrusted files of the path in another process first; null: without such a trial.
     std::shared_ptr<gl::TrialCompiler> trial;
     Estimator estimator = Estimator::sampled;
     int analytic_points = default_analytic_points; // 0: linearly transformed cosines alone
     MapOptions maps;                               // of a scene whose shadows are found by depth maps
-    /// Shadow rays whose answers by the CPU are held at once, 4 bytes each; a picture with more is shaded in
-    /// bands.
+    /// Limit on the shadow rays of one pass on the CPU, 4 bytes each. A picture with more rays is shaded in
+    /// bands of rows.
     std::size_t max_rays = std::size_t{64} << 20;
-    /// Samples come by turns from two independent sequences and the first one's are kept a second time, so
-    /// that error_estimate() can tell how far the picture is from converged. Without it they come from one
-    /// sequence, which converges a little faster.
+    /// Takes samples by turns from two independent sequences and keeps a second sum of the first one, which
+    /// estimate_error() needs. A single sequence converges a little faster.
     bool estimates_error = false;
-    bool has_shadows = true; // false: V = 1, whatever casts them
+    bool has_shadows = true; // false: V = 1
 };
 
 class Renderer {
 public:
     /// Needs a current context for as long as it lives. @throws Error
-    /// `shaders`: programs() of options with the same shader path and estimator, which renderers may share;
-    /// null: its own.
+    /// `shaders`: make_programs() of options with the same shader path and estimator, which renderers may
+    /// share; null: its own.
     Renderer(const GpuScene& scene, const scene::Camera& camera, const RenderOptions& options,
              std::shared_ptr<ShaderLibrary> shaders = nullptr);
 
-    /// An empty library of programs for renderers with such options. @throws Error
-    static std::shared_ptr<ShaderLibrary> programs(const RenderOptions& options);
+    /// Makes an empty library of programs for renderers with such options. @throws Error
+    static std::shared_ptr<ShaderLibrary> make_programs(const RenderOptions& options);
 
-    /// Compiles every program that the scene needs, so that errors and their cost come now. @throws
-    /// ShaderError
+    /// Compiles every program that the scene needs, so that no sample has to. @throws ShaderError
     void compile();
 
-    /// Only the lights [first, end) shine from the next sample on; their samples are those that they have
-    /// among all lights. Every surface goes on emitting.
+    /// Restricts the lights to [first, end) from the next sample on. Each light keeps the samples that it has
+    /// among all lights. Surfaces still emit.
     void use_lights(int first, int end);
 
     /// Starts over with an empty film.
     void clear();
 
-    /// Looks from here, with an empty film.
+    /// Sets the camera and starts over with an empty film.
     void look_from(const scene::Camera& camera);
 
-    /// Starts over with another size and number of samples; its programs stay. Also to be called when the
-    /// scene has got other lights (GpuScene::relight). @throws Error if the driver does not take the size.
+    /// Starts over with another size and number of samples, and the same programs. Call it also after
+    /// GpuScene::relight. @throws Error if the driver does not take the size.
     void resize(int width, int height, int samples);
     int width() const { return options_.width; }
     int height() const { return options_.height; }
 
-    /// Starts over with an empty film, in which every pixel is frozen when it was: after as many samples as
-    /// before, the film has the very same ones.
+    /// Starts over with an empty film. Pixels freeze after as many samples as before, so that a film of as
+    /// many samples has the same ones.
     void repeat();
 
     /// Renders one frame, one sample of every pixel that is not frozen, and adds it to the film.
     void add_sample();
-    /// The same by parts, the next `count` rows at a time, so that others can work in between. The film is to
-    /// be read only when the sample is complete, or starts over before. @return whether it is complete
+    /// Renders the next `count` rows of a sample, so that the caller can do other work in between. Read the
+    /// film only when the sample is complete. @return whether it is complete
     bool add_rows(int count);
-    /// The samples of the pixels that are not frozen.
+    /// Returns the number of samples of the pixels that are not frozen.
     int sample_count() const { return sample_count_; }
 
-    /// Freezes these pixels: they take no more samples, until clear() or look_from(). They cost nothing then.
+    /// Freezes these pixels: they take no more samples, and no time, until clear() or look_from().
     void freeze(const PixelMask& pixels) { converged_.add(pixels, sample_count_); }
     /// True if no pixel is left that takes samples.
     bool is_frozen() const { return converged_.active(sample_count_).is_empty(); }
@@ -104,18 +103,18 @@ public:
     bool estimates_error() const { return options_.estimates_error; }
     /// Estimates the error of the film against its limit from two halves of its samples; absent before both
     /// have one. Reads the film back. Only with RenderOptions::estimates_error.
-    std::optional<ErrorEstimate> error_estimate() const;
+    std::optional<ErrorEstimate> estimate_error() const;
 
-    /// The mean of the first sequence's samples, of which a pixel has one more if their number is odd. Only
-    /// with RenderOptions::estimates_error.
-    image::Image first_half() const;
+    /// Reads back the mean of the first sequence's samples, of which a pixel has one more if their number is
+    /// odd. Only with RenderOptions::estimates_error.
+    image::Image read_first_half() const;
 
-    /// The mean of all samples so far: L_o [cd/m²] in RGB, coverage in A. @throws LoopError if a loop of
-    /// untrusted code was stopped
-    image::Image film() const;
+    /// Reads back the mean of all samples so far: L_o [cd/m²] in RGB, coverage in A. @throws LoopError if a
+    /// loop of untrusted code was stopped
+    image::Image read_film() const;
 
-    /// The sum of all samples so far, where shaders can read it: film() is it over pixel_samples(), which is
-    /// sample_count() where no pixel is frozen.
+    /// The sum of all samples so far, where shaders can read it: read_film() is it over pixel_samples(),
+    /// which is sample_count() where no pixel is frozen.
     const gl::Texture& film_sum() const { return film_.color(); }
 
     std::size_t program_count() const { return shaders_->program_count(); }
@@ -126,11 +125,11 @@ public:
     const DepthMaps* depth_maps() const { return depth_maps_ ? &*depth_maps_ : nullptr; }
 
 private:
-    void ask_for_shadows();
+    void prepare_shadows();
     View begin_frame();
     PixelRect window() const; // what this frame draws
     void draw(const PixelRect& part);
-    void keep_to(const PixelRect& window) const;
+    void set_scissor(const PixelRect& window) const;
     VisibilityTerm opaque_visibility() const;
     VisibilityTerm blended_visibility() const;
     void shade_opaque(const PixelRect& window);

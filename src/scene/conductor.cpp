@@ -140,7 +140,7 @@ dvec3 reflectance_of(const IorSpectrum& spectrum, double cos_theta) {
     return glm::clamp(rgb_of_xyz(reflected) / rgb_of_xyz(arriving), dvec3(0.0), dvec3(1.0));
 }
 
-ComplexIor fitted_ior(const IorSpectrum& spectrum) {
+ComplexIor fit_ior(const IorSpectrum& spectrum) {
     require(!spectrum.empty(), "the spectrum has points");
     std::array<std::array<double, angles>, 3> wanted{};
     for (int i = 0; i < angles; ++i) {

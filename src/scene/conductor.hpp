@@ -34,6 +34,6 @@ glm::dvec3 reflectance_of(const IorSpectrum& spectrum, double cos_theta);
 
 /// The n + ik for each channel whose reflectance comes nearest to reflectance_of over all angles (least
 /// squares over 16 cosines).
-ComplexIor fitted_ior(const IorSpectrum& spectrum);
+ComplexIor fit_ior(const IorSpectrum& spectrum);
 
 } // namespace sr::scene

@@ -132,7 +132,7 @@ bool is_look_at(std::string_view text) {
     return text.find("eye=") != std::string_view::npos || text.find("target=") != std::string_view::npos;
 }
 
-LookAt parsed_look_at(std::string_view text, glm::dvec3 origin) {
+LookAt parse_look_at(std::string_view text, glm::dvec3 origin) {
     LookAt view;
     view.origin = origin;
     bool has_eye = false, has_target = false;

@@ -39,9 +39,9 @@ bool is_look_at(std::string_view text);
 /// Reads "eye=X,Y,Z;target=X,Y,Z" with, if wanted, up=X,Y,Z (0,1,0), fov=DEGREES or yfov=RADIANS, ymag=METRES
 /// (orthographic), near=METRES, far=METRES. `origin` is Scene::origin.
 /// @throws Error that says which part is wrong
-LookAt parsed_look_at(std::string_view text, glm::dvec3 origin = glm::dvec3(0.0));
+LookAt parse_look_at(std::string_view text, glm::dvec3 origin = glm::dvec3(0.0));
 
-/// Returns a text that parsed_look_at() reads back exactly.
+/// Returns a text that parse_look_at() reads back exactly.
 std::string text_of(const LookAt& view);
 
 } // namespace sr::scene

@@ -23,6 +23,8 @@ float F0_from_ior(float ior) {
     return r * r;
 }
 
+float min_opaque_alpha(const Material& material) { return material.alpha_cutoff * (1.0f - 1.0f / 2000.0f); }
+
 vec3 attenuation_coefficient(const Material& m) {
     constexpr float blackest = 1e-30f; // a colour of 0 would be an endless coefficient
     return -glm::log(glm::clamp(m.attenuation_color, vec3(blackest), vec3(1.0f))) / m.attenuation_distance;
@@ -39,7 +41,7 @@ int tangent_texcoord(const Material& m) {
     return 0;
 }
 
-std::string described(const Material& m) {
+std::string describe(const Material& m) {
     if (m.is_unlit) return "unlit";
     std::string text(m.is_specular_glossiness ? "specular_glossiness" : name_of(m.model));
     for (const MaterialLayer& layer : material_layers) {

@@ -4,6 +4,7 @@
 #include "core/math.hpp"
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -28,6 +29,16 @@ enum class Wrap { repeat, mirrored_repeat, clamp_to_edge };
 
 /// The texel of a row of `size` that index `i` stands for, within the row or beyond it.
 int wrapped(int i, int size, Wrap wrap);
+
+/// Returns the position of uv among the centres of width × height texels, in texels. Coordinates that are no
+/// numbers, or so far out (2^24 texels) that the next float is a texel away, count as 0. Keep in sync with
+/// shaders/base/texel_wrap.glsl.
+inline vec2 texel_place(vec2 uv, int width, int height) {
+    constexpr float farthest = 1.6e7f;
+    const vec2 at = uv * vec2(width, height);
+    const bool is_near = std::abs(at.x) < farthest && std::abs(at.y) < farthest;
+    return (is_near ? at : vec2(0.0f)) - 0.5f;
+}
 
 enum class Filter { nearest, linear };
 /// The mip levels that minification reads.
@@ -184,7 +195,12 @@ struct Material {
 float F0_from_ior(float ior);
 
 /// Describes the BRDF: "metallic_roughness, clearcoat, sheen".
-std::string described(const Material& material);
+std::string describe(const Material& material);
+
+/// Returns the least alpha that alphaMode MASK shows. The cutoff itself is opaque (glTF 2.0, section 3.9.4),
+/// also where an alpha that equals it was rounded: most where texels are half floats, by 2^-11 of the value.
+/// That is less than an eighth of a step of 8 bits.
+float min_opaque_alpha(const Material& material);
 
 /// σ of KHR_materials_volume [1/m]: what is left of light after d metres is exp(-σ d).
 vec3 attenuation_coefficient(const Material& material);

@@ -267,7 +267,7 @@ Camera chosen_camera(const Scene& scene, const std::string& file, const PrepareO
                    : framing_camera(scene, options.aspect_ratio);
     if (wanted.empty()) return scene.cameras.front();
     if (is_look_at(wanted))
-        return camera_at(parsed_look_at(wanted, scene.origin), bounds_of(scene), options.aspect_ratio);
+        return camera_at(parse_look_at(wanted, scene.origin), bounds_of(scene), options.aspect_ratio);
     for (const Camera& camera : scene.cameras)
         if (camera.name == wanted) return camera;
     int number = 0;

@@ -9,7 +9,7 @@ namespace {
 using glm::dmat3;
 using glm::dvec3;
 
-double largest_of(const dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+double max_component(const dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
 // In double: the product of three floats stays within its range.
 dmat3 linear_part(const mat4& transform) { return dmat3(glm::dmat4(transform)); }
@@ -28,7 +28,7 @@ mat3 normal_transform(const mat4& transform) {
     const double side = mirrors(transform) ? -1.0 : 1.0;
     dmat3 cofactors(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
     const double largest =
-        std::max({largest_of(cofactors[0]), largest_of(cofactors[1]), largest_of(cofactors[2])});
+        std::max({max_component(cofactors[0]), max_component(cofactors[1]), max_component(cofactors[2])});
     if (largest > 0.0) cofactors *= side / largest;
     return mat3(cofactors);
 }

@@ -72,8 +72,8 @@ constexpr Value list(const char* type) {
 
 /// Reads a number of the type T in the value's range.
 template<class T>
-std::optional<T> parsed_in_range(const Value& value, const std::string& given) {
-    std::optional<double> number = parsed_number(given);
+std::optional<T> parse_in_range(const Value& value, const std::string& given) {
+    std::optional<double> number = parse_number(given);
     if constexpr (std::is_integral_v<T>) {
         long long whole = 0;
         const auto [end, failure] = std::from_chars(given.data(), given.data() + given.size(), whole);
@@ -93,7 +93,7 @@ constexpr Value number(double min, double max, const char* type = "") {
             .max = max,
             .read =
                 [](const Value& value, S& s, const std::string& given) {
-                    const auto parsed = parsed_in_range<T>(value, given);
+                    const auto parsed = parse_in_range<T>(value, given);
                     if (parsed) member<path...>(s) = *parsed;
                     return parsed.has_value();
                 },
@@ -104,12 +104,12 @@ constexpr Value number(double min, double max, const char* type = "") {
 }
 
 template<class T>
-std::string_view name_of(const Named<T>& row) {
+std::string_view name_of(const NamedValue<T>& row) {
     return row.name;
 }
 
 template<class T>
-T value_of(const Named<T>& row) {
+T value_of(const NamedValue<T>& row) {
     return row.value;
 }
 template<class T>
@@ -117,7 +117,7 @@ T value_of(const T& value) {
     return value;
 }
 
-/// One of `all`: rows of Named, or values of an enumeration whose name_of() is in its namespace.
+/// One of `all`: rows of NamedValue, or values of an enumeration whose name_of() is in its namespace.
 template<const auto& all, auto... path>
 constexpr Value choice() {
     return {.words =
@@ -161,19 +161,19 @@ constexpr Value parsed(const char* type, Words words = nullptr) {
             }};
 }
 
-constexpr std::array exr_types{Named<image::SampleType>{"half", image::SampleType::half},
-                               Named<image::SampleType>{"float", image::SampleType::floating}};
+constexpr std::array exr_types{NamedValue<image::SampleType>{"half", image::SampleType::half},
+                               NamedValue<image::SampleType>{"float", image::SampleType::floating}};
 constexpr std::array visibilities{render::Visibility::ray, render::Visibility::ray_on_cpu,
                                   render::Visibility::ray_in_glsl, render::Visibility::map,
                                   render::Visibility::none};
 constexpr std::array backends{gl::Backend::automatic, gl::Backend::egl, gl::Backend::osmesa,
                               gl::Backend::window};
-constexpr std::array layers{Named<bool>{"lights", true}};
+constexpr std::array layers{NamedValue<bool>{"lights", true}};
 
 /// EV100, or an absent one for "auto".
-std::optional<std::optional<float>> parsed_exposure(const std::string& given) {
+std::optional<std::optional<float>> parse_exposure(const std::string& given) {
     if (given == "auto") return std::optional<float>();
-    const auto ev100 = parsed_number(given);
+    const auto ev100 = parse_number(given);
     if (!ev100 || std::abs(*ev100) > 1e6) return std::nullopt;
     return static_cast<float>(*ev100);
 }
@@ -239,7 +239,7 @@ constexpr std::array options{
     Option{"hide_environment", "Light", by_scene, flag<&S::hide_environment>(),
            "hide the environment, which still lights the scene"},
     Option{"background", "Light", by_picture,
-           parsed<parsed_color, [](vec3 color) { return text_of(color); }, &S::rendering, &R::background>(
+           parsed<parse_color, [](vec3 color) { return text_of(color); }, &S::rendering, &R::background>(
                "L|R,G,B"),
            "radiance where there is no surface [cd/m²]"},
 
@@ -254,13 +254,13 @@ constexpr std::array options{
            "animation by name or index, or all at once (default: the first)"},
     Option{
         "frames", "Animation", by_render,
-        parsed<parsed_frames, [](const FrameRange& frames) { return text_of(frames); }, &S::frames>("A:B|A:"),
+        parsed<parse_frames, [](const FrameRange& frames) { return text_of(frames); }, &S::frames>("A:B|A:"),
         "frames A to B of the animation, or from A to its end; OUT has #### or %04d in its name"},
     Option{"fps", "Animation", by_render, number<&S::fps>(1e-3, 1e6),
            "frames a second: frame n is at n / fps seconds"},
 
     Option{"size", "Picture", by_picture | by_export,
-           parsed<parsed_size, [](Size size) { return text_of(size); }, &S::size>("WIDTHxHEIGHT"),
+           parsed<parse_size, [](Size size) { return text_of(size); }, &S::size>("WIDTHxHEIGHT"),
            "size of the picture (default: 720 rows in the camera's aspect ratio, or 16:9)",
            "size of the window (default: its last size, or 1280x720)"},
     Option{"samples", "Picture", by_picture, number<&S::stop, &render::StopRule::samples>(1, 1 << 24),
@@ -271,7 +271,7 @@ constexpr std::array options{
         "error",
         "Picture",
         by_render | by_view,
-        parsed<parsed_percentage, percentage_text, &S::stop, &render::StopRule::error>("PERCENT%"),
+        parsed<parse_percentage, percentage_text, &S::stop, &render::StopRule::error>("PERCENT%"),
         "stop at this distance from the converged picture: √rel_mse of `steradian compare`, estimated from "
         "two independent halves of the samples. Pixels that are near enough stop earlier. --samples is "
         "then 65536 by default",
@@ -279,12 +279,11 @@ constexpr std::array options{
         {"error_target",
          [](const S& s) { return s.stop.error ? fmt::format("{:.4g}", *s.stop.error) : ""; }}},
     Option{"time", "Picture", by_render | by_view,
-           parsed<parsed_duration, duration_text, &S::stop, &render::StopRule::seconds>("SECONDS|2s|5min"),
+           parsed<parse_duration, duration_text, &S::stop, &render::StopRule::seconds>("SECONDS|2s|5min"),
            "stop after this long; loading and --layers do not count"},
-    Option{
-        "exposure", "Picture", by_render | by_view | by_suites,
-        parsed<parsed_exposure, [](float ev100) { return fmt::format("{}", ev100); }, &S::ev100>("EV|auto"),
-        "EV100 for .png, .jpg and windows (default: auto, which makes the log-average middle grey)"},
+    Option{"exposure", "Picture", by_render | by_view | by_suites,
+           parsed<parse_exposure, [](float ev100) { return fmt::format("{}", ev100); }, &S::ev100>("EV|auto"),
+           "EV100 for .png, .jpg and windows (default: auto, which makes the log-average middle grey)"},
     Option{"tone_curve", "Picture", by_render | by_view | by_suites,
            parsed<image::tone_curve_named, curve_text, &S::tone_curve>("", curve_words),
            "tone curve for .png, .jpg and windows"},
@@ -293,7 +292,7 @@ constexpr std::array options{
     Option{"layers", "Picture", by_render, choice<layers, &S::has_light_layers>(),
            "add a layer for each light and one for emission to .exr files; their sum is the picture"},
     Option{"aov", "Picture", by_render,
-           parsed<output::parsed_aovs, aovs_text, &S::aovs>("NAME,NAME...", aov_words),
+           parsed<output::parse_aovs, aovs_text, &S::aovs>("NAME,NAME...", aov_words),
            "add channels to .exr files, separated by commas; src/output/README.md describes them"},
     Option{"view",
            "Picture",
@@ -391,6 +390,7 @@ std::string type_of(const Value& value) {
 }
 
 std::string allowed_by(const Value& value) {
+    if (value.words && value.words().size() == 1) return joined(value, "") + ", the only choice";
     if (value.words) return "one of " + joined(value, ", ");
     if (value.kind != Kind::number && value.kind != Kind::whole) return value.type;
     const char* const kind = value.kind == Kind::whole ? "a whole number" : "a number";

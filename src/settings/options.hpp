@@ -42,7 +42,7 @@ struct Value {
 };
 
 /// Attribute of a picture's file, "steradian:NAME".
-struct Attribute {
+struct OptionAttribute {
     const char* name = nullptr;                           // null: none
     std::string (*text)(const RenderSettings&) = nullptr; // empty: left out; null: as Value::write
 };
@@ -54,7 +54,7 @@ struct Option {
     Value value;
     const char* help;
     const char* view_help = nullptr; // of `view`, where it means something else there
-    Attribute attribute{};
+    OptionAttribute attribute{};
 
     std::string flag() const; // "--exr-type" for the key exr_type
 };

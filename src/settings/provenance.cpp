@@ -7,7 +7,7 @@
 
 namespace sr::settings {
 
-SampleCounts counted(const std::vector<int>& samples) {
+SampleCounts count_samples(const std::vector<int>& samples) {
     if (samples.empty()) return {};
     const auto [min, max] = std::ranges::minmax(samples);
     double sum = 0.0;
@@ -15,7 +15,7 @@ SampleCounts counted(const std::vector<int>& samples) {
     return {sum / static_cast<double>(samples.size()), min, max};
 }
 
-std::vector<image::Attribute> attributes_of(const RenderSettings& settings, const Outcome& outcome,
+std::vector<image::Attribute> attributes_of(const RenderSettings& settings, const RenderResult& outcome,
                                             const gl::ContextInfo& gl) {
     const auto& [unit, camera, samples, error, stopped_by] = outcome;
     std::vector<image::Attribute> attributes{{"steradian:version", STERADIAN_VERSION},

@@ -17,10 +17,10 @@ struct SampleCounts {
     int min = 0;
     int max = 0;
 };
-SampleCounts counted(const std::vector<int>& samples);
+SampleCounts count_samples(const std::vector<int>& samples);
 
 /// Result of a rendering.
-struct Outcome {
+struct RenderResult {
     std::string unit;   // of the pixels
     std::string camera; // its name, or the view as --camera takes it
     SampleCounts samples;
@@ -30,7 +30,7 @@ struct Outcome {
 
 /// Returns "steradian:version", "steradian:estimator" and so on: those of the outcome, and those of the table
 /// of options.
-std::vector<image::Attribute> attributes_of(const RenderSettings& settings, const Outcome& outcome,
+std::vector<image::Attribute> attributes_of(const RenderSettings& settings, const RenderResult& outcome,
                                             const gl::ContextInfo& gl);
 
 } // namespace sr::settings

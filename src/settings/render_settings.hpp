@@ -4,7 +4,7 @@
 #include "image/display.hpp"
 #include "image/file.hpp"
 #include "output/variables.hpp"
-#include "render/adaptive/stop_rule.hpp"
+#include "render/adaptive/convergence.hpp"
 #include "render/renderer.hpp"
 #include "render/visibility/visibility_backend.hpp"
 #include "scene/prepare.hpp"
@@ -17,11 +17,11 @@
 
 namespace sr::settings {
 
-inline constexpr std::array<Named<scene::Rig>, 4> rigs{{{"auto", scene::Rig::automatic},
-                                                        {"studio", scene::Rig::studio},
-                                                        {"softboxes", scene::Rig::softboxes},
-                                                        {"none", scene::Rig::none}}};
-inline constexpr std::array<Named<render::Estimator>, 2> estimators{
+inline constexpr std::array<NamedValue<scene::Rig>, 4> rigs{{{"auto", scene::Rig::automatic},
+                                                             {"studio", scene::Rig::studio},
+                                                             {"softboxes", scene::Rig::softboxes},
+                                                             {"none", scene::Rig::none}}};
+inline constexpr std::array<NamedValue<render::Estimator>, 2> estimators{
     {{"sampled", render::Estimator::sampled}, {"analytic", render::Estimator::analytic}}};
 
 /// Each member but the first two is a row of the table in options.cpp.

@@ -10,12 +10,12 @@ namespace sr::settings {
 
 /// Row of a table of the names of an enumeration.
 template<class T>
-struct Named {
+struct NamedValue {
     std::string_view name;
     T value;
 };
 
-/// Returns the name of a value in an array of Named; empty if it has none.
+/// Returns the name of a value in an array of NamedValue; empty if it has none.
 template<class Table, class T>
 constexpr std::string_view name_in(const Table& table, const T& value) {
     for (const auto& row : table)
@@ -35,22 +35,22 @@ struct FrameRange {
 };
 
 /// Reads a finite number; absent for any other text.
-std::optional<double> parsed_number(const std::string& text);
+std::optional<double> parse_number(const std::string& text);
 
 /// Reads "1280x720"; absent if it is not two whole numbers from 1 to 65536.
-std::optional<Size> parsed_size(const std::string& text);
+std::optional<Size> parse_size(const std::string& text);
 
 /// Reads "0:47" or "12:"; absent if it is neither.
-std::optional<FrameRange> parsed_frames(const std::string& text);
+std::optional<FrameRange> parse_frames(const std::string& text);
 
 /// Reads "0.1,0.2,0.3" or a single number for all three; absent if it is neither, or not finite.
-std::optional<vec3> parsed_color(const std::string& text);
+std::optional<vec3> parse_color(const std::string& text);
 
 /// Reads "0.5%" as 0.005; absent if it is not a percentage above 0 and below 100.
-std::optional<double> parsed_percentage(const std::string& text);
+std::optional<double> parse_percentage(const std::string& text);
 
 /// Reads "2", "2s", "1.5min" [s]; absent if it is not above 0.
-std::optional<double> parsed_duration(const std::string& text);
+std::optional<double> parse_duration(const std::string& text);
 
 /// Texts that the functions above read as these values.
 std::string text_of(Size size);

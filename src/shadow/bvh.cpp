@@ -10,14 +10,14 @@
 namespace sr::shadow {
 namespace {
 
-constexpr unsigned largest_leaf = 4;
-constexpr unsigned deepest = 64;
+constexpr unsigned max_leaf_triangles = 4;
+constexpr unsigned max_depth = 64;
 
 /// A node as the builder hands it out: two children with their boxes, or a leaf.
 struct Built {
     Built* child[2] = {nullptr, nullptr};
     RTCBounds bounds[2] = {};
-    std::uint32_t triangles[largest_leaf] = {};
+    std::uint32_t triangles[max_leaf_triangles] = {};
     unsigned count = 0; // of triangles; 0: no leaf
 };
 
@@ -107,8 +107,8 @@ void flatten(const Built& node, const RTCBounds& b, Bvh& bvh) {
 RTCBuildArguments arguments_for(RTCBVH bvh, std::vector<RTCBuildPrimitive>& primitives) {
     RTCBuildArguments arguments = rtcDefaultBuildArguments();
     arguments.maxBranchingFactor = 2;
-    arguments.maxDepth = deepest;
-    arguments.maxLeafSize = largest_leaf;
+    arguments.maxDepth = max_depth;
+    arguments.maxLeafSize = max_leaf_triangles;
     arguments.bvh = bvh;
     arguments.primitives = primitives.data();
     arguments.primitiveCount = arguments.primitiveArrayCapacity = primitives.size();
@@ -121,7 +121,7 @@ RTCBuildArguments arguments_for(RTCBVH bvh, std::vector<RTCBuildPrimitive>& prim
 
 } // namespace
 
-Bvh bvh_of(const Casters& casters, bool glass_alone) {
+Bvh build_bvh(const Casters& casters, bool glass_alone) {
     std::vector<RTCBuildPrimitive> primitives = primitives_of(casters, glass_alone);
     Bvh result;
     if (primitives.empty()) {

@@ -1,11 +1,12 @@
 #pragma once
-// The tree of boxes that shaders walk.
+// Bounding volume hierarchy that shaders walk.
 #include "shadow/casters.hpp"
 
 namespace sr::shadow {
 
-/// A box of a binary tree in depth-first order. Who meets the box goes on with the next node, who misses it
-/// with node `skip`: no stack is needed. 32 bytes; mirror: shaders/visibility/bvh.glsl.
+/// Node of a binary tree in depth-first order. A ray that meets the box continues with the next node, a ray
+/// that misses it with node `skip`, so no stack is needed. 32 bytes. Keep in sync with
+/// shaders/visibility/bvh.glsl.
 struct BvhNode {
     vec3 low{0.0f}; // [m]
     std::int32_t skip = 0;
@@ -19,9 +20,9 @@ struct Bvh {
     std::vector<std::uint32_t> order; // the triangles' indices as leaves name them
 };
 
-/// Embree's builder with the surface area heuristic. Triangles with corners that are no numbers or
-/// beyond 1.8e18 m are left out, degenerate ones do no harm. Of two boxes the larger comes first, since any
-/// hit will do. With `glass_alone` other surfaces are left out. @throws Error if Embree fails.
-Bvh bvh_of(const Casters& casters, bool glass_alone = false);
+/// Builds the tree with Embree's builder (surface area heuristic). Leaves out triangles with corners that are
+/// no numbers or beyond 1.8e18 m. Of two boxes the larger comes first, since any hit will do. With
+/// `glass_alone` other surfaces are left out. @throws Error if Embree fails.
+Bvh build_bvh(const Casters& casters, bool glass_alone = false);
 
 } // namespace sr::shadow

@@ -1,7 +1,6 @@
 #include "shadow/casters.hpp"
 
 #include "core/error.hpp"
-#include "scene/alpha.hpp"
 #include "scene/transform.hpp"
 
 #include <algorithm>
@@ -31,7 +30,7 @@ public:
         caster.emits_as = clipped(instance.emits_as);
         caster.own_share = own_share(caster.emits_as);
         caster.alpha_mode = material.alpha_mode;
-        caster.alpha_cutoff = scene::least_opaque_alpha(material);
+        caster.alpha_cutoff = scene::min_opaque_alpha(material);
         if (has_passing_lights_ && !material.is_double_sided && !material.is_transmissive())
             caster.front = scene::mirrors(instance.world_from_object) ? -1.0f : 1.0f;
         caster.first_triangle = static_cast<int>(all_.caster_of.size());
@@ -141,7 +140,7 @@ private:
 
 } // namespace
 
-Casters casters_of(const scene::Scene& scene, std::span<const scene::Light> lights) {
+Casters collect_casters(const scene::Scene& scene, std::span<const scene::Light> lights) {
     constexpr std::size_t most = std::size_t{1} << 24; // shaders count triangles in floats
     const std::size_t count = scene::triangle_count(scene);
     if (count > most)

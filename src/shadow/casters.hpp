@@ -57,8 +57,9 @@ struct Casters {
     bool is_tinted() const { return !glass.empty(); }
 };
 
-/// @throws Error if there are more triangles than a float can count (2^24).
-Casters casters_of(const scene::Scene& scene, std::span<const scene::Light> lights);
+/// Collects the triangles that cast shadows.
+/// @throws Error if there are more than a float can count (2^24)
+Casters collect_casters(const scene::Scene& scene, std::span<const scene::Light> lights);
 
 /// Returns whether the light does not see the triangle that a ray towards it meets: it passes back faces, and
 /// the ray arrives at the front of a single-sided triangle, which is where the light would come out.

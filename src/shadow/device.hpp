@@ -15,7 +15,7 @@ using RayContext = RTCIntersectContext;
 #endif
 
 /// Traces eight incoherent rays. Filters get the pointer to `context`.
-inline void occluded(const int* valid, RTCScene scene, RayContext& context, RTCRay8& rays) {
+inline void trace(const int* valid, RTCScene scene, RayContext& context, RTCRay8& rays) {
 #if STERADIAN_EMBREE >= 4
     rtcInitRayQueryContext(&context);
     RTCOccludedArguments arguments;

@@ -133,7 +133,7 @@ void Occlusion::answer(std::span<const Query> queries, std::span<vec3> V) const 
             context.V[lane] = vec3(1.0f);
             valid[lane] = -1;
         }
-        occluded(valid.data(), tree_->scene, context.embree, rays);
+        trace(valid.data(), tree_->scene, context.embree, rays);
         for (std::size_t lane = 0; lane < count; ++lane) // Embree marks what is stopped by minus infinity
             V[first + lane] = rays.tfar[lane] < 0.0f ? vec3(0.0f) : context.V[lane];
     }

@@ -1,7 +1,6 @@
 #include "shadow/transparency.hpp"
 
-#include "image/srgb.hpp"
-#include "scene/alpha.hpp"
+#include "image/display.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -43,7 +43,7 @@ private:
     void toggle_fullscreen();
 
     gl::Window window_;
-    Input input_;
+    WindowInput input_;
     Ui ui_;
     Workspace workspace_;
     Presenter presenter_;

@@ -9,7 +9,9 @@
 namespace sr::viewer {
 namespace {
 
-Input& input_of(GLFWwindow* window) { return *static_cast<Input*>(glfwGetWindowUserPointer(window)); }
+WindowInput& input_of(GLFWwindow* window) {
+    return *static_cast<WindowInput*>(glfwGetWindowUserPointer(window));
+}
 
 int modifiers_of(int mods) {
     // ⌘ is what Ctrl is elsewhere.
@@ -59,7 +61,7 @@ std::vector<KeyEvent> taps_among(const std::vector<Event>& events) {
     return taps;
 }
 
-Input::Input(GLFWwindow* window) : window_(window) {
+WindowInput::WindowInput(GLFWwindow* window) : window_(window) {
     static_assert(static_cast<int>(Button::middle) == GLFW_MOUSE_BUTTON_MIDDLE);
     glfwSetWindowUserPointer(window, this);
     glfwSetKeyCallback(window, on_key);
@@ -72,7 +74,7 @@ Input::Input(GLFWwindow* window) : window_(window) {
     glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) { input_of(w).damage(); });
 }
 
-Input::~Input() {
+WindowInput::~WindowInput() {
     glfwSetKeyCallback(window_, nullptr);
     glfwSetMouseButtonCallback(window_, nullptr);
     glfwSetCursorPosCallback(window_, nullptr);
@@ -83,11 +85,11 @@ Input::~Input() {
     glfwSetFramebufferSizeCallback(window_, nullptr);
 }
 
-std::vector<Event> Input::take() { return std::exchange(events_, {}); }
+std::vector<Event> WindowInput::take() { return std::exchange(events_, {}); }
 
-bool Input::take_damage() { return std::exchange(is_damaged_, false); }
+bool WindowInput::take_damage() { return std::exchange(is_damaged_, false); }
 
-bool Input::has_cancel() const {
+bool WindowInput::has_cancel() const {
     return std::ranges::any_of(events_, [](const Event& event) {
         const auto* key = std::get_if<KeyEvent>(&event);
         return std::holds_alternative<CloseEvent>(event)
@@ -95,22 +97,22 @@ bool Input::has_cancel() const {
     });
 }
 
-vec2 Input::window_size() const {
+vec2 WindowInput::window_size() const {
     int width = 1, height = 1;
     glfwGetWindowSize(window_, &width, &height);
     return {static_cast<float>(std::max(1, width)), static_cast<float>(std::max(1, height))};
 }
 
-std::string Input::clipboard() const {
+std::string WindowInput::clipboard() const {
     const char* text = glfwGetClipboardString(window_);
     return text ? text : "";
 }
 
-void Input::set_clipboard(const std::string& text) { glfwSetClipboardString(window_, text.c_str()); }
+void WindowInput::set_clipboard(const std::string& text) { glfwSetClipboardString(window_, text.c_str()); }
 
-bool Input::is_down(int key) const { return glfwGetKey(window_, key) == GLFW_PRESS; }
+bool WindowInput::is_down(int key) const { return glfwGetKey(window_, key) == GLFW_PRESS; }
 
-vec2 Input::pointer() const {
+vec2 WindowInput::pointer() const {
     double x = 0.0, y = 0.0;
     glfwGetCursorPos(window_, &x, &y);
     return {static_cast<float>(x), static_cast<float>(y)};

@@ -51,14 +51,14 @@ using Event = std::variant<KeyEvent, ButtonEvent, MotionEvent, ScrollEvent, Drop
 /// Keys that were pressed and released within `events`.
 std::vector<KeyEvent> taps_among(const std::vector<Event>& events);
 
-/// Collects the events of a window. Input takes the user pointer and the callbacks of the window, so it must
+/// Collects the events of a window. It takes the user pointer and the callbacks of the window, so it must
 /// be made before other users of callbacks (Dear ImGui chains).
-class Input {
+class WindowInput {
 public:
-    explicit Input(GLFWwindow* window);
-    ~Input();
-    Input(const Input&) = delete;
-    Input& operator=(const Input&) = delete;
+    explicit WindowInput(GLFWwindow* window);
+    ~WindowInput();
+    WindowInput(const WindowInput&) = delete;
+    WindowInput& operator=(const WindowInput&) = delete;
 
     /// Takes the events since the last call.
     std::vector<Event> take();

@@ -67,7 +67,7 @@ std::string value_text(const LightGroup& group) {
     return text + ", " + text_of(flux, Quantity::flux, group.units);
 }
 
-vec3 typed_quantity(std::string_view typed, const LightGroup& group) {
+vec3 parse_quantity(std::string_view typed, const LightGroup& group) {
     const std::string_view text = trimmed(typed);
     double value = 0.0;
     const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);

@@ -22,6 +22,6 @@ std::string value_text(const LightGroup& group);
 /// own unit), which sets how much, or a number of kelvins with K, which sets the colour and keeps the
 /// luminance.
 /// @throws Error that says what such a light takes
-vec3 typed_quantity(std::string_view text, const LightGroup& group);
+vec3 parse_quantity(std::string_view text, const LightGroup& group);
 
 } // namespace sr::viewer

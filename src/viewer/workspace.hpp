@@ -37,7 +37,7 @@ private:
 struct Workspace {
     Options options;
     gl::Window& window;
-    Input& input;
+    WindowInput& input;
     const Ui& ui;
     Messages messages;
     Statistics statistics{};

@@ -13,7 +13,7 @@ namespace sr::testing {
 namespace {
 
 // Under radiance 1 a whole sky gives π; of less than this, 1e-4 is the rounding of unit vectors of floats.
-constexpr double least_irradiance = 1e-3;
+constexpr double min_irradiance = 1e-3;
 
 } // namespace
 
@@ -31,7 +31,7 @@ void expect_irradiance(const scene::Light& light, const Irradiance& E, double ha
     scene::Camera camera = camera_from_above(extent);
     render::Renderer renderer(scene, camera, options);
     renderer.add_sample();
-    const image::Image film = renderer.film();
+    const image::Image film = renderer.read_film();
 
     std::vector<double> expected;
     double greatest = 0.0;
@@ -42,7 +42,7 @@ void expect_irradiance(const scene::Light& light, const Irradiance& E, double ha
             greatest = std::max(greatest, expected.back());
         }
     ASSERT_GT(greatest, 0.0);
-    const double floor = std::max(1e-3 * greatest, least_irradiance);
+    const double floor = std::max(1e-3 * greatest, min_irradiance);
     double worst = 0.0;
     int wrong = 0;
     std::string where;
@@ -55,7 +55,7 @@ void expect_irradiance(const scene::Light& light, const Irradiance& E, double ha
         where = fmt::format("pixel {},{}: E {} for {}", i % size, i / size, got, expected[i]);
     }
     EXPECT_EQ(wrong, 0) << "pixels; the worst errs by " << worst << ", " << where;
-    ::testing::Test::RecordProperty("largest_relative_difference", std::to_string(worst));
+    ::testing::Test::RecordProperty("max_relative_difference", std::to_string(worst));
 }
 
 } // namespace sr::testing

@@ -28,7 +28,7 @@ void expect_polygon_formula(const scene::RectangleLight& light) {
         }
     }
     EXPECT_LT(worst, 0.005) << "largest relative difference over the picture";
-    ::testing::Test::RecordProperty("largest_relative_difference", std::to_string(worst));
+    ::testing::Test::RecordProperty("max_relative_difference", std::to_string(worst));
 }
 
 const Test above("analytic.rectangle.lambert_plane_below", [] {

@@ -34,7 +34,7 @@ image::Image rendered(const render::GpuScene& scene, render::Estimator estimator
     scene::Camera camera = camera_from_above(2.0f);
     render::Renderer renderer(scene, camera, options);
     for (int i = 0; i < samples; ++i) renderer.add_sample();
-    return renderer.film();
+    return renderer.read_film();
 }
 
 /// The pictures' sums agree within `of_sum`, their pixels in the mean within `of_pixel`.
@@ -74,7 +74,7 @@ const Test round_spot("law.integrator.analytic.spot_with_a_radius", [] {
 
 const Test many_triangles("law.integrator.analytic.mesh_of_many_triangles_is_sampled", [] {
     scene::MeshLight light;
-    for (int k = 0; k < render::most_outlined_triangles + 8; ++k) {
+    for (int k = 0; k < render::max_outlined_triangles + 8; ++k) {
         const float x = 0.25f * static_cast<float>(k % 8) - 1.0f,
                     z = 0.25f * static_cast<float>(k / 8) - 0.6f;
         light.triangles.push_back({{vec3(x, 1, z), vec3(x + 0.2f, 1, z), vec3(x, 1, z + 0.2f)}, {}});

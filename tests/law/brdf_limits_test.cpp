@@ -17,11 +17,11 @@ using scene::Model;
 
 namespace {
 
-std::vector<brdf::DirectionPair> random_pairs(int count, float lowest_cosine) {
+std::vector<brdf::DirectionPair> random_pairs(int count, float min_cosine) {
     std::mt19937 random(5);
     std::uniform_real_distribution<float> unit(0.0f, 1.0f);
     const auto any = [&] {
-        const float z = lowest_cosine + (1.0f - lowest_cosine) * unit(random), phi = 2.0f * pi * unit(random);
+        const float z = min_cosine + (1.0f - min_cosine) * unit(random), phi = 2.0f * pi * unit(random);
         const float r = std::sqrt(1.0f - z * z);
         return vec3(r * std::cos(phi), r * std::sin(phi), z);
     };
@@ -50,7 +50,7 @@ const Test isotropic("law.brdf.anisotropy.of_one_width_is_isotropic", [] {
     brushed.anisotropy_rotation = 0.7f;
     brdf::BrdfEvaluator one({plain, {}, false, {}}), two({brushed, {}, false, {}});
     const auto pairs = random_pairs(2000, 0.05f);
-    const auto f = one.values(pairs), g = two.values(pairs);
+    const auto f = one.evaluate(pairs), g = two.evaluate(pairs);
     for (std::size_t i = 0; i < pairs.size(); ++i) EXPECT_NEAR(g[i].x, f[i].x, 2e-3f * f[i].x);
 });
 
@@ -68,7 +68,7 @@ const Test layers("law.brdf.layers.of_no_weight_change_nothing", [] {
     covered.max_film_thickness = 0.0f;
     brdf::BrdfEvaluator one({plain, {}, false, {}}), two({covered, {}, false, {}});
     const auto pairs = random_pairs(500, 0.1f);
-    const auto f = one.values(pairs), g = two.values(pairs);
+    const auto f = one.evaluate(pairs), g = two.evaluate(pairs);
     for (std::size_t i = 0; i < pairs.size(); ++i)
         for (int c = 0; c < 3; ++c) EXPECT_NEAR(g[i][c], f[i][c], 2e-2f * f[i][c] + 1e-5f);
 });
@@ -78,7 +78,7 @@ const Test layers("law.brdf.layers.of_no_weight_change_nothing", [] {
 const Test measured_metals("law.brdf.conductor.reflects_as_measured", [] {
     for (const std::string_view name : scene::metal_names()) {
         const scene::IorSpectrum spectrum = *scene::measured_metal(name);
-        const scene::ComplexIor ior = scene::fitted_ior(spectrum);
+        const scene::ComplexIor ior = scene::fit_ior(spectrum);
         for (const double cosine : {1.0, 0.7, 0.4, 0.2, 0.1}) {
             const glm::dvec3 wanted = scene::reflectance_of(spectrum, cosine);
             for (int c = 0; c < 3; ++c)
@@ -90,7 +90,7 @@ const Test measured_metals("law.brdf.conductor.reflects_as_measured", [] {
     Material gold;
     gold.model = Model::conductor;
     gold.roughness = 0.05f;
-    gold.conductor = scene::fitted_ior(*scene::measured_metal("gold"));
+    gold.conductor = scene::fit_ior(*scene::measured_metal("gold"));
     brdf::BrdfEvaluator evaluator({gold, {}, false, {}});
     const vec3 wo(0.6f, 0.0f, 0.8f);
     const glm::dvec3 albedo = evaluator.albedos(std::array{wo}, 16384)[0];
@@ -117,9 +117,9 @@ const Test merl("law.brdf.merl.gives_back_what_was_tabulated", [] {
     measured.model = Model::merl;
     measured.measured = 0;
     brdf::BrdfEvaluator read_back(
-        {measured, {scene::read_merl(scene::merl_file(analytic.values(cells)), "made.binary")}, false, {}});
+        {measured, {scene::read_merl(scene::merl_file(analytic.evaluate(cells)), "made.binary")}, false, {}});
     const auto pairs = random_pairs(4000, 0.2f);
-    const auto [median, p95] = differences(read_back.values(pairs), analytic.values(pairs));
+    const auto [median, p95] = differences(read_back.evaluate(pairs), analytic.evaluate(pairs));
     EXPECT_LT(median, 0.002f);
     EXPECT_LT(p95, 0.02f);
     // The lobe that it is sampled by is about as wide as the true one.

@@ -26,7 +26,7 @@ void expect_lawful(const std::vector<Material>& materials, bool has_compensation
     brdf::BrdfEvaluator evaluator({materials.at(0), {}, has_compensation, {}});
     for (const Material& material : materials) {
         evaluator.change(material);
-        for (const brdf::Law& law : brdf::laws_of(evaluator)) {
+        for (const brdf::Law& law : brdf::check_laws(evaluator)) {
             if (law.is_waived) continue;
             EXPECT_LE(law.worst, law.limit) << scene::name_of(material.model) << ", roughness "
                                             << material.roughness << ": " << law.name << " at " << law.where;
@@ -106,7 +106,7 @@ const Test conductor("law.brdf.conductor", [] {
     std::vector<Material> materials;
     for (const char* name : {"gold", "iron"}) {
         materials.push_back(material_of(Model::conductor, 0.3f));
-        materials.back().conductor = scene::fitted_ior(*scene::measured_metal(name));
+        materials.back().conductor = scene::fit_ior(*scene::measured_metal(name));
     }
     expect_lawful(materials);
 });

@@ -18,7 +18,7 @@ image::Image lit_by(const scene::Light& light, int samples,
 }
 
 void expect_equal(const scene::Light& a, const scene::Light& b, float tolerance, int samples = 64) {
-    EXPECT_LT(largest_relative_difference(lit_by(a, samples), lit_by(b, samples), 1e-4f), tolerance);
+    EXPECT_LT(max_relative_difference(lit_by(a, samples), lit_by(b, samples), 1e-4f), tolerance);
 }
 
 // The smaller an emitter, the less its shape matters: I = L A for a disk (times its cosine) and L π r² for a
@@ -84,7 +84,7 @@ const Test isotropic("law.emitter.profile.an_even_one_is_a_point", [] {
     const auto point = lit_by(scene::PointLight{"", {0.1f, 1, 0}, vec3(70.0f)}, 1);
     light.profile = 0;
     const auto scene = with_profile({"even", {0.0f, pi}, {0.0f, 2.0f * pi}, {70, 70, 70, 70}});
-    EXPECT_LT(largest_relative_difference(lit_by(light, 1, scene), point, 1e-4f), 1e-5f);
+    EXPECT_LT(max_relative_difference(lit_by(light, 1, scene), point, 1e-4f), 1e-5f);
 });
 
 // γ from the nadir, φ from +X to +Z, both linear: I = (γ in rad) (1 + φ/2π) from above.
@@ -129,7 +129,7 @@ const Test textured("law.emitter.map.half_a_texture_is_half_a_rectangle", [] {
     const scene::RectangleLight half{"", {-0.25f, 1, 0}, {0.25f, 0, 0}, {0, 0, 0.5f}, vec3(2.0f)};
     const auto expected = lit_by(half, 1024);
     light.map.texture = 0;
-    EXPECT_LT(largest_relative_difference(lit_by(light, 1024, scene), expected, 1e-4f), 0.02f);
+    EXPECT_LT(max_relative_difference(lit_by(light, 1024, scene), expected, 1e-4f), 0.02f);
 
     scene::MeshLight mesh{"", {}, vec3(2.0f)};
     const std::array<vec3, 4> c{{{-0.5f, 1, -0.5f}, {0.5f, 1, -0.5f}, {0.5f, 1, 0.5f}, {-0.5f, 1, 0.5f}}};
@@ -137,7 +137,7 @@ const Test textured("law.emitter.map.half_a_texture_is_half_a_rectangle", [] {
     mesh.triangles = {{{c[0], c[1], c[2]}, {uv[0], uv[1], uv[2]}},
                       {{c[0], c[2], c[3]}, {uv[0], uv[2], uv[3]}}};
     mesh.texture = 0;
-    EXPECT_LT(largest_relative_difference(lit_by(mesh, 2048, scene), expected, 1e-4f), 0.05f);
+    EXPECT_LT(max_relative_difference(lit_by(mesh, 2048, scene), expected, 1e-4f), 0.05f);
 });
 
 // From within, and from below its horizon, an emitter gives nothing.

@@ -42,7 +42,7 @@ void expect_same_picture_far_out(const char* name, render::Estimator estimator,
     look.estimator = estimator;
     look.visibility = visibility;
     Pictures pictures(look);
-    constexpr int most_moved = 24; // of 1024: edges and, on light's edges, points of light
+    constexpr int max_moved = 24; // of 1024: edges and, on light's edges, points of light
     for (std::uint64_t seed = 0; seed < 3; ++seed) {
         const MadeGltf made = random_scene(recipe, seed);
         const image::Image near = pictures.of(staged(loaded(made)));
@@ -50,7 +50,7 @@ void expect_same_picture_far_out(const char* name, render::Estimator estimator,
             const glm::dvec3 by(far, -0.5 * far, 2.0 * far);
             const scene::Scene scene = loaded(moved(made, by));
             EXPECT_LT(glm::distance(scene.origin, by), 1e-6 * far + 10.0);
-            EXPECT_LE(different_pixels(near, pictures.of(staged(scene))), most_moved)
+            EXPECT_LE(different_pixels(near, pictures.of(staged(scene))), max_moved)
                 << fmt::format("{}, seed {}, {} m out", name, seed, far);
         }
     }

@@ -26,7 +26,7 @@ Extremes extremes_of(std::uint64_t seed) {
     extremes.is_coplanar = seed % 4 < 2;
     extremes.is_coincident = seed % 5 < 2;
     extremes.has_extreme_factors = seed % 3 != 1;
-    extremes.largest_length = seed % 7 == 0 ? 1e9 : seed % 7 == 1 ? 1e4 : 1.0;
+    extremes.max_length = seed % 7 == 0 ? 1e9 : seed % 7 == 1 ? 1e4 : 1.0;
     return extremes;
 }
 
@@ -61,7 +61,7 @@ public:
         options_.estimator = way.estimator;
         options_.shader = way.shader;
         options_.maps.size = 64;
-        shaders_ = render::Renderer::programs(options_);
+        shaders_ = render::Renderer::make_programs(options_);
     }
 
     /// Counts the values that are not finite.
@@ -70,7 +70,7 @@ public:
         options_.seed = seed;
         render::Renderer renderer(gpu_scene, stage.camera, options_, shaders_);
         for (int i = 0; i < options_.samples; ++i) renderer.add_sample();
-        const image::Image film = renderer.film();
+        const image::Image film = renderer.read_film();
         return static_cast<int>(
             std::ranges::count_if(film.pixels, [](float value) { return !std::isfinite(value); }));
     }

@@ -51,7 +51,7 @@ const Test furnace("law.glass.reflects_and_lets_through_no_more_than_arrives", [
 
 /// f_r with wi below the sheet.
 vec3 f_below(brdf::BrdfEvaluator& evaluator, vec3 wi, vec3 wo) {
-    return evaluator.values(std::array{brdf::DirectionPair{wi, wo}}).front();
+    return evaluator.evaluate(std::array{brdf::DirectionPair{wi, wo}}).front();
 }
 
 // Both sides of a sheet together send on no more than arrives. (Specular 0: glTF's dielectric is no such

@@ -161,7 +161,7 @@ const Test no_shadow("law.line.casts_no_shadow", [] {
         above.normals.assign(2, vec3(0, 1, 0));
         add(scene, above);
         const auto with = picture(scene, lights, camera, size, 4, 0, visibility);
-        EXPECT_EQ(largest_relative_difference(with, alone, 1e-6f), 0.0f);
+        EXPECT_EQ(max_relative_difference(with, alone, 1e-6f), 0.0f);
         EXPECT_GT(middle(picture(only(above), lights, camera_from_above(1.0f), size, 4, 0, visibility)).x,
                   0.0f)
             << "alone, where nothing casts shadows";
@@ -189,7 +189,7 @@ vec4 middle_by(const scene::Scene& scene, const char* shader) {
     options.shader = shader;
     render::Renderer renderer(gpu_scene, camera_from_above(1.0f), options);
     renderer.add_sample();
-    return middle(renderer.film());
+    return middle(renderer.read_film());
 }
 
 const Test aovs("law.line.is_in_every_picture_of_its_terms", [] {

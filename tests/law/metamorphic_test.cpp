@@ -122,7 +122,7 @@ const std::array laws{Law{"in vertices", in_vertices, true},
 bool is_noiseless(const scene::RenderScene& stage) {
     return std::ranges::all_of(stage.lights, [](const scene::Light& light) {
         const auto* mesh = std::get_if<scene::MeshLight>(&light);
-        return !mesh || mesh->triangles.size() <= render::most_outlined_triangles;
+        return !mesh || mesh->triangles.size() <= render::max_outlined_triangles;
     });
 }
 

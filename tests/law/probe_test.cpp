@@ -123,7 +123,7 @@ const Test lobe("law.probe.lobe_is_the_f_r_of_the_table", [] {
         ASSERT_TRUE(terms);
         std::vector<vec3> wi(100, vec3(0, 1, 0));
         for (const render::LightTerms& light : terms->lights) wi.push_back(light.wi);
-        const auto brdf = render::brdf_at(scene, camera_from_above(1.0f), one, column, row, wi);
+        const auto brdf = render::evaluate_brdf(scene, camera_from_above(1.0f), one, column, row, wi);
         ASSERT_TRUE(brdf);
         EXPECT_FALSE(brdf->is_mirror);
         for (std::size_t k = 0; k < points.size(); ++k)
@@ -131,7 +131,7 @@ const Test lobe("law.probe.lobe_is_the_f_r_of_the_table", [] {
                 EXPECT_NEAR(brdf->f_r[100 + k][c] / terms->lights[k].f_r[c], 1.0f, 1e-4f)
                     << column << ' ' << k;
     }
-    EXPECT_FALSE(render::brdf_at(scene, camera_from_above(9.0f), one, 0, 0, std::array{vec3(0, 1, 0)}));
+    EXPECT_FALSE(render::evaluate_brdf(scene, camera_from_above(9.0f), one, 0, 0, std::array{vec3(0, 1, 0)}));
 });
 
 } // namespace

@@ -114,7 +114,7 @@ const Test two_ways("law.integrator.light_and_brdf_samples_agree_with_light_samp
         scene::Camera camera = camera_from_above(2.0f);
         render::Renderer renderer(scene, camera, options);
         for (int i = 0; i < options.samples; ++i) renderer.add_sample();
-        const auto film = renderer.film();
+        const auto film = renderer.read_film();
         double sum = 0.0;
         for (std::size_t i = 0; i < film.pixels.size(); i += 4) sum += film.pixels[i];
         return sum / (24.0 * 24.0);

@@ -36,9 +36,8 @@ const Test empty("law.shadow.nothing_in_the_way_is_no_shadow", [] {
         const auto camera = camera_from_above(2.0f);
         const auto bare = picture(plane, zoo, camera, 64, 2, 0, Visibility::none);
         for (const Visibility visibility : providers)
-            EXPECT_LT(
-                largest_relative_difference(picture(plane, zoo, camera, 64, 2, 0, visibility), bare, 1e-3f),
-                2e-4f);
+            EXPECT_LT(max_relative_difference(picture(plane, zoo, camera, 64, 2, 0, visibility), bare, 1e-3f),
+                      2e-4f);
     }
 });
 
@@ -56,7 +55,7 @@ const Test convex("law.shadow.a_convex_body_does_not_shadow_itself", [] {
         const auto bare = picture(scene, lights, camera, 96, 1, 0, Visibility::none);
         for (const Visibility visibility : providers) {
             const auto shadowed = picture(scene, lights, camera, 96, 1, 0, visibility);
-            EXPECT_LT(largest_relative_difference(shadowed, bare, 1e-2f), 1e-5f) << offset.x;
+            EXPECT_LT(max_relative_difference(shadowed, bare, 1e-2f), 1e-5f) << offset.x;
         }
     }
 });
@@ -154,7 +153,7 @@ const Test superposition("law.shadow.superposition", [] {
             render::Renderer renderer(gpu_scene, camera_from_above(2.0f), options);
             renderer.use_lights(first, end);
             renderer.add_sample();
-            return renderer.film();
+            return renderer.read_film();
         };
         const auto together = shone(0, static_cast<int>(lights.size()));
         image::Image sum(64, 64, 4);
@@ -162,7 +161,7 @@ const Test superposition("law.shadow.superposition", [] {
             const auto alone = shone(k, k + 1);
             for (std::size_t i = 0; i < sum.pixels.size(); ++i) sum.pixels[i] += alone.pixels[i];
         }
-        EXPECT_LT(largest_relative_difference(together, sum, 1e-3f), 1e-5f);
+        EXPECT_LT(max_relative_difference(together, sum, 1e-3f), 1e-5f);
     }
 });
 
@@ -179,7 +178,7 @@ const Test bands("law.shadow.bands_of_rows_make_the_same_picture", [] {
         options.max_rays = max_rays;
         render::Renderer renderer(gpu_scene, camera_from_above(2.0f), options);
         for (int i = 0; i < 2; ++i) renderer.add_sample();
-        return renderer.film();
+        return renderer.read_film();
     };
     const std::size_t rays_to_a_row = 64 * zoo.size() * 2;
     EXPECT_EQ(shaded(7 * rays_to_a_row).pixels, shaded(64 * rays_to_a_row).pixels);
@@ -204,7 +203,7 @@ const Test window("law.shadow.a_window_shows_what_the_picture_shows", [] {
             renderer->use_lights(first, first + 2);
             renderer->add_sample();
         }
-        const auto a = whole.film(), b = part.film();
+        const auto a = whole.read_film(), b = part.read_film();
         for (int y = 30; y < 38; ++y)
             for (int x = 20; x < 36; ++x) ASSERT_EQ(a.at(x, y)[0], b.at(x, y)[0]) << x << ", " << y;
     }
@@ -251,7 +250,7 @@ const Test maps("law.shadow.depth_maps_converge_to_rays", [] {
             renderer.clear();
             renderer.use_lights(k, k + 1);
             for (int i = 0; i < options.samples; ++i) renderer.add_sample();
-            films.push_back(renderer.film());
+            films.push_back(renderer.read_film());
         }
         return films;
     };

@@ -71,7 +71,7 @@ Stopped stopped_at(double target, std::uint32_t seed, const render::GpuScene& sc
     }
     double samples = 0.0;
     for (const int count : renderer.pixel_samples()) samples += count;
-    return {std::sqrt(rel_mse(renderer.film(), reference)), convergence.error(), samples / (size * size),
+    return {std::sqrt(rel_mse(renderer.read_film(), reference)), convergence.error(), samples / (size * size),
             renderer.sample_count()};
 }
 
@@ -82,7 +82,7 @@ const Test word("law.stopping.an_error_keeps_its_word", [] {
     const render::GpuScene scene(still_life(), lamps);
     render::Renderer renderer(scene, camera_from_above(half_extent), options(12345));
     for (int i = 0; i < 4096; ++i) renderer.add_sample();
-    const image::Image reference = renderer.film();
+    const image::Image reference = renderer.read_film();
     int kept = 0, all = 0;
     for (const double target : {0.1, 0.03}) {
         double sum_of_ratios = 0.0, sum_of_shares = 0.0;

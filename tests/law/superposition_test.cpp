@@ -24,7 +24,7 @@ const Test superposition("law.integrator.superposition", [] {
         const auto alone = picture(plane, std::span(&light, 1), camera, 64);
         for (std::size_t i = 0; i < sum.pixels.size(); ++i) sum.pixels[i] += alone.pixels[i];
     }
-    EXPECT_LT(largest_relative_difference(together, sum, 1e-3f), 1e-6f);
+    EXPECT_LT(max_relative_difference(together, sum, 1e-3f), 1e-6f);
 });
 
 // Twice the light is twice the radiance, to the last bit: a power of two does not round.

@@ -54,7 +54,7 @@ vec3 middle_of(scene::Scene scene, const mat4& transform, const std::string& sha
     const float reach = half_extent > 0.0f ? half_extent : std::abs(transform[0][0]);
     render::Renderer renderer(gpu_scene, in_front(reach), options);
     renderer.add_sample();
-    const image::Image film = renderer.film();
+    const image::Image film = renderer.read_film();
     return {film.at(1, 1)[0], film.at(1, 1)[1], film.at(1, 1)[2]};
 }
 

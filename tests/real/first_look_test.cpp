@@ -66,7 +66,7 @@ std::optional<image::Image> first_look(const fs::path& file) {
 /// Returns the largest share of the covered pixels that may be below code 8, because the file's own materials
 /// are black: rows of balls of black base colour and a specular factor of 0, and panels of nothing but a
 /// coat.
-double most_black(const fs::path& file) {
+double max_black(const fs::path& file) {
     if (file.stem() == "ClearCoatTest") return 0.22;
     if (file.stem() == "SpecularTest") return 0.35;
     return 0.10;
@@ -104,7 +104,7 @@ const Test look("real.first_look.is_neither_burnt_nor_black", [] {
         if (shares.covered == 0) continue;
         ++looked_at;
         EXPECT_LE(shares.burnt, 0.02) << file;
-        EXPECT_LE(shares.black, most_black(file)) << file;
+        EXPECT_LE(shares.black, max_black(file)) << file;
         EXPECT_GE(shares.brightest, 64) << file << " is black as a whole";
     }
     EXPECT_GT(looked_at, 10);

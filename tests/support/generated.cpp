@@ -27,7 +27,8 @@ std::uint64_t number_in(const char* variable, std::uint64_t otherwise) {
 
 } // namespace
 
-Pictures::Pictures(const Look& look) : look_(look), shaders_(render::Renderer::programs(options_of(look))) {
+Pictures::Pictures(const Look& look)
+    : look_(look), shaders_(render::Renderer::make_programs(options_of(look))) {
     context();
 }
 
@@ -40,7 +41,7 @@ image::Image Pictures::of(const scene::RenderScene& stage, int samples, std::uin
     options.seed = seed;
     render::Renderer renderer(gpu_scene, stage.camera, options, shaders_);
     for (int i = 0; i < samples; ++i) renderer.add_sample();
-    return renderer.film();
+    return renderer.read_film();
 }
 
 scene::Scene loaded(const MadeGltf& made, bool is_strict) {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <string>
+#include <variant>
 
 namespace sr::testing {
 namespace {
@@ -81,7 +83,6 @@ public:
     void make(Surface surface) {
         core();
         switch (surface) {
-        case Surface::lambert: brdf("lambert"); break;
         case Surface::plain:
         case Surface::colored: break;
         case Surface::textured: textured(); break;
@@ -93,19 +94,10 @@ public:
         case Surface::masked:
         case Surface::blended: transparent(surface == Surface::masked); break;
         case Surface::unlit: extension("unlit") = json::object(); break;
-        case Surface::oren_nayar: brdf("oren_nayar"); break;
-        case Surface::mirror: brdf("mirror"); break;
-        case Surface::phong: phong("phong"); break;
-        case Surface::blinn_phong: phong("blinn_phong"); break;
-        case Surface::two_widths:
-            brdf("ggx")["roughness_across"] = fraction(random_, extremes_, 0.25, 1.0);
-            break;
-        case Surface::conductor:
-            brdf("conductor")["metal"] = random_.has_chance(0.5) ? "gold" : "silver";
-            break;
         case Surface::glowing:
         case Surface::glowing_quad:
         case Surface::textured_glowing: glowing(surface == Surface::textured_glowing); break;
+        default: brdf(*model_of(surface)); break;
         }
     }
 
@@ -113,18 +105,30 @@ private:
     json& extension(const char* name) { return m_["extensions"][std::string("KHR_materials_") + name]; }
     json picture(Picture number) { return texture(number, random_, extremes_); }
 
-    json& brdf(const char* name) {
+    /// States the model and each of its parameters.
+    void brdf(scene::Model model) {
         json& stated = m_["extras"]["steradian"];
-        stated["brdf"] = name;
-        return stated;
+        stated["brdf"] = scene::name_of(model);
+        for (const scene::BrdfParameter& parameter : scene::brdf_parameters)
+            if (parameter.is_of(model) && !parameter.is_alternative)
+                stated[std::string(parameter.key)] =
+                    std::visit([&](auto member) { return value_of(parameter, member); }, parameter.member);
     }
 
-    void phong(const char* name) {
+    json value_of(const scene::BrdfParameter& parameter, float scene::Material::*) {
+        return parameter.max > 1.0f ? random_.within(2.0, 40.0) : fraction(random_, extremes_, 0.25, 1.0);
+    }
+    /// Leaves to the colour of a lobe what the base colour does not reflect.
+    json value_of(const scene::BrdfParameter&, vec3 scene::Material::*) {
         for (int i = 0; i < 3; ++i)
             m_["pbrMetallicRoughness"]["baseColorFactor"][i] = random_.within(0.0, 0.6);
-        brdf(name)["exponent"] = random_.within(2.0, 40.0);
-        brdf(name)["specular_color"] = color(random_, 0.05, 0.4);
+        return color(random_, 0.05, 0.4);
     }
+    json value_of(const scene::BrdfParameter&, scene::ComplexIor scene::Material::*) {
+        return random_.has_chance(0.5) ? "gold" : "silver";
+    }
+    /// The name of a file, which no generated scene has.
+    json value_of(const scene::BrdfParameter&, int scene::Material::*) { return "brdf.binary"; }
 
     void normal_map() {
         m_["normalTexture"] = picture(normals_picture);

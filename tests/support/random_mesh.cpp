@@ -1,5 +1,7 @@
 #include "support/random_parts.hpp"
 
+#include <algorithm>
+
 namespace sr::testing {
 namespace {
 
@@ -101,10 +103,18 @@ void degenerate(Shape& shape, Random& random) {
     }
 }
 
+/// Returns whether the BRDF has a roughness across the tangent.
+bool has_width_across(Surface surface) {
+    const auto model = model_of(surface);
+    return model && std::ranges::any_of(scene::brdf_parameters, [&](const scene::BrdfParameter& parameter) {
+               return parameter.is_of(*model) && parameter.key == "roughness_across";
+           });
+}
+
 /// Returns whether the surface reads tangents, which the file may then state.
 bool has_tangents(Surface surface) {
     return surface == Surface::textured || surface == Surface::mapped || surface == Surface::anisotropic
-           || surface == Surface::coated || surface == Surface::two_widths;
+           || surface == Surface::coated || has_width_across(surface);
 }
 
 /// Two morph targets, of which a weight is stated.

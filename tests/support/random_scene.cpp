@@ -165,8 +165,8 @@ private:
 
     /// Lengths of the file and of the camera by one factor, by a node over all others.
     void scale_all() {
-        if (!(extremes_.largest_length > 1.0)) return;
-        const double s = random_.scale_within(1.0 / extremes_.largest_length, extremes_.largest_length);
+        if (!(extremes_.max_length > 1.0)) return;
+        const double s = random_.scale_within(1.0 / extremes_.max_length, extremes_.max_length);
         const int root = append_node({{"scale", {s, s, s}}, {"children", roots_}});
         roots_ = json::array({root});
         json& camera = made_.root["cameras"][0];
@@ -182,6 +182,45 @@ private:
     json roots_ = json::array();
 };
 
+std::vector<Recipe> named_recipes() {
+    using E = Emitter;
+    using S = Surface;
+    constexpr S lambert = surface_of(scene::Model::lambert), mirror = surface_of(scene::Model::mirror),
+                ggx = surface_of(scene::Model::ggx), oren_nayar = surface_of(scene::Model::oren_nayar);
+    return {
+        {"punctual", {E::point, E::spot, E::sun}, {S::plain, S::textured, lambert}},
+        {"profile", {E::profile, E::sun}, {S::colored, S::mapped}},
+        {"coats", {E::spot, E::point}, {S::coated, S::film}},
+        {"directions", {E::point, E::sun}, {S::anisotropic, ggx}},
+        {"cloth", {E::sun, E::spot}, {S::sheen, oren_nayar}},
+        {"lobes", {E::point, E::spot}, {}}, // the models that no other recipe has
+        {"leaves", {E::point, E::sun}, {lambert, S::masked, S::unlit}},
+        {"panes", {E::spot, E::sun}, {S::plain, S::blended}},
+        {"panels", {E::rectangle, E::area_rectangle}, {S::plain, S::mapped}},
+        {"pictures", {E::textured_rectangle, E::ellipse}, {S::textured, lambert}},
+        {"rounds", {E::disk, E::sphere, E::tube}, {lambert, S::plain}},
+        {"lamps", {E::wide_point, E::wide_spot, E::wide_sun}, {S::plain, mirror}},
+        {"polygons", {E::polygon}, {S::plain, S::glowing_quad}},
+        {"glows", {}, {lambert, S::glowing, S::textured_glowing}},
+    };
+}
+
+/// Returns the surfaces of those rows of scene::brdf_models that no recipe has. glTF's own BRDF is
+/// Surface::plain; a measured one needs a file beside the scene.
+std::vector<Surface> models_without(const std::vector<Recipe>& recipes) {
+    std::vector<Surface> surfaces;
+    for (std::size_t row = 0; row < scene::brdf_models.size(); ++row) {
+        const auto model = static_cast<scene::Model>(row);
+        const Surface surface = surface_of(model);
+        const bool is_used = std::ranges::any_of(recipes, [&](const Recipe& recipe) {
+            return std::ranges::find(recipe.surfaces, surface) != recipe.surfaces.end();
+        });
+        if (!is_used && model != scene::Model::metallic_roughness && model != scene::Model::merl)
+            surfaces.push_back(surface);
+    }
+    return surfaces;
+}
+
 } // namespace
 
 bool Recipe::is_without_extent() const {
@@ -195,24 +234,12 @@ bool Recipe::is_without_extent() const {
 }
 
 std::span<const Recipe> recipes() {
-    using E = Emitter;
-    using S = Surface;
-    static const std::vector<Recipe> all{
-        {"punctual", {E::point, E::spot, E::sun}, {S::plain, S::textured, S::lambert}},
-        {"profile", {E::profile, E::sun}, {S::colored, S::mapped}},
-        {"coats", {E::spot, E::point}, {S::coated, S::film}},
-        {"directions", {E::point, E::sun}, {S::anisotropic, S::two_widths}},
-        {"cloth", {E::sun, E::spot}, {S::sheen, S::oren_nayar}},
-        {"lobes", {E::point, E::spot}, {S::phong, S::blinn_phong, S::conductor}},
-        {"leaves", {E::point, E::sun}, {S::lambert, S::masked, S::unlit}},
-        {"panes", {E::spot, E::sun}, {S::plain, S::blended}},
-        {"panels", {E::rectangle, E::area_rectangle}, {S::plain, S::mapped}},
-        {"pictures", {E::textured_rectangle, E::ellipse}, {S::textured, S::lambert}},
-        {"rounds", {E::disk, E::sphere, E::tube}, {S::lambert, S::plain}},
-        {"lamps", {E::wide_point, E::wide_spot, E::wide_sun}, {S::plain, S::mirror}},
-        {"polygons", {E::polygon}, {S::plain, S::glowing_quad}},
-        {"glows", {}, {S::lambert, S::glowing, S::textured_glowing}},
-    };
+    static const std::vector<Recipe> all = [] {
+        std::vector<Recipe> recipes = named_recipes();
+        std::ranges::find(recipes, std::string_view("lobes"), &Recipe::name)->surfaces =
+            models_without(recipes);
+        return recipes;
+    }();
     return all;
 }
 

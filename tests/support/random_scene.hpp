@@ -3,8 +3,10 @@
 //
 // A recipe fixes which emitters and surfaces a scene has and so which programs it takes; a seed makes the
 // scene. Many scenes of one recipe are rendered with the programs of the first (support/generated.hpp).
+#include "scene/material.hpp"
 #include "support/made_gltf.hpp"
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -29,7 +31,6 @@ enum class Emitter {
 };
 
 enum class Surface {
-    lambert,
     plain,    // glTF's metallic-roughness without textures
     colored,  // with vertex colours
     textured, // in every slot of glTF's core, of _specular and of _emissive_strength (not emission)
@@ -41,16 +42,19 @@ enum class Surface {
     masked,
     blended,
     unlit,
-    oren_nayar,
-    mirror,
-    phong,
-    blinn_phong,
-    two_widths,
-    conductor,
     glowing,          // emits; of any form
     glowing_quad,     // emits; a rectangle
     textured_glowing, // emits by its texture
+    first_model,      // the first row of scene::brdf_models; the other rows follow
 };
+
+constexpr Surface surface_of(scene::Model model) {
+    return static_cast<Surface>(static_cast<int>(Surface::first_model) + static_cast<int>(model));
+}
+constexpr std::optional<scene::Model> model_of(Surface surface) {
+    if (surface < Surface::first_model) return std::nullopt;
+    return static_cast<scene::Model>(static_cast<int>(surface) - static_cast<int>(Surface::first_model));
+}
 
 struct Recipe {
     const char* name;
@@ -69,7 +73,7 @@ struct Extremes {
     bool is_coplanar = false;           // surfaces, emitters and the camera's target share planes
     bool is_coincident = false;         // the same meshes at the same places, emitters on vertices
     bool has_extreme_factors = false;   // roughness, alpha, colours and the like at the ends of their ranges
-    double largest_length = 1.0;        // the whole scene is scaled by something between its inverse and it
+    double max_length = 1.0;            // the whole scene is scaled by something between its inverse and it
 };
 
 /// A scene of about 3 m around the origin with a camera that looks at it, as a glTF file without other files.

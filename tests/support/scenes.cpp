@@ -103,10 +103,10 @@ image::Image picture(const scene::Scene& scene, std::span<const scene::Light> li
     options.maps.size = 256; // quick, and enough for pictures so small
     render::Renderer renderer(gpu_scene, camera, options);
     for (int i = 0; i < samples; ++i) renderer.add_sample();
-    return renderer.film();
+    return renderer.read_film();
 }
 
-float largest_relative_difference(const image::Image& a, const image::Image& b, float floor) {
+float max_relative_difference(const image::Image& a, const image::Image& b, float floor) {
     float largest = 0.0f;
     for (std::size_t i = 0; i < a.pixels.size(); ++i) {
         if (i % 4 == 3) continue;

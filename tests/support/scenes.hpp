@@ -35,6 +35,6 @@ void add_box(scene::Scene& scene, vec3 center, const mat3& half_axes, int cells,
              const scene::Material& material);
 
 /// max |a - b| / max(|b|, floor) over all pixels of the first three channels.
-float largest_relative_difference(const image::Image& a, const image::Image& b, float floor);
+float max_relative_difference(const image::Image& a, const image::Image& b, float floor);
 
 } // namespace sr::testing

@@ -88,7 +88,7 @@ scene::Material model_named(std::string_view name) {
     }
     if (name == "conductor") {
         m.base_color = vec4(1.0f);
-        m.conductor = scene::fitted_ior(*scene::measured_metal("gold"));
+        m.conductor = scene::fit_ior(*scene::measured_metal("gold"));
     }
     if (name == "merl") m.measured = 0;
     return m;

@@ -153,7 +153,7 @@ void expect_rows(const std::string& brdf, scene::Material (*material)(const Line
     double worst = 0.0;
     for (const Line& line : lines) {
         evaluator.change(material(line));
-        const vec3 f_r = evaluator.values({&line.pair, 1})[0];
+        const vec3 f_r = evaluator.evaluate({&line.pair, 1})[0];
         const vec3 off = glm::abs(f_r - line.f_r) / std::max({line.f_r.x, line.f_r.y, line.f_r.z});
         for (int c = 0; c < 3; ++c)
             if (!(off[c] <= worst)) worst = off[c];

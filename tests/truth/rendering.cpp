@@ -32,7 +32,7 @@ std::vector<image::Image> sets_of(const render::GpuScene& scene, const scene::Ca
         options.seed = static_cast<std::uint32_t>(set);
         render::Renderer renderer(scene, camera, options);
         for (int i = 0; i < samples.per_set; ++i) renderer.add_sample();
-        pictures.push_back(renderer.film());
+        pictures.push_back(renderer.read_film());
     }
     return pictures;
 }

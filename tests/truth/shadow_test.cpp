@@ -36,7 +36,7 @@ image::Image rendered(std::string_view name, const How& how) {
     options.analytic_points = 4; // where lobes are wide; truth tests of `sampled` judge their shape
     render::Renderer renderer(gpu_scene, made.camera, options);
     for (int i = 0; i < how.samples; ++i) renderer.add_sample();
-    return renderer.film();
+    return renderer.read_film();
 }
 
 /// Three channels of `image` whose names begin with `prefix`.

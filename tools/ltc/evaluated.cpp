@@ -25,7 +25,7 @@ std::vector<double> evaluated(std::span<const Trial> trials, Material material, 
         {"interface/features.glsl",
          render::shading_features(one_material, scene::Mesh{}, render::light_features(lights)).glsl()},
         {"interface/estimator.glsl", fmt::format("const int analytic_points = {};\n"
-                                                 "const int most_outlined_triangles = 12;\n",
+                                                 "const int max_outlined_triangles = 12;\n",
                                                  analytic_points)}};
     const auto reflected = testing::evaluate("#include \"integrator/analytic_lobe.glsl\"\n", R"(
         Surface x;

@@ -83,7 +83,7 @@ int main() {
         grid, grid);
     for (int row = 0; row < grid; ++row) {
         const double roughness = static_cast<double>(row) / (grid - 1);
-        const double alpha = std::max(roughness * roughness, 1e-4); // smallest_alpha of the shaders
+        const double alpha = std::max(roughness * roughness, 1e-4); // min_alpha of the shaders
         std::vector<Fit> views(grid);
         Lobe start{2.0 * alpha, 0.0, 2.0 * alpha};
         for (int column = grid - 1; column >= 0; --column) { // from the simple lobe of normal incidence on

@@ -47,7 +47,7 @@ std::vector<Trial> trials(Shape shape, Material material, const Cell& cell, int 
     const double alpha = cell.roughness * cell.roughness;
     std::vector<Trial> found;
     while (static_cast<int>(found.size()) < count) {
-        const double angle = cell.least_angle + random() * (cell.greatest_angle - cell.least_angle);
+        const double angle = cell.min_angle + random() * (cell.max_angle - cell.min_angle);
         const double cos_o = std::cos(angle);
         const std::vector<Ray> rays = rays_of(material, cos_o, alpha, points);
         double albedo = 0.0;

@@ -27,8 +27,8 @@ struct Trial {
 /// A cell of the table: one roughness and a range of angles between n and wo [rad].
 struct Cell {
     double roughness = 1.0;
-    double least_angle = 0.0;
-    double greatest_angle = 0.0;
+    double min_angle = 0.0;
+    double max_angle = 0.0;
 };
 
 /// `count` trials of emitters of random place and size, each with a view of its own, that reflect more than a

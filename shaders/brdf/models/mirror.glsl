@@ -10,4 +10,4 @@ vec3 f_r(Surface x, vec3 wi, vec3 wo) { return vec3(0.0); }
 bool has_peak(Surface x) { return false; }
 vec3 sample_f_r(Surface x, vec3 wo, vec2 u) { return reflect(-wo, x.n); }
 float pdf_f_r(Surface x, vec3 wi, vec3 wo) { return 0.0; }
-float peak_alpha(Surface x) { return smallest_alpha; }
+float peak_alpha(Surface x) { return min_alpha; }

@@ -14,4 +14,4 @@ vec3 f_r(Surface x, vec3 wi, vec3 wo) {
 bool has_peak(Surface x) { return x.specular_color != vec3(0.0); }
 vec3 sample_f_r(Surface x, vec3 wo, vec2 u) { return sample_phong(x.n, wo, phong_exponent(), u); }
 float pdf_f_r(Surface x, vec3 wi, vec3 wo) { return p_phong(x.n, wi, wo, phong_exponent()); }
-float peak_alpha(Surface x) { return clamp(sqrt(2.0 / (phong_exponent() + 2.0)), smallest_alpha, 1.0); }
+float peak_alpha(Surface x) { return clamp(sqrt(2.0 / (phong_exponent() + 2.0)), min_alpha, 1.0); }

@@ -1,5 +1,7 @@
 #include "gltf/read/accessor.hpp"
 
+#include "gltf/tinygltf.hpp"
+
 #include <algorithm>
 #include <cstring>
 #include <fmt/format.h>
@@ -9,7 +11,7 @@ namespace sr::gltf {
 namespace {
 
 const tinygltf::Accessor& at(const Document& document, int accessor) {
-    return document.model.accessors[static_cast<std::size_t>(accessor)];
+    return document.model->accessors[static_cast<std::size_t>(accessor)];
 }
 
 std::size_t size_of(int component_type) {
@@ -44,7 +46,7 @@ Elements elements_in(const Document& document, int view, std::size_t offset, std
 
 Elements elements_of(const Document& document, int accessor, std::size_t element_size) {
     const tinygltf::Accessor& a = at(document, accessor);
-    const auto& view = document.model.bufferViews[static_cast<std::size_t>(a.bufferView)];
+    const auto& view = document.model->bufferViews[static_cast<std::size_t>(a.bufferView)];
     return elements_in(document, a.bufferView, a.byteOffset, a.count, element_size,
                        view.byteStride == 0 ? element_size : view.byteStride,
                        fmt::format("/accessors/{}", accessor));

@@ -2,6 +2,7 @@
 
 #include "core/error.hpp"
 #include "gltf/schema.hpp"
+#include "gltf/tinygltf.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -55,7 +56,7 @@ json* value_at(json& root, std::span<const std::string_view> tokens) {
 
 std::size_t target_count(const Document& document, int mesh) {
     std::size_t count = 0;
-    for (const auto& primitive : document.model.meshes[static_cast<std::size_t>(mesh)].primitives)
+    for (const auto& primitive : document.model->meshes[static_cast<std::size_t>(mesh)].primitives)
         count = std::max(count, primitive.targets.size());
     return count;
 }

@@ -4,6 +4,7 @@
 #ifdef STERADIAN_HAS_DRACO
 #include "gltf/read/accessor.hpp"
 #include "gltf/read/mesh.hpp"
+#include "gltf/tinygltf.hpp"
 #include "gltf/warnings.hpp"
 
 #include <algorithm>
@@ -135,13 +136,13 @@ int add_accessor(Document& document, tinygltf::Accessor like, std::size_t count,
     tinygltf::BufferView view;
     view.byteLength = bytes.size();
     view.buffer = document.add_buffer(std::move(bytes));
-    document.model.bufferViews.push_back(view);
-    like.bufferView = static_cast<int>(document.model.bufferViews.size()) - 1;
+    document.model->bufferViews.push_back(view);
+    like.bufferView = static_cast<int>(document.model->bufferViews.size()) - 1;
     like.byteOffset = 0;
     like.count = count;
     like.sparse.isSparse = false;
-    document.model.accessors.push_back(std::move(like));
-    return static_cast<int>(document.model.accessors.size()) - 1;
+    document.model->accessors.push_back(std::move(like));
+    return static_cast<int>(document.model->accessors.size()) - 1;
 }
 
 template<class T>
@@ -174,7 +175,7 @@ bool convert(const draco::Mesh& mesh, const draco::PointAttribute& from, int com
 
 void unpack_attribute(Document& document, const PrimitivePlace& place, const draco::Mesh& mesh,
                       const std::string& name, std::uint32_t id, int& accessor) {
-    const tinygltf::Accessor& like = document.model.accessors[static_cast<std::size_t>(accessor)];
+    const tinygltf::Accessor& like = document.model->accessors[static_cast<std::size_t>(accessor)];
     const draco::PointAttribute* from = mesh.GetAttributeByUniqueId(id);
     const int components = components_of(document, accessor);
     if (!from || components > 4)
@@ -208,7 +209,7 @@ int unpack_indices(Document& document, const draco::Mesh& mesh) {
 
 void unpack(Document& document, const PrimitivePlace& place, const json& packed) {
     const auto primitive = [&]() -> tinygltf::Primitive& {
-        return document.model.meshes[static_cast<std::size_t>(place.mesh)]
+        return document.model->meshes[static_cast<std::size_t>(place.mesh)]
             .primitives[static_cast<std::size_t>(place.primitive)];
     };
     if (!is_surface(primitive().mode))
@@ -232,8 +233,8 @@ void unpack(Document& document, const PrimitivePlace& place, const json& packed)
 bool reads_draco() { return true; }
 
 void unpack_draco(Document& document) {
-    for (int m = 0; m < static_cast<int>(document.model.meshes.size()); ++m) {
-        const std::size_t count = document.model.meshes[static_cast<std::size_t>(m)].primitives.size();
+    for (int m = 0; m < static_cast<int>(document.model->meshes.size()); ++m) {
+        const std::size_t count = document.model->meshes[static_cast<std::size_t>(m)].primitives.size();
         for (int p = 0; p < static_cast<int>(count); ++p) {
             const json& primitive =
                 document.entry("meshes", m).at("primitives").at(static_cast<std::size_t>(p));

@@ -12,8 +12,6 @@
 namespace sr::gltf {
 namespace {
 
-constexpr float max_half = 65504.0f;
-
 /// @throws Error
 void require_picture(const image::Image& picture, const std::filesystem::path& file) {
     constexpr long long max_texels = 1 << 25;
@@ -30,7 +28,7 @@ struct Mended {
 
     float operator()(float value) {
         if (!(value >= 0.0f)) return ++dark, 0.0f;
-        if (std::isinf(value)) return ++infinite, max_half;
+        if (std::isinf(value)) return ++infinite, image::max_half;
         return value;
     }
 };
@@ -59,7 +57,7 @@ std::shared_ptr<const scene::EnvironmentMap> read_environment(const std::filesys
                                        file.string(), mended.dark));
     if (mended.infinite > 0)
         warnings.push_back(fmt::format("{}: {} values are infinite: they count as {}", file.string(),
-                                       mended.infinite, max_half));
+                                       mended.infinite, image::max_half));
     return std::make_shared<const scene::EnvironmentMap>(picture.width, picture.height, std::move(texels));
 }
 

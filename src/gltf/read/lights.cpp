@@ -160,7 +160,7 @@ Punctual placed_light(const Document& document, const NodeTransform& transform, 
     light.range = source.range;
     light.is_visible = extras.is_visible();
     LightFrame frame;
-    frame.scale = largest_axis(transform);
+    frame.scale = max_scale(transform);
     if (const auto radius = extras.number("radius"))
         light.radius = scaled_size(document, *radius, frame, "radius", title);
     return light;
@@ -343,7 +343,7 @@ void LightTable::append(const NodeTransform& transform, Warnings& warnings) {
     if (!node.contains("extensions") && !node.contains("extras")) return;
     const json* authored = steradian_in(node);
     // glTF's way to animate visibility (section 3.5.3, "Implementation Note").
-    if (!(largest_axis(transform) > 0.0)) {
+    if (!(max_scale(transform) > 0.0)) {
         if (!properties_without_shape(node).empty() || authored)
             warnings.add(fmt::format("/nodes/{} is scaled to 0", transform.node), "its lamp is off");
         return;

@@ -278,11 +278,11 @@ private:
         to_.film_ior = static_cast<float>(number_in(*film, "iridescenceIor", 1.3));
         to_.min_film_thickness = static_cast<float>(number_in(*film, "iridescenceThicknessMinimum", 100.0));
         to_.max_film_thickness = static_cast<float>(number_in(*film, "iridescenceThicknessMaximum", 400.0));
-        constexpr float largest_ior = 1000.0f,
+        constexpr float max_ior = 1000.0f,
                         thickest = 1e9f; // [nm]: a metre is no film, and within, phases are floats
-        if (!(to_.film_ior >= 1.0f && to_.film_ior <= largest_ior))
+        if (!(to_.film_ior >= 1.0f && to_.film_ior <= max_ior))
             document_.fail(fmt::format("{}: iridescenceIor is {}", title_, to_.film_ior),
-                           fmt::format("give 1 to {}", largest_ior));
+                           fmt::format("give 1 to {}", max_ior));
         for (const float thickness : {to_.min_film_thickness, to_.max_film_thickness})
             if (!(thickness >= 0.0f && thickness <= thickest))
                 document_.fail(fmt::format("{}: its film is {} to {} nm thick", title_,

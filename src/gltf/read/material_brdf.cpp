@@ -39,9 +39,9 @@ scene::ComplexIor ior_in(const Document& document, const json& stated, const std
     if (stated.contains("metal") + stated.contains("complex_ior") + stated.contains("ior_spectrum") != 1)
         document.fail(fmt::format("{} is a conductor that does not say of what once", title),
                       "give it one of metal, complex_ior and ior_spectrum");
-    if (stated.contains("metal")) return scene::fitted_ior(*scene::measured_metal(text_in(stated, "metal")));
+    if (stated.contains("metal")) return scene::fit_ior(*scene::measured_metal(text_in(stated, "metal")));
     if (stated.contains("ior_spectrum"))
-        return scene::fitted_ior(spectrum_in(document, stated.at("ior_spectrum"), title));
+        return scene::fit_ior(spectrum_in(document, stated.at("ior_spectrum"), title));
     const json& complex = stated.at("complex_ior");
     const scene::ComplexIor ior{three_in(complex, "n", vec3(1.0f)), three_in(complex, "k", vec3(0.0f))};
     for (int i = 0; i < 3; ++i)

@@ -2,6 +2,7 @@
 
 #include "gltf/read/accessor.hpp"
 #include "gltf/read/vertices.hpp"
+#include "gltf/tinygltf.hpp"
 #include "gltf/warnings.hpp"
 
 #include <algorithm>
@@ -203,7 +204,7 @@ std::optional<int> attribute(const Document& document, const std::map<std::strin
 
 std::optional<SourcedMesh> build_mesh(const Document& document, const PrimitivePlace& place,
                                       const scene::Material& material, Warnings& warnings) {
-    const tinygltf::Mesh& source = document.model.meshes[static_cast<std::size_t>(place.mesh)];
+    const tinygltf::Mesh& source = document.model->meshes[static_cast<std::size_t>(place.mesh)];
     const tinygltf::Primitive& primitive = source.primitives[static_cast<std::size_t>(place.primitive)];
     const auto position = primitive.attributes.find("POSITION");
     if (position == primitive.attributes.end()) {

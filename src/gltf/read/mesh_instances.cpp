@@ -2,6 +2,7 @@
 
 #include "gltf/read/accessor.hpp"
 #include "gltf/read/nodes.hpp"
+#include "gltf/tinygltf.hpp"
 #include "gltf/warnings.hpp"
 
 #include <algorithm>
@@ -35,7 +36,7 @@ using glm::dmat4;
 int mesh_number(const json& node) { return integer_in(node, "mesh", -1); }
 
 std::size_t primitive_count(const Document& document, int mesh) {
-    return document.model.meshes[static_cast<std::size_t>(mesh)].primitives.size();
+    return document.model->meshes[static_cast<std::size_t>(mesh)].primitives.size();
 }
 
 /// The material of a primitive in a variant, or without one: an index into the file's materials, negative for
@@ -59,7 +60,7 @@ std::vector<double> weights_of(const Document& document, const json& node) {
 
 /// Returns the number of vertices that a primitive states: primitives may share their accessors.
 std::uint64_t vertices_at_least(const Document& document, const PrimitivePlace& place) {
-    const auto& mesh = document.model.meshes[static_cast<std::size_t>(place.mesh)];
+    const auto& mesh = document.model->meshes[static_cast<std::size_t>(place.mesh)];
     const auto& primitive = mesh.primitives[static_cast<std::size_t>(place.primitive)];
     const auto positions = primitive.attributes.find("POSITION");
     const std::uint64_t stated =

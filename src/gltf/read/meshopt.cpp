@@ -2,6 +2,8 @@
 // the same, but for what KHR adds: version 1 of the attribute codec, and the filter COLOR.
 #include "gltf/read/compression.hpp"
 
+#include "gltf/tinygltf.hpp"
+
 #ifdef STERADIAN_HAS_MESHOPT
 #include <fmt/format.h>
 #include <meshoptimizer.h>
@@ -106,7 +108,7 @@ bool has_fallback(const Document& document, const tinygltf::BufferView& view) {
 bool reads_meshopt() { return true; }
 
 void unpack_meshopt(Document& document) {
-    auto& views = document.model.bufferViews;
+    auto& views = document.model->bufferViews;
     for (std::size_t i = 0; i < views.size(); ++i) {
         for (const char* name : {"KHR_meshopt_compression", "EXT_meshopt_compression"}) {
             const json* object = extension(document.entry("bufferViews", static_cast<int>(i)), name);

@@ -23,7 +23,7 @@ std::optional<NodeLight> find_light(const Document& document, const NodeTransfor
                      fmt::format("light {} ({})", in_quotes(text_in(light, "name")), pointer)};
 }
 
-double largest_axis(const NodeTransform& transform) {
+double max_scale(const NodeTransform& transform) {
     const glm::dmat4& m = transform.world_from_node;
     return std::max({glm::length(dvec3(m[0])), glm::length(dvec3(m[1])), glm::length(dvec3(m[2]))});
 }
@@ -41,7 +41,7 @@ LightFrame build_frame(const Document& document, const NodeTransform& transform,
     // A node that is flat across its light may still aim a spot; only what has a size needs u and v.
     frame.u = glm::length(across) > 0.0 ? glm::normalize(across) : dvec3(0.0);
     frame.v = glm::cross(frame.front, frame.u);
-    frame.scale = largest_axis(transform);
+    frame.scale = max_scale(transform);
     return frame;
 }
 

@@ -35,7 +35,7 @@ struct LightFrame {
 };
 
 /// The longest of the node's axes.
-double largest_axis(const NodeTransform& transform);
+double max_scale(const NodeTransform& transform);
 
 /// @throws Error naming the light if its node is scaled to nothing along its Z
 LightFrame build_frame(const Document& document, const NodeTransform& transform, const std::string& title);

@@ -2,6 +2,7 @@
 
 #include "gltf/read/accessor.hpp"
 #include "gltf/read/vertices.hpp"
+#include "gltf/tinygltf.hpp"
 #include "scene/transform.hpp"
 
 #include <algorithm>
@@ -33,7 +34,7 @@ bool moves(const std::vector<vec3>& displacements, std::uint32_t vertex) {
 
 std::vector<MorphTarget> parse_targets(const Document& document, const PrimitivePlace& place,
                                        std::span<const std::uint32_t> sources) {
-    const auto& mesh = document.model.meshes[static_cast<std::size_t>(place.mesh)];
+    const auto& mesh = document.model->meshes[static_cast<std::size_t>(place.mesh)];
     const tinygltf::Primitive& primitive = mesh.primitives[static_cast<std::size_t>(place.primitive)];
     const std::size_t count = count_of(document, primitive.attributes.at("POSITION"));
     std::vector<MorphTarget> targets;
@@ -135,7 +136,7 @@ std::uint32_t Influences::last_joint() const {
 
 Influences parse_influences(const Document& document, const PrimitivePlace& place,
                             std::span<const std::uint32_t> sources, Warnings& warnings) {
-    const auto& mesh = document.model.meshes[static_cast<std::size_t>(place.mesh)];
+    const auto& mesh = document.model->meshes[static_cast<std::size_t>(place.mesh)];
     const tinygltf::Primitive& primitive = mesh.primitives[static_cast<std::size_t>(place.primitive)];
     std::vector<std::vector<vec4>> joints, weights; // a list a set
     for (std::size_t set = 0; set == joints.size(); ++set)
@@ -223,7 +224,7 @@ void straighten_tangents(scene::Mesh& mesh) {
 
 Deformation build_deformation(const Document& document, const PrimitivePlace& place, const SourcedMesh& mesh,
                               const scene::Material& material, Warnings& warnings) {
-    const auto& source = document.model.meshes[static_cast<std::size_t>(place.mesh)];
+    const auto& source = document.model->meshes[static_cast<std::size_t>(place.mesh)];
     const auto& attributes = source.primitives[static_cast<std::size_t>(place.primitive)].attributes;
     Deformation result;
     result.positions = mesh.positions;

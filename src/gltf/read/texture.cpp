@@ -6,7 +6,7 @@
 #include "gltf/uri.hpp"
 #include "gltf/warnings.hpp"
 #include "image/file.hpp"
-#include "image/webp.hpp"
+#include "image/texture_formats.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

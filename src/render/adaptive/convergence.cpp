@@ -78,7 +78,7 @@ bool is_estimate_due(int samples) {
 }
 
 void Convergence::update(Renderer& renderer) {
-    estimate_ = renderer.error_estimate();
+    estimate_ = renderer.estimate_error();
     const std::vector<int> samples = renderer.pixel_samples();
     is_confirmed_ = !samples_.empty();
     if (is_confirmed_) remember(samples);

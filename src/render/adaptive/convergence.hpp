@@ -1,9 +1,9 @@
 #pragma once
-// Adaptive sampling: estimates the error of a growing picture now and then, and freezes converged pixels.
-#include "render/adaptive/stop_rule.hpp"
+// Adaptive sampling: error estimates during a rendering, converged pixels, and the conditions that end it.
 #include "render/renderer.hpp"
 
 #include <limits>
+#include <optional>
 
 namespace sr::render {
 
@@ -38,6 +38,19 @@ private:
     bool is_confirmed_ = false;  // there was an estimate before
     std::vector<float> squares_; // of each pixel, by the estimate before
     std::vector<int> samples_;
+};
+
+/// Limit on the samples of a pixel where time or error ends a rendering.
+inline constexpr int max_samples = 65536;
+
+/// Conditions that end a rendering. The first one that is met ends it.
+struct StopRule {
+    int samples = 16;              // a pixel, at most
+    std::optional<double> seconds; // of drawing
+    std::optional<double> error;   // √relMSE, 0.005 for half a percent
+
+    /// True if the error must be estimated, for which samples come from two sequences.
+    bool asks_for_error() const { return seconds || error; }
 };
 
 enum class StoppedBy { samples, time, error, interruption };

@@ -73,8 +73,8 @@ double standard_error(const std::vector<double>& values) {
 
 } // namespace
 
-ErrorEstimate estimated_error(const image::Image& mean, const image::Image& first,
-                              const std::vector<int>& samples) {
+ErrorEstimate estimate_error(const image::Image& mean, const image::Image& first,
+                             const std::vector<int>& samples) {
     require(mean.channels == 4 && first.pixels.size() == mean.pixels.size()
                 && samples.size() * 4 == mean.pixels.size(),
             "two pictures of four channels, and a number for each pixel");

@@ -7,10 +7,10 @@
 namespace sr::render {
 
 /// The error is √relMSE as `steradian compare` defines relMSE (RGB relative to value and floor, alpha
-/// absolute), against the picture of endlessly many samples: noise and aliasing. What an estimator's bias
-/// adds, no half sees.
+/// absolute), against the limit of the picture: noise and aliasing. It does not contain the bias of an
+/// estimator, which both halves share.
 struct ErrorEstimate {
-    double error = 0.0;    // √relMSE that the picture keeps under in most cases: see estimated_error()
+    double error = 0.0;    // bound on √relMSE that most pictures keep: see estimate_error()
     double expected = 0.0; // √relMSE without that allowance
     double floor = 0.0;    // [the film's unit]
     int width = 0;
@@ -31,7 +31,7 @@ void sum_up(ErrorEstimate& estimate);
 /// square without the squares of the errors, so that a firefly in one half does not hide itself. The mean
 /// over the picture is itself uncertain, most where few pixels make up most of it, so `error` adds its
 /// standard error over blocks of 8×8 pixels.
-ErrorEstimate estimated_error(const image::Image& mean, const image::Image& first,
-                              const std::vector<int>& samples);
+ErrorEstimate estimate_error(const image::Image& mean, const image::Image& first,
+                             const std::vector<int>& samples);
 
 } // namespace sr::render

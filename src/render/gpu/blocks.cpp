@@ -2,7 +2,6 @@
 
 #include "core/error.hpp"
 #include "render/visibility/gpu_casters.hpp"
-#include "scene/alpha.hpp"
 
 #include <fmt/format.h>
 #include <variant>
@@ -43,14 +42,14 @@ std::array<vec4, max_model_parameters> model_parameters(const scene::Material& m
 
 } // namespace
 
-MaterialBlock packed_material(const scene::Material& m, std::span<const scene::MeasuredBrdf> measured) {
+MaterialBlock pack_material(const scene::Material& m, std::span<const scene::MeasuredBrdf> measured) {
     MaterialBlock block{};
     for (std::size_t i = 0; i < material_factors.size(); ++i) block.factors[i] = material_factors[i].of(m);
     block.model_parameters = model_parameters(m, measured);
     block.metallic_factor = m.metallic;
     block.roughness_factor = m.roughness;
     block.normal_scale = m.normal_scale;
-    block.alpha_cutoff = scene::least_opaque_alpha(m);
+    block.alpha_cutoff = scene::min_opaque_alpha(m);
     block.F0_from_ior = scene::F0_from_ior(m.ior);
     for (std::size_t s = 0; s < slot_count; ++s) {
         const scene::TextureSlot& texture = m.*scene::texture_inputs[s].member;
@@ -81,6 +80,20 @@ void connect(const gl::Program& program) {
     program.bind_texture("map_points", map_points_unit);
     for (unsigned i = 0; i < caster_sampler_names.size(); ++i)
         program.bind_texture(caster_sampler_names[i], static_cast<GLint>(first_caster_unit + i));
+}
+
+void FrameData::upload(const FrameBlock& block) {
+    block_ = block;
+    glBindBuffer(GL_UNIFORM_BUFFER, buffer_.id());
+    glBufferData(GL_UNIFORM_BUFFER, sizeof(block_), &block_, GL_STREAM_DRAW);
+    glBindBufferBase(GL_UNIFORM_BUFFER, frame_block, buffer_.id());
+}
+
+void FrameData::select_lights(int first, int end) {
+    FrameBlock block = block_;
+    block.first_light = first;
+    block.end_light = end;
+    upload(block);
 }
 
 } // namespace sr::render

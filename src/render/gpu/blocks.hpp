@@ -1,7 +1,8 @@
 #pragma once
-// The C++ twins of the uniform blocks in shaders/interface/ (std140; a test compares the layouts with the
+// C++ side of the uniform blocks in shaders/interface/ (std140; a test compares the layouts with the
 // linker's), and the texture units.
 #include "core/math.hpp"
+#include "gl/object.hpp"
 #include "gl/program.hpp"
 #include "scene/material.hpp"
 #include "scene/measured_brdf.hpp"
@@ -113,10 +114,23 @@ struct MaterialBlock {
 };
 
 /// `measured`: the measured BRDFs of the scene, which Material::measured counts.
-MaterialBlock packed_material(const scene::Material& material, std::span<const scene::MeasuredBrdf> measured);
+MaterialBlock pack_material(const scene::Material& material, std::span<const scene::MeasuredBrdf> measured);
 
 /// Connects the blocks and samplers of shaders/interface/ and of the terms with their binding points and
 /// units.
 void connect(const gl::Program& program);
+
+/// Uniform buffer of a FrameBlock.
+class FrameData {
+public:
+    /// Uploads the block and binds it.
+    void upload(const FrameBlock& block);
+    /// Uploads the last block again with the lights [first, end).
+    void select_lights(int first, int end);
+
+private:
+    gl::Buffer buffer_{"frame"};
+    FrameBlock block_{};
+};
 
 } // namespace sr::render

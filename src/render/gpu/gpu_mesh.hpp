@@ -1,11 +1,11 @@
 #pragma once
-// Triangles, lines or points in GL buffers.
+// Mesh of triangles, lines or points in GL buffers.
 #include "gl/object.hpp"
 #include "scene/scene.hpp"
 
 namespace sr::render {
 
-/// One mesh: its arrays one after the other in a vertex buffer, and an index buffer. Attributes that the mesh
+/// The arrays of a mesh one after the other in a vertex buffer, and an index buffer. Attributes that the mesh
 /// lacks read as constants (white, no normal, no tangent). A line becomes a quad, which mesh.vert makes a few
 /// pixels wide: core profiles need not draw lines wider than 1.
 class GpuMesh {
@@ -13,7 +13,7 @@ public:
     explicit GpuMesh(const scene::Mesh& mesh);
 
     void draw() const;
-    /// Of lines: of their quads, two each. Of points: a point.
+    /// Draws one triangle; of lines one of the two triangles of each quad, of points a point.
     void draw_triangle(int triangle) const;
 
 private:

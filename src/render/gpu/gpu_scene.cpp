@@ -173,7 +173,7 @@ void GpuScene::upload_materials(const scene::Scene& scene) {
     textures_of_material_.clear();
     measured_of_material_.clear();
     for (const scene::Material& material : scene.materials) {
-        blocks.push_back(packed_material(material, scene.measured));
+        blocks.push_back(pack_material(material, scene.measured));
         measured_of_material_.push_back(material.measured);
         std::array<int, slot_count> textures{};
         std::ranges::transform(

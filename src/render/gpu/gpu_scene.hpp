@@ -1,11 +1,10 @@
 #pragma once
-// A Scene in the memory of the GPU.
+// Scene in the memory of the GPU.
 #include "render/gpu/blocks.hpp"
-#include "render/gpu/buffer_texture.hpp"
-#include "render/gpu/emission_maps.hpp"
-#include "render/gpu/environment_texels.hpp"
 #include "render/gpu/features.hpp"
 #include "render/gpu/gpu_mesh.hpp"
+#include "render/gpu/gpu_texture.hpp"
+#include "render/gpu/light_texels.hpp"
 #include "render/gpu/ltc_table.hpp"
 #include "render/visibility/visibility_backend.hpp"
 
@@ -29,7 +28,7 @@ class GpuScene {
 public:
     /// Uploads `scene`, lit by `lights` (not by scene.lights). @throws Error for a texture beyond the
     /// driver's limits.
-    /// `has_energy_compensation`: GGX gives back what its microfacets block
+    /// `has_energy_compensation`: GGX keeps the light that scatters more than once
     /// (shaders/brdf/energy_compensation.glsl).
     GpuScene(const scene::Scene& scene, std::span<const scene::Light> lights,
              Visibility visibility = Visibility::ray, bool has_energy_compensation = false);
@@ -59,7 +58,7 @@ public:
     /// Binds the instance's and the material's data and draws with whatever program is in use.
     void draw(const Draw& draw) const;
 
-    /// The two by themselves; of the mesh one triangle.
+    /// Do the two steps of draw() alone; of the mesh one triangle is drawn.
     void bind(const Draw& draw) const;
     void draw_triangle(const Draw& draw, int triangle) const;
 

@@ -1,9 +1,14 @@
 #pragma once
-// Images of a scene as GL textures with mip levels.
+// GL textures: images of a scene with mip levels, and arrays that shaders read by index.
 #include "gl/object.hpp"
 #include "render/gpu/mip_chain.hpp"
 #include "scene/material.hpp"
 #include "scene/measured_brdf.hpp"
+
+#include <cstddef>
+#include <span>
+#include <string_view>
+#include <vector>
 
 namespace sr::render {
 
@@ -12,10 +17,35 @@ namespace sr::render {
 /// @throws Error naming the image if the driver's largest texture is smaller.
 gl::Texture upload(const std::string& name, TexelFormat format, const std::vector<MipLevel>& levels);
 
-/// A measured BRDF as a texture of 180 φ_d × 90 θ_d × 90 θ_h (shaders/brdf/merl.glsl), 17.5 MB.
+/// Uploads a measured BRDF as a texture of 180 φ_d × 90 θ_d × 90 θ_h (shaders/brdf/merl.glsl), 17.5 MB.
 gl::Texture upload(const scene::MeasuredBrdf& measured);
 
-/// The filtering and wrapping that a scene's sampler asks for.
+/// Makes a GL sampler with the filters and wrap modes of a scene's sampler.
 gl::Sampler sampler_object(const scene::Sampler& sampler);
+
+/// Array that shaders read by index.
+class BufferTexture {
+public:
+    /// `format`: GL_RGBA32F and the like, one texel an element.
+    BufferTexture(const char* name, GLenum format);
+
+    /// @throws Error with the remedy `what_to_do` if the driver's buffer textures are too small
+    template<class Element>
+    void upload(const std::vector<Element>& elements, std::string_view what_to_do) {
+        upload_bytes(std::as_bytes(std::span(elements)), what_to_do);
+    }
+    void bind(GLuint unit) const { texture_.bind(unit); }
+
+    /// Returns the number of texels that this driver reads from one buffer.
+    static std::size_t max_texels();
+
+private:
+    void upload_bytes(std::span<const std::byte> bytes, std::string_view what_to_do);
+
+    const char* name_;
+    GLenum format_;
+    gl::Buffer buffer_;
+    gl::Texture texture_;
+};
 
 } // namespace sr::render

@@ -1,7 +1,7 @@
 #include "render/gpu/light_table.hpp"
 
 #include "core/math.hpp"
-#include "render/gpu/emission_maps.hpp"
+#include "render/gpu/light_texels.hpp"
 
 #include <algorithm>
 #include <array>
@@ -112,7 +112,7 @@ public:
         if (!light.map || is_dark) return t;
         t[1] = vec4(std::cos(light.rotation), std::sin(light.rotation), 0.0f, 0.0f);
         t[3] = vec4(light.map->width(), light.map->height(), 0.0f, t[3].w);
-        t[5].y = static_cast<float>(environments_.place_of(light.map));
+        t[5].y = static_cast<float>(environments_.add(light.map));
         t[5].z = 1.0f;
         return t;
     }
@@ -174,7 +174,7 @@ private:
     std::size_t place_of_map(int texture) {
         const auto [entry, is_new] = maps_placed_.try_emplace(texture, end());
         if (is_new) {
-            const EmissionMapPlace place = maps_.place_of(scene_, texture);
+            const EmissionMapPlace place = maps_.add(scene_, texture);
             payload_.emplace_back(place.first, place.width, place.height, place.wrap);
         }
         return entry->second;
@@ -236,7 +236,7 @@ std::vector<AliasEntry> alias_table(std::span<const double> weights) {
 
 std::vector<vec4> pack_lights(const scene::Scene& scene, std::span<const scene::Light> lights,
                               EmissionMaps& maps, EnvironmentTexels& environments) {
-    maps.ask_anew();
+    maps.rewind();
     Packer packer(scene, maps, environments, lights.size());
     std::vector<vec4> table;
     table.reserve(lights.size() * texels_per_light);

@@ -1,7 +1,6 @@
 #pragma once
 // The lights as the shaders read them.
-#include "render/gpu/emission_maps.hpp"
-#include "render/gpu/environment_texels.hpp"
+#include "render/gpu/light_texels.hpp"
 #include "scene/scene.hpp"
 
 #include <span>

@@ -1,7 +1,7 @@
 #include "render/gpu/mip_chain.hpp"
 
 #include "core/error.hpp"
-#include "image/srgb.hpp"
+#include "image/display.hpp"
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 
 #include "glsl/source.hpp"
 #include "render/gpu/blocks.hpp"
-#include "render/gpu/buffer_texture.hpp"
+#include "render/gpu/gpu_texture.hpp"
 
 #include <algorithm>
 
@@ -31,7 +31,7 @@ ShaderEvaluator::ShaderEvaluator(std::span<const glsl::Root> path, const std::st
 }
 
 std::vector<vec4> ShaderEvaluator::evaluate(std::span<const Row> rows) const {
-    const std::size_t most = std::min<std::size_t>(BufferTexture::most_texels() / 3, 1 << 20);
+    const std::size_t most = std::min<std::size_t>(BufferTexture::max_texels() / 3, 1 << 20);
     std::vector<vec4> answers;
     answers.reserve(rows.size());
     for (std::size_t first = 0; first < rows.size(); first += most)

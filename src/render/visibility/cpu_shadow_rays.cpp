@@ -14,7 +14,7 @@
 namespace sr::render {
 namespace {
 
-constexpr int most_rays = 7; // rays_a_pass of shaders/interface/rays.glsl
+constexpr int rays_a_pass = 7; // Keep in sync with shaders/interface/rays.glsl.
 // Most pixels have rays to a third of the lights. The more lights at once, the fewer passes read the
 // surfaces; but pixels that do have more rays sample all of these lights again in every pass.
 constexpr int lights_a_pass = 16;
@@ -23,8 +23,8 @@ constexpr std::size_t target_memory = std::size_t{512} << 20; // [bytes] that ma
 int rays_that_fit(int width, int height, int wanted) {
     const std::size_t target =
         static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * sizeof(vec4);
-    const int fitting = static_cast<int>(std::min<std::size_t>(most_rays, target_memory / target));
-    return std::clamp(std::min(fitting - 1, wanted), 1, most_rays);
+    const int fitting = static_cast<int>(std::min<std::size_t>(rays_a_pass, target_memory / target));
+    return std::clamp(std::min(fitting - 1, wanted), 1, rays_a_pass);
 }
 
 bool is_finite(vec4 v) { return std::isfinite(v.x + v.y + v.z); }
@@ -71,11 +71,11 @@ CpuShadowRays::CpuShadowRays(const GpuScene& scene, const RenderTarget& frame, i
                     "choose a smaller --size, or --visibility ray-glsl");
 }
 
-std::vector<RowRange> CpuShadowRays::bands(RowRange all, int light_count) const {
+std::vector<RowRange> CpuShadowRays::divide(RowRange all, int light_count) const {
     const std::size_t per_row = static_cast<std::size_t>(width_)
                                 * static_cast<std::size_t>(std::max(light_count, 1))
                                 * static_cast<std::size_t>(rays_per_light_);
-    const std::size_t most = std::min(BufferTexture::most_texels(), max_rays_ / channels());
+    const std::size_t most = std::min(BufferTexture::max_texels(), max_rays_ / channels());
     const int rows =
         static_cast<int>(std::min<std::size_t>(static_cast<std::size_t>(all.count), most / per_row));
     if (rows == 0)

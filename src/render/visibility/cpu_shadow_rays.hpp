@@ -1,8 +1,7 @@
 #pragma once
-// Rays that the shading pass will ask about, noted down by it and answered by the CPU.
+// Shadow rays of a frame: recorded by shaders, traced on the CPU.
 #include "render/film.hpp"
 #include "render/gpu/blocks.hpp"
-#include "render/gpu/frame_data.hpp"
 #include "render/gpu/gpu_scene.hpp"
 #include "render/gpu/shader_library.hpp"
 
@@ -14,31 +13,32 @@ struct RowRange {
     int count = 0;
 };
 
+/// Traces the rays from the opaque surfaces of a frame to its lights.
 class CpuShadowRays {
 public:
-    /// For the opaque surfaces whose depth lies in `frame`. @throws Error if the driver refuses the targets.
+    /// `frame`: has the depth of the opaque surfaces. @throws Error if the driver refuses the targets.
     CpuShadowRays(const GpuScene& scene, const RenderTarget& frame, int width, int height,
                   std::size_t max_rays);
 
-    /// These rows in bands for which the answers about this many lights fit into memory.
+    /// Divides the rows into bands whose rays to this many lights fit into memory.
     /// @throws Error if not even one row does.
-    std::vector<RowRange> bands(RowRange rows, int light_count) const;
+    std::vector<RowRange> divide(RowRange rows, int light_count) const;
 
-    /// Finds V for every ray of the band to the lights [first, end), and leaves it where
-    /// visibility/resolve.glsl reads it. Leaves frame_data at these lights.
+    /// Finds V of every ray of the band to the lights [first, end), and binds it for
+    /// visibility/resolve.glsl. `frame_data` then has these lights.
     void find(RowRange band, int first_light, int end_light, FrameData& frame_data, ShaderLibrary& shaders);
 
-    std::size_t ray_count() const { return ray_count_; } // answered so far
+    std::size_t ray_count() const { return ray_count_; } // traced so far
     double seconds() const { return seconds_; }          // that the CPU took for them
 
 private:
-    /// The answers' planes: which ray the first is of, and how many pixels each has.
+    /// Planes of V in the buffer texture: the number of the first one's ray, and the pixels of each.
     struct Planes {
         int first_ray = 0;
         std::size_t size = 0;
     };
 
-    /// Notes down and answers the rays that come after the first `taken` of each pixel.
+    /// Records and traces the rays that come after the first `taken` of each pixel.
     /// @return whether there may be more
     bool record_and_answer(RowRange band, int taken, ShaderLibrary& shaders);
     void read(RowRange band, int attachment, std::vector<vec4>& texels);

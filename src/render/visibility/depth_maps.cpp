@@ -13,7 +13,7 @@ using shadow::MapKind;
 using shadow::MapView;
 
 constexpr std::size_t bytes_per_map_texel = 4;
-constexpr int smallest_size = 64;
+constexpr int min_map_size = 64;
 
 /// A sequence of its own for each point of each light.
 std::uint32_t map_seed(std::uint32_t seed, int light, int point) {
@@ -112,7 +112,7 @@ void DepthMaps::make_room() {
         return count_ * static_cast<std::size_t>(size_) * static_cast<std::size_t>(size_)
                * bytes_per_map_texel;
     };
-    while (bytes() > most_bytes && size_ > smallest_size) size_ /= 2;
+    while (bytes() > max_bytes && size_ > min_map_size) size_ /= 2;
     triangles_.bind(0);
     if (count_ <= static_cast<std::size_t>(most)) {
         glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_R32I, size_, size_, static_cast<GLsizei>(count_), 0,

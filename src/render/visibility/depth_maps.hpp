@@ -1,7 +1,7 @@
 #pragma once
 // Depth maps from points on the emitters, new ones for every frame (--visibility map).
 #include "render/film.hpp"
-#include "render/gpu/frame_data.hpp"
+#include "render/gpu/blocks.hpp"
 #include "render/gpu/gpu_scene.hpp"
 #include "render/gpu/shader_library.hpp"
 
@@ -13,7 +13,7 @@ inline constexpr int default_map_size = 1024;
 struct MapOptions {
     int points = default_map_points; // on each emitter of finite size that a frame has
     int size =
-        default_map_size; // texels on a map's side; halved until all maps fit into DepthMaps::most_bytes
+        default_map_size; // texels on a map's side; halved until all maps fit into DepthMaps::max_bytes
 };
 
 class DepthMaps {
@@ -30,9 +30,9 @@ public:
     void draw(std::uint32_t sample_index, std::uint32_t seed, int first_light, int end_light,
               ShaderLibrary& shaders);
 
-    int size() const { return size_; }                                // texels on a map's side
-    std::size_t map_count() const { return count_; }                  // of the last frame
-    static constexpr std::size_t most_bytes = std::size_t{256} << 20; // that all maps of a frame may take
+    int size() const { return size_; }                               // texels on a map's side
+    std::size_t map_count() const { return count_; }                 // of the last frame
+    static constexpr std::size_t max_bytes = std::size_t{256} << 20; // that all maps of a frame may take
 
 private:
     /// A point's views, and the layer of each face, negative where nothing is seen.

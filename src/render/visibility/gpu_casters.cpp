@@ -109,7 +109,7 @@ shadow::Bvh boxes_of_glass(const Casters& casters) {
     bvh.order.resize(count);
     std::iota(bvh.order.begin(), bvh.order.end(), 0u);
     if (!casters.is_tinted()) return bvh;
-    const shadow::Bvh glass = shadow::bvh_of(casters, true);
+    const shadow::Bvh glass = shadow::build_bvh(casters, true);
     bvh.order.insert(bvh.order.end(), glass.order.begin(), glass.order.end());
     bvh.nodes = glass.nodes;
     for (shadow::BvhNode& node : bvh.nodes)

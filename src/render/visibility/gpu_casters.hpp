@@ -1,6 +1,6 @@
 #pragma once
 // The shadow casters and their tree as shaders read them.
-#include "render/gpu/buffer_texture.hpp"
+#include "render/gpu/gpu_texture.hpp"
 #include "shadow/bvh.hpp"
 
 namespace sr::render {

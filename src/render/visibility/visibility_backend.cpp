@@ -35,7 +35,7 @@ VisibilityBackend::VisibilityBackend(const scene::Scene& scene, std::span<const 
                                      Visibility visibility, bool has_blended_receivers) {
     require(visibility != Visibility::none, "somebody asks for shadows");
     const auto begin = std::chrono::steady_clock::now();
-    casters_ = shadow::casters_of(scene, lights);
+    casters_ = shadow::collect_casters(scene, lights);
     if (visibility == Visibility::map) {
         shadow_map_scene_ = shadow::map_stage_of(scene, lights, casters_);
         gpu_casters_.emplace(casters_);
@@ -43,7 +43,7 @@ VisibilityBackend::VisibilityBackend(const scene::Scene& scene, std::span<const 
         occlusion_ = std::make_unique<shadow::Occlusion>(casters_);
     }
     if (!shadow_map_scene_ && (!occlusion_ || has_blended_receivers)) {
-        const shadow::Bvh bvh = shadow::bvh_of(casters_);
+        const shadow::Bvh bvh = shadow::build_bvh(casters_);
         node_count_ = bvh.nodes.size();
         gpu_casters_.emplace(casters_, bvh);
     }

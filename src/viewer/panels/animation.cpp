@@ -7,14 +7,14 @@
 namespace sr::viewer {
 namespace {
 
-using Animations = std::span<const gltf::Contents::Animation>;
+using Animations = std::span<const gltf::Contents::AnimationInfo>;
 
 std::string argument_of(Animations all, std::size_t i) {
     const std::string& name = all[i].name;
     const bool is_unique = !name.empty() && name != "all"
                            && name.find_first_not_of("0123456789") != std::string::npos
                            && name.find('\'') == std::string::npos
-                           && std::ranges::count(all, name, &gltf::Contents::Animation::name) == 1;
+                           && std::ranges::count(all, name, &gltf::Contents::AnimationInfo::name) == 1;
     return is_unique ? name : std::to_string(i);
 }
 

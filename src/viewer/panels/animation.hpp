@@ -17,13 +17,14 @@ struct AnimationRequest {
     bool has_pointer = false;             // arrows, Home and End belong to the bar
 };
 /// Draws the bar. `scale`: of a HiDPI screen.
-AnimationRequest animation_bar(Playback& playback, std::span<const gltf::Contents::Animation> all,
+AnimationRequest animation_bar(Playback& playback, std::span<const gltf::Contents::AnimationInfo> all,
                                float scale);
 
 /// Draws the list. @return the variant that was chosen; empty for the file's own materials
 std::optional<std::string> variants_section(std::span<const std::string> variants, const std::string& shown);
 
 /// The argument of `--animation` for these animations: a name if it is unique, an index, or "all".
-std::string animation_argument(std::span<const gltf::Contents::Animation> all, std::span<const int> chosen);
+std::string animation_argument(std::span<const gltf::Contents::AnimationInfo> all,
+                               std::span<const int> chosen);
 
 } // namespace sr::viewer

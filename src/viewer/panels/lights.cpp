@@ -105,7 +105,7 @@ Changes LightsPanel::draw_value(LightEditor& editor, const LoadedScene& loaded, 
     focus_.update(ImGui::IsItemActive());
     if (is_entered) {
         try {
-            const vec3 quantity = typed_quantity(typed_.data(), group);
+            const vec3 quantity = parse_quantity(typed_.data(), group);
             editor.begin_step();
             editor.set_quantity(selected, quantity);
             message = fmt::format("{}: {}", editor.entries()[selected].name, typed_.data());

@@ -142,7 +142,7 @@ Changes Compare::keep_render() {
     ws_.reference.emplace(fmt::format("{} samples, {}, {}", render.sample_count(),
                                       name_in(settings::estimators, ws_.options.rendering.estimator),
                                       ws_.camera->argument()),
-                          render.film());
+                          render.read_film());
     if (ws_.display.comparison == ComparisonMode::none) ws_.display.comparison = ComparisonMode::wipe;
     ws_.messages.notify(fmt::format("Reference kept. {}", how_to_compare));
     return Change::display;
@@ -175,7 +175,7 @@ Changes Compare::next_mode() {
 void Compare::begin_flip() {
     if (flipping_ || !ws_.reference || ws_.scene->render().sample_count() == 0) return;
     flip_result_ = "computing ...";
-    flipping_ = std::async(std::launch::async, flip_map, ws_.scene->render().film(), ws_.display,
+    flipping_ = std::async(std::launch::async, flip_map, ws_.scene->render().read_film(), ws_.display,
                            ws_.reference->film(), ws_.reference->is_display_referred());
 }
 

@@ -88,7 +88,7 @@ Changes Files::write(const std::string& extension) {
     const int samples = render.sample_count();
     const output::Variable* const view = ws_.display.view;
     const scene::UnitSystem units = ws_.scene->stage().scene.units;
-    image::Image film = view ? output::numbers_of(*view, render.film()) : render.film();
+    image::Image film = view ? output::numbers_of(*view, render.read_film()) : render.read_film();
     film.channel_names = {"R", "G", "B", "A"};
     settings::RenderSettings settings = ws_.options;
     settings.at = ws_.playback.seconds;

@@ -208,7 +208,7 @@ Changes Navigate::paste_view() {
         text = text.substr(quote + 1, text.find('\'', quote + 1) - quote - 1);
     CameraController& camera = *ws_.camera;
     try {
-        const scene::LookAt view = scene::parsed_look_at(text, camera.origin());
+        const scene::LookAt view = scene::parse_look_at(text, camera.origin());
         camera.use({scene::camera_at(view, camera.bounds(), camera.aspect_ratio()), scene::text_of(view)});
         return Change::camera;
     } catch (const Error& error) {

@@ -98,7 +98,7 @@ std::optional<Lobe> Probe::lobe_of(const render::PixelTerms& terms, const render
         directions.push_back(light.wi == vec3(0.0f) ? lobe.n : lobe.light_wi.back());
     }
     const auto brdf =
-        render::brdf_at(ws_.scene->gpu(), ws_.camera->camera(), options, column, row, directions);
+        render::evaluate_brdf(ws_.scene->gpu(), ws_.camera->camera(), options, column, row, directions);
     if (!brdf) return std::nullopt;
     lobe.is_mirror = brdf->is_mirror;
     for (std::size_t i = 0; i < directions.size(); ++i)

@@ -57,7 +57,7 @@ Changes Turntable::begin() {
 Changes Turntable::update(double /*seconds*/) {
     if (folder_.empty() || !ws_.scene->render().is_converged()) return {};
     const image::Image picture =
-        image::displayed(ws_.scene->render().film(), ws_.exposure.ev100(), *ws_.display.curve);
+        image::displayed(ws_.scene->render().read_film(), ws_.exposure.ev100(), *ws_.display.curve);
     try {
         image::write(picture, fmt::format("{}/{:03}.png", folder_, step_), image::SampleType::integer8);
     } catch (const Error& error) {

@@ -90,7 +90,7 @@ void CameraController::set_bounds(const scene::Bounds& bounds) {
     bounds_ = bounds;
     if (scene::is_look_at(camera_.argument))
         camera_.camera =
-            scene::camera_at(scene::parsed_look_at(camera_.argument, origin_), bounds_, aspect_ratio_);
+            scene::camera_at(scene::parse_look_at(camera_.argument, origin_), bounds_, aspect_ratio_);
 }
 
 void CameraController::follow(const std::vector<scene::Camera>& cameras) {

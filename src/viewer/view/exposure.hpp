@@ -35,7 +35,7 @@ public:
                                                           || render.is_converged();
         if (!is_due || samples == measured_samples_) return;
         if (!render.is_interactive()) measured_samples_ = samples;
-        target_ = image::auto_ev100(render.film());
+        target_ = image::auto_ev100(render.read_film());
         if (!std::exchange(has_measured_, true)) shown_ = target_;
     }
 

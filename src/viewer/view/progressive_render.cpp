@@ -168,8 +168,8 @@ FilmSum ProgressiveRender::shown() const {
     return {&renderer_.film_sum(), sample_count(), renderer_.width(), renderer_.height(), weights};
 }
 
-image::Image ProgressiveRender::film() const {
-    if (!is_kept_shown_) return renderer_.film();
+image::Image ProgressiveRender::read_film() const {
+    if (!is_kept_shown_) return renderer_.read_film();
     image::Image image = kept_->read();
     for (std::size_t i = 0; i < image.pixels.size(); ++i)
         image.pixels[i] *= 1.0f / static_cast<float>(kept_samples_of(i / 4));

@@ -1,7 +1,6 @@
 #pragma once
 // Progressive render of the view: coarse and quick during interaction, then converging, then converged.
 #include "render/adaptive/convergence.hpp"
-#include "render/adaptive/stop_rule.hpp"
 #include "render/renderer.hpp"
 #include "viewer/view/presenter.hpp"
 
@@ -69,7 +68,7 @@ public:
 
     /// The complete samples. A converging render without any shows the interactive one.
     FilmSum shown() const;
-    image::Image film() const;
+    image::Image read_film() const;
     /// Mean of the samples of one pixel; `place` from 0 at the upper left corner to 1.
     vec3 pixel(vec2 place) const;
 

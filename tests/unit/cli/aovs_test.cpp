@@ -1,4 +1,4 @@
-#include "output/planes.hpp"
+#include "output/channels.hpp"
 
 #include "support/address.hpp"
 #include "support/gl.hpp"
@@ -13,11 +13,11 @@ using namespace sr::testing;
 namespace {
 
 const Test list("unit.cli.aovs.a_list_is_read_or_refused", [] {
-    EXPECT_EQ(output::parsed_aovs("object,depth"),
+    EXPECT_EQ(output::parse_aovs("object,depth"),
               (output::Variables{output::aov_named("object"), output::aov_named("depth")}));
     for (const char* wrong : {"", "deep", "depth,", "depth,depth", "depth, normal"})
-        EXPECT_FALSE(output::parsed_aovs(wrong)) << wrong;
-    for (const std::string& name : output::aov_names()) EXPECT_TRUE(output::parsed_aovs(name)) << name;
+        EXPECT_FALSE(output::parse_aovs(wrong)) << wrong;
+    for (const std::string& name : output::aov_names()) EXPECT_TRUE(output::parse_aovs(name)) << name;
 });
 
 /// A plane with a small square above its middle, under a point light.
@@ -33,26 +33,26 @@ struct Table {
 
 constexpr int size = 33, middle = size / 2;
 
-/// The planes of all AOVs but those that a picture counts itself, by name.
-std::map<std::string, std::vector<float>> planes_of(const Table& table, const scene::Camera& camera) {
+/// Renders the channels of all AOVs but those that a picture counts itself, by name.
+std::map<std::string, std::vector<float>> rendered_channels(const Table& table, const scene::Camera& camera) {
     context();
     const render::GpuScene scene(table.scene, table.lights);
     render::RenderOptions options;
     options.width = options.height = size;
     const output::AovSource source{scene, camera, options, std::vector<int>(size * size, 4), {}};
-    std::map<std::string, std::vector<float>> planes;
-    for (output::Plane& plane : output::aov_planes(
-             *output::parsed_aovs("depth,normal,albedo,visibility,irradiance,object,material"), source, {}))
-        planes[plane.name] = std::move(plane.values);
-    return planes;
+    std::map<std::string, std::vector<float>> channels;
+    for (output::ImageChannel& channel : output::render_aovs(
+             *output::parse_aovs("depth,normal,albedo,visibility,irradiance,object,material"), source, {}))
+        channels[channel.name] = std::move(channel.values);
+    return channels;
 }
 
 // Each is what its documentation says, in its unit, at a pixel of the square, of the plane, of its shadow and
 // beyond.
 const Test values("unit.cli.aovs.have_their_units", [] {
     const Table table;
-    auto planes = planes_of(table, camera_from_above(5.0f));
-    const auto at = [&](const char* name, int column) { return planes.at(name)[middle * size + column]; };
+    auto channels = rendered_channels(table, camera_from_above(5.0f));
+    const auto at = [&](const char* name, int column) { return channels.at(name)[middle * size + column]; };
     const int on_square = middle, in_shadow = middle - 2, lit = middle + 6, beyond = 0;
     const float x = place_of(lit, middle, size, 5.0f).x;
     const float E = 9.0f * 2.0f / std::pow(4.0f + x * x, 1.5f); // I cosθ / d², cosθ = 2/d
@@ -86,8 +86,8 @@ const Test depth("unit.cli.aovs.depth_is_along_the_axis", [] {
             camera.projection = scene::Perspective{1.0f, 1.0f, 0.01f, {}};
         else
             camera.projection = scene::Orthographic{1.0f, 1.0f, 0.5f, 10.0f};
-        const auto planes = planes_of(table, camera);
-        for (const float z : planes.at("depth.Z")) ASSERT_NEAR(z, 2.5f, 1e-4f) << is_perspective;
+        const auto channels = rendered_channels(table, camera);
+        for (const float z : channels.at("depth.Z")) ASSERT_NEAR(z, 2.5f, 1e-4f) << is_perspective;
     }
 });
 

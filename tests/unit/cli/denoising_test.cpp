@@ -39,10 +39,10 @@ Films films_of(const Shade& shade, int samples, bool denoises) {
     options.estimates_error = true;
     render::Renderer renderer(scene, camera, options);
     for (int i = 0; i < samples; ++i) renderer.add_sample();
-    Films films{renderer.film(), {}};
+    Films films{renderer.read_film(), {}};
     if (denoises)
         films.denoised =
-            output::denoised(renderer, {scene, camera, options, renderer.pixel_samples(), {}}, {});
+            output::denoise(renderer, {scene, camera, options, renderer.pixel_samples(), {}}, {});
     return films;
 }
 

@@ -1,4 +1,4 @@
-#include "output/planes.hpp"
+#include "output/channels.hpp"
 
 #include "support/address.hpp"
 #include "support/gl.hpp"
@@ -37,9 +37,9 @@ const Test sum("unit.cli.layers.add_up_to_the_picture", [] {
         return true;
     };
     add("");
-    const image::Image film = renderer.film();
-    const auto planes = output::light_layers(output::layer_names(lights), renderer, add);
-    const image::Image image = output::with_planes(film, planes);
+    const image::Image film = renderer.read_film();
+    const auto channels = output::render_layers(output::layer_names(lights), renderer, add);
+    const image::Image image = output::with_channels(film, channels);
     ASSERT_EQ(image.channels, 4 + 3 * 5);
     EXPECT_EQ(image.channel_names[7], "key.R");
     for (int y = 0; y < film.height; ++y) {

@@ -70,6 +70,15 @@ const Test refuses("unit.cli.options.refuse_what_they_do_not_allow", [] {
     }
 });
 
+const Test messages("unit.cli.options.messages_say_what_is_allowed", [] {
+    std::map<std::string, std::string> allowed;
+    for (const Option& option : settings::all_options())
+        allowed[option.key] = settings::allowed_by(option.value);
+    EXPECT_EQ(allowed["layers"], "lights, the only choice");
+    EXPECT_EQ(allowed["estimator"], "one of sampled, analytic");
+    EXPECT_EQ(allowed["size"], "WIDTHxHEIGHT");
+});
+
 const Test commands("unit.cli.options.commands_take_those_of_the_table", [] {
     for (const settings::Taker taker : {settings::by_render, settings::by_view, settings::by_probe,
                                         settings::by_export, settings::by_info}) {

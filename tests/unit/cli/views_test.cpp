@@ -27,7 +27,7 @@ std::vector<float> middle_of(const char* view, const scene::Scene& scene, vec3 l
     options.shader = output::view_named(view)->shader;
     render::Renderer renderer(gpu_scene, camera_from_above(1.0f), options);
     renderer.add_sample();
-    const image::Image numbers = output::numbers_of(*output::view_named(view), renderer.film());
+    const image::Image numbers = output::numbers_of(*output::view_named(view), renderer.read_film());
     const auto pixel = numbers.at(view_size / 2, view_size / 2);
     return {pixel.begin(), pixel.end()};
 }

@@ -46,9 +46,9 @@ const Test sizes_differ("unit.golden.compare.sizes_differ", [] {
 
 const Test bad_options("unit.golden.compare.bad_options", [] {
     const Image image = grey(8, 8);
-    EXPECT_NE(error_of(image, image, {.region = Region{4, 4, 5, 1}}).find("not inside 8x8"),
+    EXPECT_NE(error_of(image, image, {.region = PixelRegion{4, 4, 5, 1}}).find("not inside 8x8"),
               std::string::npos);
-    EXPECT_NE(error_of(image, image, {.region = Region{4, 4, std::numeric_limits<int>::max(), 1}}), "");
+    EXPECT_NE(error_of(image, image, {.region = PixelRegion{4, 4, std::numeric_limits<int>::max(), 1}}), "");
     EXPECT_NE(error_of(image, image, {.mask = grey(8, 7)}).find("the mask is 8x7"), std::string::npos);
     EXPECT_NE(error_of(image, image, {.mask = grey(8, 8, 1, 0.0f)}).find("no pixel"), std::string::npos);
     EXPECT_NE(error_of(image, image, {.noise = {grey(7, 8)}}).find("the noise is 7x8"), std::string::npos);
@@ -84,7 +84,7 @@ const Test error_map("unit.golden.compare.error_map", [] {
     Image test = reference;
     test.at(1, 0)[0] = 1.02f; // twice the limit
     test.at(2, 0)[2] = std::numeric_limits<float>::quiet_NaN();
-    const Comparison comparison = compare(test, reference, {.region = Region{0, 0, 3, 1}});
+    const Comparison comparison = compare(test, reference, {.region = PixelRegion{0, 0, 3, 1}});
     EXPECT_EQ(comparison.error.at(0, 0)[0], 0.0f);
     EXPECT_NEAR(comparison.error.at(1, 0)[0], 2.0f, 1e-4f);
     EXPECT_TRUE(std::isnan(comparison.error.at(2, 0)[0]));

@@ -31,9 +31,9 @@ const Test lines("unit.core.text.lines_and_json_keep_their_breaks", [] {
 });
 
 const Test cut("unit.core.text.a_cut_keeps_characters_whole", [] {
-    EXPECT_EQ(shortened("abc", 3), "abc");
-    EXPECT_EQ(shortened("abcd", 3), "abc…");
-    EXPECT_EQ(shortened("ab\xc3\xb6", 3), "ab…");
+    EXPECT_EQ(shorten("abc", 3), "abc");
+    EXPECT_EQ(shorten("abcd", 3), "abc…");
+    EXPECT_EQ(shorten("ab\xc3\xb6", 3), "ab…");
 });
 
 const Test extent("unit.core.json_scan.extent", [] {

@@ -30,7 +30,7 @@ std::optional<image::Image> picture_through(gl::Backend backend) {
     render::Renderer renderer(scene, sr::testing::camera_from_above(2.0f), options);
     for (int i = 0; i < options.samples; ++i) renderer.add_sample();
     context->require_silence();
-    return renderer.film();
+    return renderer.read_film();
 }
 
 // EGL and OSMesa are two doors to the same renderer: the same picture comes out of both.
@@ -38,7 +38,7 @@ const Test same("unit.gl.backend.egl_and_osmesa_agree", [] {
     const auto egl = picture_through(gl::Backend::egl);
     const auto osmesa = picture_through(gl::Backend::osmesa);
     if (!egl || !osmesa) GTEST_SKIP() << "needs both EGL and OSMesa";
-    EXPECT_LT(sr::testing::largest_relative_difference(*egl, *osmesa, 1e-4f), 1e-5f);
+    EXPECT_LT(sr::testing::max_relative_difference(*egl, *osmesa, 1e-4f), 1e-5f);
 });
 
 const Test names("unit.gl.backend.names", [] {

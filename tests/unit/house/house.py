@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """The house's own rules, checked by reading the sources. Each rule also shows that it fails on a tree that breaks it.
 
-usage: house.py RULE SOURCE_FOLDER      (RULE: floors, terms, includes, sizes, readmes, paths, listings, prose)
+usage: house.py RULE SOURCE_FOLDER      (RULE: floors, terms, types, includes, sizes, readmes, paths, checklists, listings, prose)
 """
 import re
 import sys
@@ -115,6 +115,17 @@ def terms(root: Path) -> list[str]:
     return broken
 
 
+def types(root: Path) -> list[str]:
+    """No two headers of src/ define types of one name, but for those that gl/ names after OpenGL's objects."""
+    defined = re.compile(r"^(?:struct|class|enum class|enum) (\w+)\b(?=[^;{]*\{)", re.MULTILINE)
+    headers = {}
+    for file in sources(root / "src", ".hpp"):
+        if file.relative_to(root / "src").parts[0] != "gl":
+            for name in defined.findall(file.read_text()):
+                headers.setdefault(name, []).append(str(file.relative_to(root)))
+    return [f"{name}: {', '.join(files)}: rename all but one" for name, files in headers.items() if len(files) > 1]
+
+
 def included_by(root: Path, file: Path, known: dict[Path, set[str]]) -> set[str]:
     """The standard headers that a file includes, itself or by headers of ours."""
     if file not in known:
@@ -181,7 +192,8 @@ def paths(root: Path) -> list[str]:
         if {"build", ".venv", "out", "node_modules"} & set(file.relative_to(root).parts) or file.name == "CHANGELOG.md":
             continue
         for path in named.findall(file.read_text()):
-            if not re.search(r"NAME|aN-", path) and not (root / path).exists():
+            pattern = path.rstrip("/").replace("NAME", "*").replace("aN-name", "a[0-9]-*")
+            if not any(found for folder in (root, file.parent) for found in folder.glob(pattern)):
                 broken.append(f"{file.relative_to(root)}: {path}: there is no such file")
     for folder in ("shaders", "src", "tests", "tools"):
         for file in sorted((root / folder).rglob("*")):
@@ -191,6 +203,25 @@ def paths(root: Path) -> list[str]:
                 for path in in_comment.findall(comment):
                     if not re.search(r"NAME|aN-", path) and not (root / path).exists():
                         broken.append(f"{file.relative_to(root)}:{line}: {path}: there is no such file")
+    return broken
+
+
+def checklists(root: Path) -> list[str]:
+    """Each checklist of CONTRIBUTING.md names files, and the names and tests in it are those of the sources."""
+    sources_text = "\n".join(file.read_text() for folder in ("src", "shaders", "tests", "tools")
+                             for file in sources(root / folder, ".cpp", ".hpp", ".glsl", ".frag", ".txt", ".py") if file.name != "house.py")
+    words = set(re.findall(r"\w+", sources_text))
+    broken = []
+    for title, text in re.findall(r"^## (A new .*?)\n(.*?)(?=^## |\Z)", (root / "CONTRIBUTING.md").read_text(), re.DOTALL | re.MULTILINE):
+        if not re.search(r"`(?:assets|shaders|src|tests|tools)/|\]\(src/", text):
+            broken.append(f"CONTRIBUTING.md: {title}: names no file")
+        for code in re.findall(r"`([^`]+)`", text):
+            test = re.search(r"\b(?:unit|law)(?:\.\w+)+", code)
+            name = re.fullmatch(r"(?:\w+::)?(\w*(?:[a-z]_[a-z]|[A-Z][a-z]|[a-z][A-Z])\w*)(?:\(\))?", code)
+            if test and test.group() not in sources_text:
+                broken.append(f"CONTRIBUTING.md: {title}: {test.group()}: there is no such test")
+            if name and "NAME" not in code and name.group(1) not in words:
+                broken.append(f"CONTRIBUTING.md: {title}: {code}: there is no such name")
     return broken
 
 
@@ -267,6 +298,8 @@ BAD_TREES = {
                  "src/viewer/a.cpp": '#include "core/error.hpp"\n'}),
     terms: (2, {"shaders/brdf/a.glsl": '#include "light/sample_light.glsl"\n#include "base/math.glsl"\n',
                 "shaders/visibility/a.glsl": '#include "brdf/f_r.glsl"\n'}),
+    types: (1, {"src/core/a.hpp": "struct A {\n    struct C {};\n};\nclass B;\n", "src/scene/a.hpp": "class A final : B {\n};\nstruct C {};\n",
+                "src/scene/b.hpp": "struct B {};\nenum D : int;\n", "src/gl/a.hpp": "struct B {};\nenum class D { a };\n"}),
     sizes: (3, {"shaders/brdf/a.glsl": "\n" * 121, "src/core/a.cpp": "\n" * 501, "tools/a.py": "\n" * 501,
                 "src/core/b.hpp": "\n" * 500}),
     includes: (2, {"src/core/a.hpp": "#include <vector>\n", "src/core/b.hpp": '#include "core/a.hpp"\n#include <algorithm>\n',
@@ -275,7 +308,9 @@ BAD_TREES = {
                    "tests/a.cpp": '#include "core/b.hpp"\n#include "support/a.hpp"\nbool a = std::ranges::none_of(b, std::nullopt);\n',
                    "tools/a.cpp": "std::chrono::seconds a;\n"}),
     readmes: (1, {"src/core/a.cpp": "", "src/gl/a.cpp": "", "src/README.md": "gl/ is named"}),
-    paths: (2, {"CONTRIBUTING.md": "`src/core/a.cpp` `src/core/b.cpp` `src/NAME.cpp`", "src/README.md": "`src/` `tests/law/`", "src/core/a.cpp": ""}),
+    checklists: (3, {"CONTRIBUTING.md": "# All\n`no_such`\n## A new a\n1. `make_a` in `src/a.cpp`, `ctest -R unit.a`\n## A new b\n1. `make_b()`, `law.b.a`, NAME\n",
+                     "src/a.cpp": "int make_a();\n", "tests/a.cpp": "\"unit.a.is_right\"\n"}),
+    paths: (3, {"CONTRIBUTING.md": "`src/core/a.cpp` `src/core/b.cpp` `src/NAME.cpp` `src/core/NAME.cpp`", "src/README.md": "`src/` `tests/law/`", "src/core/a.cpp": ""}),
     listings: (2, {"shaders/README.md": "```glsl\n// a.glsl\nint a;\nint b;\n```\n```glsl\n// a.glsl\nint b;\n```\n```glsl\n// b.glsl\n```\n",
                    "shaders/a.glsl": "int a;\n\nint b;\n"}),
     prose: (5, {"README.md": "It is made\nanew.\n\n    told from\n`anew`", "src/core/a.hpp": "// What a pixel needs.\nint a; // Whose is it?\n",

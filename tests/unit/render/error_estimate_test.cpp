@@ -41,7 +41,7 @@ const Test known("unit.render.error_estimate.finds_known_noise", [] {
     for (const int samples : {2, 3, 15, 64}) {
         const Noisy picture = noisy(samples, 0.2f);
         const auto estimate =
-            render::estimated_error(picture.mean, picture.first, std::vector<int>(64 * 64, samples));
+            render::estimate_error(picture.mean, picture.first, std::vector<int>(64 * 64, samples));
         const double truth = 0.1 / std::sqrt(samples) * std::sqrt(0.75);
         EXPECT_NEAR(estimate.expected / truth, 1.0, 0.05) << samples;
         EXPECT_GT(estimate.error, estimate.expected);
@@ -52,7 +52,7 @@ const Test known("unit.render.error_estimate.finds_known_noise", [] {
 
 const Test none("unit.render.error_estimate.equal_halves_have_none", [] {
     const Noisy picture = noisy(8, 0.0f);
-    const auto estimate = render::estimated_error(picture.mean, picture.first, std::vector<int>(64 * 64, 8));
+    const auto estimate = render::estimate_error(picture.mean, picture.first, std::vector<int>(64 * 64, 8));
     EXPECT_EQ(estimate.error, 0.0);
 });
 
@@ -61,7 +61,7 @@ const Test firefly("unit.render.error_estimate.a_firefly_counts", [] {
     Noisy picture = noisy(8, 0.0f);
     picture.first.at(9, 9)[0] = 402.0f;
     picture.mean.at(9, 9)[0] = 202.0f; // 2 and 402
-    const auto estimate = render::estimated_error(picture.mean, picture.first, std::vector<int>(64 * 64, 8));
+    const auto estimate = render::estimate_error(picture.mean, picture.first, std::vector<int>(64 * 64, 8));
     EXPECT_GT(estimate.squares[9 * 64 + 9], 3.0f);
     EXPECT_GT(estimate.error, estimate.expected);
 });
@@ -90,7 +90,7 @@ const Test rest("unit.render.frozen.pixels_keep_their_samples", [] {
         other(scene, camera_from_above(1.0f), options);
     const auto add = [](render::Renderer& renderer, int count) {
         for (int i = 0; i < count; ++i) renderer.add_sample();
-        return renderer.film();
+        return renderer.read_film();
     };
     const image::Image at_5 = add(whole, 5), at_12 = add(whole, 7);
     add(other, 5);

@@ -1,6 +1,6 @@
 #include "render/gpu/mip_chain.hpp"
 
-#include "image/srgb.hpp"
+#include "image/display.hpp"
 #include "support/address.hpp"
 
 #include <cmath>

@@ -157,7 +157,7 @@ const Test background("unit.render.renderer.background_has_no_coverage", [] {
     options.samples = 3;
     render::Renderer renderer(scene, camera_from_above(1.0f), options);
     for (int i = 0; i < 3; ++i) renderer.add_sample();
-    const auto film = renderer.film();
+    const auto film = renderer.read_film();
     EXPECT_FLOAT_EQ(film.at(6, 4)[2], 3.0f);
     EXPECT_EQ(film.at(6, 4)[3], 0.0f);
 });
@@ -177,7 +177,7 @@ const Test overlay("unit.render.renderer.an_overlay_replaces_a_term", [] {
         glsl::embedded()};
     render::Renderer renderer(scene, camera_from_above(2.0f), options);
     renderer.add_sample();
-    EXPECT_NEAR(renderer.film().at(32, 32)[0], 2.0f, 1e-4f);
+    EXPECT_NEAR(renderer.read_film().at(32, 32)[0], 2.0f, 1e-4f);
 });
 
 const Test broken("unit.render.renderer.a_broken_shader_names_its_line", [] {

@@ -22,7 +22,7 @@ Casters casters_from(const std::vector<vec3>& corners) {
     for (std::uint32_t i = 0; i < corners.size(); ++i) mesh.indices.push_back(i);
     scene.meshes.push_back(mesh);
     scene.instances.emplace_back();
-    return casters_of(scene, {});
+    return collect_casters(scene, {});
 }
 
 std::vector<vec3> soup(int triangles) {
@@ -44,7 +44,7 @@ bool contains(const BvhNode& node, vec3 p) {
 // A walk from node to node passes every triangle once, in a box that holds it; skipping leads forward.
 const Test complete("unit.shadow.bvh.holds_every_triangle_once", [] {
     const Casters casters = casters_from(soup(1000));
-    const Bvh bvh = bvh_of(casters);
+    const Bvh bvh = build_bvh(casters);
     std::vector<int> seen(1000, 0);
     for (std::size_t i = 0; i < bvh.nodes.size(); ++i) {
         const BvhNode& node = bvh.nodes[i];
@@ -67,10 +67,10 @@ const Test broken("unit.shadow.bvh.leaves_out_what_has_no_place", [] {
     for (const vec3 bad : {vec3(std::nanf("")), vec3(INFINITY), vec3(0.0f, 3e38f, 0.0f)})
         corners.insert(corners.end(), {p, q, bad});
     corners.insert(corners.end(), {p, p, p, p, p, q}); // a point and a line stay, where they do no harm
-    EXPECT_EQ(bvh_of(casters_from(corners)).order.size(), 12u);
-    EXPECT_EQ(bvh_of(casters_from({p, p, vec3(INFINITY)})).nodes.size(), 1u);
-    EXPECT_EQ(bvh_of(casters_from({})).nodes.size(), 1u);
-    EXPECT_EQ(bvh_of(casters_from(std::vector<vec3>(3000, p))).order.size(), 1000u) << "all in one place";
+    EXPECT_EQ(build_bvh(casters_from(corners)).order.size(), 12u);
+    EXPECT_EQ(build_bvh(casters_from({p, p, vec3(INFINITY)})).nodes.size(), 1u);
+    EXPECT_EQ(build_bvh(casters_from({})).nodes.size(), 1u);
+    EXPECT_EQ(build_bvh(casters_from(std::vector<vec3>(3000, p))).order.size(), 1000u) << "all in one place";
 });
 
 } // namespace

@@ -29,7 +29,7 @@ scene::Scene sheets(int count, const scene::Material& material) {
 
 float V_towards(const scene::Scene& scene, std::span<const scene::Light> lights, vec3 to_emitter,
                 bool is_infinite, int light = 0) {
-    const Casters casters = casters_of(scene, lights);
+    const Casters casters = collect_casters(scene, lights);
     const Occlusion occlusion(casters);
     const std::vector<Query> queries(
         11, Query{vec3(0.0f), 0, to_emitter, is_infinite, light}); // a packet and a half

@@ -39,7 +39,7 @@ const Test words("unit.scene.look_at.words_are_the_camera_to_the_last_bit", [] {
     std::mt19937 random(1);
     for (int i = 0; i < 200; ++i) {
         const scene::LookAt view = look_at(any_view(random));
-        const scene::LookAt read = scene::parsed_look_at(scene::text_of(view));
+        const scene::LookAt read = scene::parse_look_at(scene::text_of(view));
         ASSERT_EQ(read.eye, view.eye);
         ASSERT_EQ(read.target, view.target);
         ASSERT_EQ(read.up, view.up);
@@ -51,7 +51,7 @@ const Test words("unit.scene.look_at.words_are_the_camera_to_the_last_bit", [] {
 const Test bad_words("unit.scene.look_at.says_what_is_wrong", [] {
     const auto complaint = [](const char* text) -> std::string {
         try {
-            scene::parsed_look_at(text);
+            scene::parse_look_at(text);
         } catch (const Error& error) {
             return error.what();
         }

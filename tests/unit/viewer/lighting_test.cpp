@@ -31,7 +31,7 @@ LightGroup alone(const std::vector<scene::Light>& lights) {
 const Test typed("unit.viewer.lights.typed_values_are_what_they_say", [] {
     const std::vector<scene::Light> point{scene::PointLight{}};
     const auto Y = [&](const char* text, const std::vector<scene::Light>& lights) {
-        return scene::luminance(typed_quantity(text, alone(lights)));
+        return scene::luminance(parse_quantity(text, alone(lights)));
     };
     EXPECT_NEAR(Y("800 lm", point), 800.0 / (4.0 * pi), 1e-4);
     EXPECT_NEAR(Y(" 12.5 ", point), 12.5, 1e-5);
@@ -41,7 +41,7 @@ const Test typed("unit.viewer.lights.typed_values_are_what_they_say", [] {
     EXPECT_NEAR(Y("100 cd", plate), 25.0, 1e-5);
     std::vector<scene::Light> two(2, scene::RectangleLight{});
     EXPECT_NEAR(Y("800 lm", two), 800.0 / (8.0 * pi), 1e-4) << "the flux is that of both";
-    const vec3 warm = typed_quantity("2700 K", alone(point));
+    const vec3 warm = parse_quantity("2700 K", alone(point));
     EXPECT_NEAR(scene::luminance(warm), 1.0, 1e-5) << "a colour keeps the luminance";
     EXPECT_GT(warm.r, 2.0f * warm.b);
     for (const char* wrong : {"", "bright", "-3 lm", "3 apples", "20 K", "5 lx"})

@@ -1,4 +1,4 @@
-#include "output/planes.hpp"
+#include "output/channels.hpp"
 
 #include "core/error.hpp"
 
@@ -51,7 +51,7 @@ public:
     }
 
     image::Image rendered(const Variable& variable) {
-        return variable.source == Source::surface
+        return variable.source == SampleSource::surface
                    ? picture(variable.shader, max_surface_samples, 0)
                    : picture(variable.shader, max_light_samples, source_.scene.light_count());
     }
@@ -70,7 +70,7 @@ private:
             renderer.add_sample();
             glFinish();
         } while (!stop_.stop_requested() && renderer.sample_count() < options.samples);
-        return renderer.film();
+        return renderer.read_film();
     }
 
     const AovSource& source_;
@@ -103,7 +103,7 @@ std::vector<float> errors(const AovSource& source) {
     return errors;
 }
 
-std::vector<Plane> planes_of(const Variable& aov, Pictures& pictures, const AovSource& source) {
+std::vector<ImageChannel> render_channels(const Variable& aov, Pictures& pictures, const AovSource& source) {
     const std::vector<std::string> names = channels_of(aov);
     switch (aov.finish) {
     case Finish::depth: return {{names[0], depths(pictures.numbers(), source.camera)}};
@@ -117,10 +117,10 @@ std::vector<Plane> planes_of(const Variable& aov, Pictures& pictures, const AovS
     default: break;
     }
     const image::Image picture = pictures.rendered(aov);
-    std::vector<Plane> planes;
+    std::vector<ImageChannel> channels;
     for (std::size_t c = 0; c < names.size(); ++c)
-        planes.push_back({names[c], values_of(picture, static_cast<int>(c))});
-    return planes;
+        channels.push_back({names[c], values_of(picture, static_cast<int>(c))});
+    return channels;
 }
 
 template<class Named>
@@ -132,19 +132,18 @@ std::string names_as_json(const std::vector<Named>& all) {
 
 } // namespace
 
-image::Image with_planes(const image::Image& film, const std::vector<Plane>& planes) {
+image::Image with_channels(const image::Image& film, const std::vector<ImageChannel>& channels) {
     require(film.channels == 4, "a film has four channels");
-    const std::size_t channels = 4 + planes.size();
-    image::Image image(film.width, film.height, static_cast<int>(channels));
+    const std::size_t count = 4 + channels.size();
+    image::Image image(film.width, film.height, static_cast<int>(count));
     image.channel_names = {"R", "G", "B", "A"};
     image.attributes = film.attributes;
-    for (std::size_t i = 0; i < film.pixels.size(); ++i)
-        image.pixels[i / 4 * channels + i % 4] = film.pixels[i];
-    for (std::size_t p = 0; p < planes.size(); ++p) {
-        require(planes[p].values.size() * 4 == film.pixels.size(), "a plane has the film's size");
-        image.channel_names.push_back(planes[p].name);
-        for (std::size_t i = 0; i < planes[p].values.size(); ++i)
-            image.pixels[i * channels + 4 + p] = planes[p].values[i];
+    for (std::size_t i = 0; i < film.pixels.size(); ++i) image.pixels[i / 4 * count + i % 4] = film.pixels[i];
+    for (std::size_t c = 0; c < channels.size(); ++c) {
+        require(channels[c].values.size() * 4 == film.pixels.size(), "a channel has the film's size");
+        image.channel_names.push_back(channels[c].name);
+        for (std::size_t i = 0; i < channels[c].values.size(); ++i)
+            image.pixels[i * count + 4 + c] = channels[c].values[i];
     }
     return image;
 }
@@ -166,36 +165,37 @@ std::vector<std::string> layer_names(std::span<const scene::Light> lights,
     return names;
 }
 
-std::vector<Plane> light_layers(const std::vector<std::string>& names, render::Renderer& renderer,
-                                const std::function<bool(const std::string& layer)>& add_samples) {
-    constexpr std::array channels{"R", "G", "B"};
-    std::vector<Plane> planes;
+std::vector<ImageChannel> render_layers(const std::vector<std::string>& names, render::Renderer& renderer,
+                                        const std::function<bool(const std::string& layer)>& add_samples) {
+    constexpr std::array colors{"R", "G", "B"};
+    std::vector<ImageChannel> channels;
     image::Image dark;
     for (std::size_t layer = 0; layer < names.size(); ++layer) {
         const int lights = static_cast<int>(layer);
         renderer.repeat();
         renderer.use_lights(std::max(lights - 1, 0), lights); // none, then one after the other
         if (!add_samples(names[layer])) return {};
-        image::Image picture = renderer.film();
+        image::Image picture = renderer.read_film();
         if (layer == 0)
             dark = picture;
         else
             for (std::size_t i = 0; i < dark.pixels.size(); ++i) picture.pixels[i] -= dark.pixels[i];
         for (int c = 0; c < 3; ++c)
-            planes.push_back({fmt::format("{}.{}", names[layer], channels[static_cast<std::size_t>(c)]),
-                              values_of(picture, c)});
+            channels.push_back({fmt::format("{}.{}", names[layer], colors[static_cast<std::size_t>(c)]),
+                                values_of(picture, c)});
     }
-    return planes;
+    return channels;
 }
 
-std::vector<Plane> aov_planes(const Variables& aovs, const AovSource& source, const std::stop_token& stop) {
+std::vector<ImageChannel> render_aovs(const Variables& aovs, const AovSource& source,
+                                      const std::stop_token& stop) {
     Pictures pictures(source, stop);
-    std::vector<Plane> planes;
+    std::vector<ImageChannel> channels;
     for (const Variable* aov : aovs) {
-        std::ranges::move(planes_of(*aov, pictures, source), std::back_inserter(planes));
+        std::ranges::move(render_channels(*aov, pictures, source), std::back_inserter(channels));
         if (stop.stop_requested()) return {};
     }
-    return planes;
+    return channels;
 }
 
 std::vector<image::Attribute> name_tables(const Variables& aovs, const scene::Scene& scene) {

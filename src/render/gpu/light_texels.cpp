@@ -1,9 +1,10 @@
-#include "render/gpu/emission_maps.hpp"
+#include "render/gpu/light_texels.hpp"
 
-#include "image/srgb.hpp"
+#include "core/error.hpp"
+#include "image/display.hpp"
 #include "render/sampling.hpp"
-#include "scene/alpha.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/gtc/packing.hpp>
 #include <limits>
@@ -44,7 +45,7 @@ std::array<vec2, 64> points_of_triangle() {
 
 } // namespace
 
-EmissionMapPlace EmissionMaps::place_of(const scene::Scene& scene, int index) {
+EmissionMapPlace EmissionMaps::add(const scene::Scene& scene, int index) {
     if (const auto known = places_.find(index); known != places_.end()) return known->second;
     const scene::Texture& texture = scene.textures[static_cast<std::size_t>(index)];
     const scene::TextureImage& image = scene.images[static_cast<std::size_t>(texture.image)];
@@ -58,14 +59,14 @@ EmissionMapPlace EmissionMaps::place_of(const scene::Scene& scene, int index) {
 }
 
 vec3 EmissionMaps::mean(const scene::Scene& scene, int index, const std::array<vec2, 3>& uv) {
-    if (asked_ == means_.size()) means_.emplace_back();
-    Mean& known = means_[asked_++];
-    if (known.texture != index || known.uv != uv) known = {index, uv, measured_mean(scene, index, uv)};
+    if (next_mean_ == means_.size()) means_.emplace_back();
+    Mean& known = means_[next_mean_++];
+    if (known.texture != index || known.uv != uv) known = {index, uv, measure_mean(scene, index, uv)};
     return known.color;
 }
 
-vec3 EmissionMaps::measured_mean(const scene::Scene& scene, int index, const std::array<vec2, 3>& uv) {
-    const EmissionMapPlace place = place_of(scene, index);
+vec3 EmissionMaps::measure_mean(const scene::Scene& scene, int index, const std::array<vec2, 3>& uv) {
+    const EmissionMapPlace place = add(scene, index);
     const scene::Sampler& sampler = scene.textures[static_cast<std::size_t>(index)].sampler;
     static const std::array points = points_of_triangle();
     vec3 sum(0.0f);
@@ -79,6 +80,25 @@ vec3 EmissionMaps::measured_mean(const scene::Scene& scene, int index, const std
             vec3(glm::unpackHalf4x16(texels_[static_cast<std::size_t>(place.first + y * place.width + x)]));
     }
     return sum / static_cast<float>(points.size());
+}
+
+std::size_t EnvironmentTexels::add(const std::shared_ptr<const scene::EnvironmentMap>& map) {
+    const auto known = std::ranges::find(places_, map, &Place::map);
+    if (known != places_.end()) return known->first;
+    const std::size_t first = texels_.size();
+    if (first > std::size_t{1} << 24)
+        throw Error("two environments are too large together", "use a smaller one");
+    float above = 0.0f;
+    for (int j = 0; j < map->height(); ++j) {
+        const float cdf = map->row_cdf()[static_cast<std::size_t>(j)];
+        const double density = (static_cast<double>(cdf) - above) / map->solid_angle(j);
+        texels_.emplace_back(density, map->pole_heights(j), cdf);
+        above = cdf;
+    }
+    for (std::size_t i = 0; i < map->texels().size(); ++i)
+        texels_.emplace_back(map->texels()[i], map->texel_cdf()[i]);
+    places_.push_back({map, first});
+    return first;
 }
 
 } // namespace sr::render

@@ -12,25 +12,25 @@
 namespace sr::output {
 
 /// A channel: "key.R", and its values from the upper left corner on.
-struct Plane {
+struct ImageChannel {
     std::string name;
     std::vector<float> values;
 };
 
 /// Appends channels to `film` (R, G, B, A).
-image::Image with_planes(const image::Image& film, const std::vector<Plane>& planes);
+image::Image with_channels(const image::Image& film, const std::vector<ImageChannel>& channels);
 
 /// Returns "emission", then a name for each light: its own, in letters, digits, '-' and '_', followed by a
 /// number where that is taken or one of `reserved`; "light_3" for the nameless fourth.
 std::vector<std::string> layer_names(std::span<const scene::Light> lights,
                                      const std::vector<std::string>& reserved = {});
 
-/// Renders three planes for each of `names`, "name.R" and so on [the film's unit]: the picture without
+/// Renders three channels for each of `names`, "name.R" and so on [the film's unit]: the picture without
 /// lights, then the share of each light. Direct light is linear, so their sum is the film to float rounding.
 /// `add_samples` takes all samples of a layer and returns false to stop.
 /// @return nothing if it was stopped
-std::vector<Plane> light_layers(const std::vector<std::string>& names, render::Renderer& renderer,
-                                const std::function<bool(const std::string& layer)>& add_samples);
+std::vector<ImageChannel> render_layers(const std::vector<std::string>& names, render::Renderer& renderer,
+                                        const std::function<bool(const std::string& layer)>& add_samples);
 
 /// Input of the AOVs.
 struct AovSource {
@@ -41,9 +41,10 @@ struct AovSource {
     std::optional<render::ErrorEstimate> error;
 };
 
-/// Renders the planes of `aovs`, in their order.
+/// Renders the channels of `aovs`, in their order.
 /// @return nothing if it was stopped
-std::vector<Plane> aov_planes(const Variables& aovs, const AovSource& source, const std::stop_token& stop);
+std::vector<ImageChannel> render_aovs(const Variables& aovs, const AovSource& source,
+                                      const std::stop_token& stop);
 
 /// Returns the names behind object and material indices, as JSON arrays: steradian:objects,
 /// steradian:materials.

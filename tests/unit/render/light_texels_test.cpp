@@ -1,5 +1,5 @@
 // Textures of emitters, as the light table reads them again and again.
-#include "render/gpu/emission_maps.hpp"
+#include "render/gpu/light_texels.hpp"
 #include "support/address.hpp"
 
 using namespace sr;
@@ -39,7 +39,7 @@ const Test remembered("unit.render.emission_maps.what_is_remembered_is_what_is_m
           {{1, 0}, {0, 1}},
           {{0, 2}},
           {{0, 2}, {0, 1}, {1, 2}}}) {
-        maps.ask_anew();
+        maps.rewind();
         for (const auto& [texture, place] : questions)
             EXPECT_EQ(maps.mean(scene, texture, places[place]),
                       render::EmissionMaps().mean(scene, texture, places[place]));

@@ -1,0 +1,76 @@
+#pragma once
+// Textures of emitters and maps of environments, as texels that shaders read.
+#include "scene/lights/light.hpp"
+#include "scene/scene.hpp"
+
+#include <array>
+#include <map>
+#include <vector>
+
+namespace sr::render {
+
+/// Where a texture lies among the texels of all: the first one, its size, and its wrap modes as
+/// wrap_u + 4 * wrap_v in the order of scene::Wrap. Keep in sync with
+/// shaders/light/emission_map.glsl.
+struct EmissionMapPlace {
+    int first = 0;
+    int width = 0;
+    int height = 0;
+    int wrap = 0;
+};
+
+/// Textures of emitters, as linear texels that a shader can read at any point of any light. Each texture is
+/// appended once: a scene at another time, or in other light, has the same textures. Texels are linear RGBA
+/// in half precision, whose steps (2^-11) are finer than those of 8-bit sRGB.
+class EmissionMaps {
+public:
+    /// Appends the texture unless it is there. @return its place
+    EmissionMapPlace add(const scene::Scene& scene, int texture);
+
+    /// Returns the mean linear colour of the part of a texture that a triangle covers, from 64 points of it.
+    /// Calls for the same triangles in the same order after rewind() return remembered values.
+    vec3 mean(const scene::Scene& scene, int texture, const std::array<vec2, 3>& uv);
+
+    void rewind() { next_mean_ = 0; }
+
+    /// Texels of four half floats.
+    const std::vector<std::uint64_t>& texels() const { return texels_; }
+
+private:
+    struct Mean {
+        int texture = -1;
+        std::array<vec2, 3> uv{};
+        vec3 color{0.0f};
+    };
+
+    vec3 measure_mean(const scene::Scene& scene, int texture, const std::array<vec2, 3>& uv);
+
+    std::map<int, EmissionMapPlace> places_;
+    std::vector<std::uint64_t> texels_;
+    std::vector<Mean> means_;
+    std::size_t next_mean_ = 0; // of means_
+};
+
+/// Maps of environments. Each map is appended once, as in EmissionMaps. A map begins with a texel for each
+/// row: the factor of its density besides the texel's own share [1/sr], where the row begins and ends
+/// (EnvironmentMap::pole_heights), and the cdf over rows. Its texels follow, each with the cdf of its row.
+/// Keep in sync with shaders/light/environment.glsl.
+class EnvironmentTexels {
+public:
+    /// Appends a map with light unless it is there. @return its first texel. @throws Error if maps are too
+    /// large for 32-bit floats to name it
+    std::size_t add(const std::shared_ptr<const scene::EnvironmentMap>& map);
+
+    const std::vector<vec4>& texels() const { return texels_; }
+
+private:
+    struct Place {
+        std::shared_ptr<const scene::EnvironmentMap> map;
+        std::size_t first = 0;
+    };
+
+    std::vector<Place> places_;
+    std::vector<vec4> texels_;
+};
+
+} // namespace sr::render
