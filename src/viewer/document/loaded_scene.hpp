@@ -29,7 +29,6 @@ struct BaseCounts {
     std::size_t meshes = 0;
     std::size_t materials = 0;
     std::size_t instances = 0;
-    std::size_t file_lights = 0;
 };
 
 struct LoadedScene {
