@@ -178,7 +178,7 @@ private:
             if (const auto macro = macros_.find(tokens[i].text); macro != macros_.end()) {
                 if (!macro->second.has_parameters) {
                     sum += cost_of_macro(macro->first, macro->second, tokens[i].line);
-                } else if (is_called) { // each parameter may stand in the body any number of times
+                } else if (is_called) { // the body may use a parameter any number of times
                     const std::size_t behind = behind_bracket(tokens, i + 1, end);
                     sum += cost_of_macro(macro->first, macro->second, tokens[i].line)
                            * std::max(1.0, cost(tokens, i + 2, behind - 1));
