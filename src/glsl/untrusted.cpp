@@ -1,6 +1,7 @@
 #include "glsl/untrusted.hpp"
 
 #include "core/text.hpp"
+#include "glsl/call_costs.hpp"
 #include "glsl/tokens.hpp"
 
 #include <algorithm>
