@@ -15,6 +15,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <span>
@@ -177,57 +178,56 @@ std::string model_names() {
     return fmt::format("{}", fmt::join(names, ", "));
 }
 
-void declare_parameters(CLI::App& command, BrdfCommand& o) {
-    scene::Material& m = o.tested.material;
-    const auto color = [&](const std::string& name, const std::string& help, auto take) {
-        command
-            .add_option_function<std::string>(
-                name,
-                [name, take](const std::string& text) {
-                    const auto value = settings::parse_color(text);
-                    if (!value) throw CLI::ValidationError(name, "'" + text + "' is not R,G,B or a number");
-                    take(*value);
-                },
-                help)
-            ->type_name("R,G,B");
-    };
-    const auto fraction = [&](const char* name, float& value, const char* help) {
-        command.add_option(name, value, help)
-            ->check(refusal_of_number)
-            ->check(CLI::Range(0.0f, 1.0f))
-            ->capture_default_str();
-    };
+void add_color(CLI::App& command, const std::string& name, const std::string& help,
+               const std::function<void(vec3)>& take) {
+    command
+        .add_option_function<std::string>(
+            name,
+            [name, take](const std::string& text) {
+                const auto value = settings::parse_color(text);
+                if (!value) throw CLI::ValidationError(name, "'" + text + "' is not R,G,B or a number");
+                take(*value);
+            },
+            help)
+        ->type_name("R,G,B");
+}
+
+void add_number(CLI::App& command, const char* name, float& value, const CLI::Validator& allowed,
+                const char* help) {
+    command.add_option(name, value, help)->check(refusal_of_number)->check(allowed)->capture_default_str();
+}
+
+/// Declares the parameters of glTF's own BRDF.
+void declare_gltf_parameters(CLI::App& command, scene::Material& m) {
+    const CLI::Range fraction(0.0f, 1.0f);
     m.base_color = vec4(1.0f);
     m.roughness = 0.5f;
-    color("--base-color", "ρ; F0 of ggx; tint of conductor and merl (default: 1)",
-          [&m](vec3 v) { m.base_color = vec4(v, 1.0f); });
-    fraction("--roughness", m.roughness, "of gltf, ggx, conductor, oren_nayar");
-    fraction("--metallic", m.metallic, "of gltf");
-    fraction("--specular", m.specular, "of gltf: weight of the dielectric's layer");
-    command.add_option("--ior", m.ior, "of gltf")
-        ->check(refusal_of_number)
-        ->check(CLI::Range(1.0f, 100.0f))
-        ->capture_default_str();
-    color("--specular-color",
-          "of gltf; of phong, blinn_phong: what their lobe reflects at normal incidence (default: 1)",
-          [&m](vec3 v) { m.specular_color = v; });
-    fraction("--anisotropy", m.anisotropy, "of gltf");
+    add_color(command, "--base-color", "ρ; F0 of ggx; tint of conductor and merl (default: 1)",
+              [&m](vec3 v) { m.base_color = vec4(v, 1.0f); });
+    add_number(command, "--roughness", m.roughness, fraction, "of gltf, ggx, conductor, oren_nayar");
+    add_number(command, "--metallic", m.metallic, fraction, "of gltf");
+    add_number(command, "--specular", m.specular, fraction, "of gltf: weight of the dielectric's layer");
+    add_number(command, "--ior", m.ior, CLI::Range(1.0f, 100.0f), "of gltf");
+    add_color(command, "--specular-color",
+              "of gltf; of phong, blinn_phong: what their lobe reflects at normal incidence (default: 1)",
+              [&m](vec3 v) { m.specular_color = v; });
+    add_number(command, "--anisotropy", m.anisotropy, fraction, "of gltf");
     command.add_option("--rotation", m.anisotropy_rotation, "of the anisotropy [rad]")
         ->check(refusal_of_number)
         ->capture_default_str();
-    fraction("--clearcoat", m.clearcoat, "of gltf");
-    fraction("--clearcoat-roughness", m.clearcoat_roughness, "of gltf");
-    color("--sheen-color", "of gltf (default: 0)", [&m](vec3 v) { m.sheen_color = v; });
-    fraction("--sheen-roughness", m.sheen_roughness, "of gltf");
-    fraction("--iridescence", m.iridescence, "of gltf: weight of a thin film");
-    command.add_option("--film-ior", m.film_ior, "of the thin film")
-        ->check(refusal_of_number)
-        ->check(CLI::Range(1.0f, 10.0f))
-        ->capture_default_str();
-    command.add_option("--film-thickness", m.max_film_thickness, "of the thin film [nm]")
-        ->check(refusal_of_number)
-        ->check(CLI::NonNegativeNumber)
-        ->capture_default_str();
+    add_number(command, "--clearcoat", m.clearcoat, fraction, "of gltf");
+    add_number(command, "--clearcoat-roughness", m.clearcoat_roughness, fraction, "of gltf");
+    add_color(command, "--sheen-color", "of gltf (default: 0)", [&m](vec3 v) { m.sheen_color = v; });
+    add_number(command, "--sheen-roughness", m.sheen_roughness, fraction, "of gltf");
+    add_number(command, "--iridescence", m.iridescence, fraction, "of gltf: weight of a thin film");
+    add_number(command, "--film-ior", m.film_ior, CLI::Range(1.0f, 10.0f), "of the thin film");
+    add_number(command, "--film-thickness", m.max_film_thickness, CLI::NonNegativeNumber,
+               "of the thin film [nm]");
+}
+
+/// Declares the parameters of the other models, from the table.
+void declare_model_parameters(CLI::App& command, BrdfCommand& o) {
+    scene::Material& m = o.tested.material;
     for (const scene::BrdfParameter& parameter : scene::brdf_parameters) {
         const std::string flag = option_of(parameter);
         if (command.get_option_no_throw(flag)) continue; // glTF's own
@@ -237,7 +237,7 @@ void declare_parameters(CLI::App& command, BrdfCommand& o) {
             option->check(refusal_of_number)->check(CLI::Range(parameter.min, parameter.max));
             if (parameter.fallback) option->capture_default_str();
         } else if (const auto* rgb = std::get_if<vec3 scene::Material::*>(&parameter.member)) {
-            color(flag, help + " (default: 1)", [&m, member = *rgb](vec3 v) { m.*member = v; });
+            add_color(command, flag, help + " (default: 1)", [&m, member = *rgb](vec3 v) { m.*member = v; });
         }
     }
     std::vector<std::string> metals;
@@ -265,7 +265,8 @@ void add_brdf_command(CLI::App& app) {
             ".svg: the lobe for four views; .png, .jpg, .exr, .hdr: a lit ball; .binary: the BRDF as a "
             "MERL file (repeatable)")
         ->allow_extra_args(false);
-    declare_parameters(*command, *options);
+    declare_gltf_parameters(*command, options->tested.material);
+    declare_model_parameters(*command, *options);
     command->add_option("--samples", options->samples, "of the lit ball's pixels")
         ->check(CLI::Range(1, 65536))
         ->capture_default_str();

@@ -30,15 +30,15 @@ struct Opened {
 std::vector<int> frames_of(const gltf::Asset& asset, const std::vector<int>& animations,
                            const RenderSettings& settings) {
     const settings::FrameRange& range = *settings.frames;
-    constexpr int most = 1'000'000;
+    constexpr int max_frames = 1'000'000;
     const double end = asset.duration(animations);
-    int last = range.last.value_or(static_cast<int>(std::min(end * settings.fps, 2.0 * most)));
+    int last = range.last.value_or(static_cast<int>(std::min(end * settings.fps, 2.0 * max_frames)));
     // A last key that was rounded to 32 bits may lie just before its frame.
     const auto next_second = static_cast<float>(seconds_of(last + 1, settings));
     if (!range.last && next_second <= static_cast<float>(end)) ++last;
-    if (last - range.first >= most)
+    if (last - range.first >= max_frames)
         throw Error({settings.scene},
-                    fmt::format("frames {} to {} are more than {}", range.first, last, most),
+                    fmt::format("frames {} to {} are more than {}", range.first, last, max_frames),
                     "name fewer with --frames A:B, or a lower --fps");
     for (const int frame : {range.first, std::max(last, range.first)})
         asset.require_within({animations, seconds_of(frame, settings)});
@@ -49,9 +49,9 @@ std::vector<int> frames_of(const gltf::Asset& asset, const std::vector<int>& ani
 
 /// Returns the bounds of the scene over these frames, or over 64 of them.
 scene::Bounds extent_of(Opened& opened, const RenderSettings& settings) {
-    constexpr std::size_t most = 64;
+    constexpr std::size_t max_poses = 64;
     scene::Bounds all;
-    const std::size_t count = std::min(opened.frames.size(), most);
+    const std::size_t count = std::min(opened.frames.size(), max_poses);
     for (std::size_t i = 0; i < count; ++i) {
         const std::size_t frame = count == 1 ? 0 : i * (opened.frames.size() - 1) / (count - 1);
         opened.scene = opened.asset.evaluate(std::move(opened.scene),

@@ -199,7 +199,7 @@ ordered_json seconds(const PhaseTimes& times) {
     return json;
 }
 
-/// A rendering at work.
+/// Inputs of one picture.
 struct Work {
     const RenderCommand& command;
     const scene::RenderScene& stage;
@@ -324,7 +324,7 @@ struct Rendering {
     std::optional<Picture> last{};
 };
 
-/// @return whether everything was written; so far as it was it stands in `rendering`
+/// Renders and writes the frames. @return whether all are written; `rendering` lists those that are
 bool make_frames(Rendering& rendering) {
     auto& [command, open, scene, options, renderer, times, written, ev100, last] = rendering;
     const Interruption interruption;

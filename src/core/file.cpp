@@ -20,7 +20,7 @@ class OpenFile {
 public:
     OpenFile(const fs::path& file, const std::string& name, const std::string& prefix)
         : name_(name), prefix_(prefix) {
-        // O_NONBLOCK: a FIFO opens at once, and is refused by what it is.
+        // O_NONBLOCK: a FIFO opens at once, so that its type can be checked.
         descriptor_ = open(file.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY);
         std::error_code ignored;
         if (const int cause = errno; descriptor_ < 0 && cause == ENOENT && fs::is_symlink(file, ignored))

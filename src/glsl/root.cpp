@@ -112,16 +112,16 @@ std::size_t distance(std::string_view name, std::string_view ours) {
 
 /// Some names below a folder, relative to it.
 std::vector<std::string> names_in(const fs::path& folder) {
-    constexpr std::size_t most = 1000, longest = 200;
+    constexpr std::size_t max_names = 1000, max_length = 200;
     std::vector<std::string> names;
     std::error_code failure;
     fs::recursive_directory_iterator entry(folder, fs::directory_options::skip_permission_denied, failure),
         end;
-    for (; !failure && entry != end && names.size() < most; entry.increment(failure)) {
+    for (; !failure && entry != end && names.size() < max_names; entry.increment(failure)) {
         std::error_code ignored;
         if (entry->is_directory(ignored)) continue;
         std::string name = entry->path().lexically_relative(folder).generic_string();
-        if (name.size() < longest) names.push_back(std::move(name));
+        if (name.size() < max_length) names.push_back(std::move(name));
     }
     return names;
 }
@@ -129,13 +129,13 @@ std::vector<std::string> names_in(const fs::path& folder) {
 /// Returns whether a file in another of the folders includes one of these files of `folder`.
 bool is_included(const fs::path& folder, const std::vector<std::string>& names,
                  const std::vector<std::string>& all) {
-    constexpr std::uintmax_t longest = 1 << 20;
+    constexpr std::uintmax_t max_bytes = 1 << 20;
     for (const std::string& other : all) {
         if (fs::path(other) == folder) continue;
         for (const std::string& includer : names_in(other)) {
             const fs::path file = fs::path(other) / includer;
             std::error_code failure;
-            if (!fs::is_regular_file(file, failure) || fs::file_size(file, failure) > longest) continue;
+            if (!fs::is_regular_file(file, failure) || fs::file_size(file, failure) > max_bytes) continue;
             const std::string text = read_text(file);
             if (std::ranges::any_of(names, [&](const std::string& name) {
                     return text.find('"' + name + '"') != std::string::npos;

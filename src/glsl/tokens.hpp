@@ -1,6 +1,5 @@
 #pragma once
-// Tokens of a GLSL text, directives among them, and lengths of functions with all that they call.
-#include <map>
+// Tokens of a GLSL text, directives among them. Comments are no tokens.
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,24 +16,12 @@ struct Token {
     bool begins_line = false;  // of a directive: it is the #
 };
 
-/// Returns the tokens of a text without comments, whose line breaks are "\n". A sign is one byte: "&&" is two
-/// tokens.
+/// Returns the tokens of a text, whose line breaks are "\n". A sign is one byte: "&&" is two tokens.
 /// @throws Error for a byte that no GLSL has outside comments, a comment that never ends, a backslash at the
 /// end of a line, and text that is not UTF-8 or has a NUL byte
 std::vector<Token> tokenize(std::string_view text, const std::string& place);
 
 /// Returns the index behind the bracket that closes the one at `open`, or `end` if none does.
 std::size_t behind_bracket(const std::vector<Token>& tokens, std::size_t open, std::size_t end);
-
-struct Macro {
-    bool has_parameters = false;
-    std::vector<Token> body;
-};
-using Macros = std::map<std::string_view, Macro>;
-
-/// Checks the lengths of functions and macros with all that they call, which drivers write out in full.
-/// @throws Error for a function that calls itself, directly or not, and for a text that becomes longer than
-/// 100,000 tokens once macros and calls are written out
-void require_short_calls(const std::vector<Token>& tokens, const Macros& macros, const std::string& place);
 
 } // namespace sr::glsl

@@ -1,6 +1,7 @@
 #include "glsl/untrusted.hpp"
 
 #include "core/text.hpp"
+#include "glsl/call_costs.hpp"
 #include "glsl/tokens.hpp"
 
 #include <algorithm>
@@ -358,12 +359,12 @@ LoopError::LoopError(const Location& where)
       where_(where) {}
 
 void require_ended_loops(std::span<const float> pixels, std::span<const Loop> loops) {
-    constexpr float least = 0x1p80f; // of a mean over 2²⁰ samples, one of which was stopped
+    constexpr float min_mark = 0x1p80f; // of a mean over 2²⁰ samples, one of which was stopped
     if (loops.empty()) return;
     bool was_stopped = false;
     for (std::size_t i = 0; i + 3 < pixels.size(); i += 4) {
         const float r = pixels[i];
-        if (!(r >= least) || !(pixels[i + 3] >= least)) continue;
+        if (!(r >= min_mark) || !(pixels[i + 3] >= min_mark)) continue;
         was_stopped = true;
         const auto half = [&](std::size_t c) {
             return static_cast<int>(std::lround(1024.0f * pixels[i + c] / r));

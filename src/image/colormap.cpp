@@ -26,8 +26,8 @@ std::string colormap_glsl() {
 
 vec3 luminance_color(float luminance, const Decades& decades) {
     if (!std::isfinite(luminance)) return nonfinite_color;
-    constexpr float least = 1e-30f; // keeps the logarithm finite
-    return colormap((std::log10(std::max(luminance, least)) - decades.first)
+    constexpr float min_luminance = 1e-30f; // keeps the logarithm finite
+    return colormap((std::log10(std::max(luminance, min_luminance)) - decades.first)
                     / (decades.last - decades.first));
 }
 

@@ -5,6 +5,7 @@
 #include "core/limits.hpp"
 #include "core/parallel.hpp"
 #include "image/codec.hpp"
+#include "image/header.hpp"
 #include "image/texture_formats.hpp"
 #include "image/whole_file.hpp"
 

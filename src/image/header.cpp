@@ -1,4 +1,4 @@
-#include "image/texture_formats.hpp"
+#include "image/header.hpp"
 
 #include "core/error.hpp"
 

@@ -1,6 +1,7 @@
 #include "image/texture_formats.hpp"
 
 #include "core/error.hpp"
+#include "image/header.hpp"
 
 #include <fmt/format.h>
 #include <memory>

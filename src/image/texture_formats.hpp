@@ -1,28 +1,9 @@
 #pragma once
-// Headers and decoders of textures in memory: PNG, JPEG and WebP. image/file.hpp chooses among them. Other
-// formats go through OpenImageIO (codec.hpp), which takes much longer to load.
+// Decoders of textures in memory: PNG, JPEG and WebP. image/file.hpp chooses among them. Other formats
+// go through OpenImageIO (codec.hpp), which takes much longer to load.
 #include "image/file.hpp"
 
 namespace sr::image {
-
-inline constexpr std::uint32_t max_texture_size = 16384; // [texels] along an edge: what OpenGL drivers take
-inline constexpr std::uint64_t max_texture_texels = 1ull << 26; // 256 MiB of 8-bit RGBA
-
-enum class TextureFormat { png, jpeg };
-
-/// Format and size of a texture, known before any decoder allocates memory.
-struct Header {
-    TextureFormat format = TextureFormat::png;
-    std::uint32_t width = 0;
-    std::uint32_t height = 0;
-};
-
-/// Returns the format and size of a PNG or JPEG, both within the limits above.
-/// @throws Error in the file `name`: not a PNG or JPEG, no size in sight, too large, truncated.
-Header read_header(std::span<const std::uint8_t> bytes, const std::string& name);
-
-/// @throws Error in the file `name` if so many texels are too many
-void check_size(std::uint32_t width, std::uint32_t height, const std::string& name);
 
 /// Decodes a PNG by libspng to RGBA, values as stored: 16 bits a channel if the file has them, otherwise 8.
 /// @throws Error in the file `name` if the data is broken

@@ -52,10 +52,10 @@ fs::path folder_of(const fs::path& file) {
 
 /// The file that a chain of symbolic links leads to, which need not exist; `file` itself if it is no link.
 fs::path end_of_links(const fs::path& file) {
-    constexpr int most = 40; // as Linux has it
+    constexpr int max_links = 40; // as in Linux
     fs::path end = file;
     std::error_code failure;
-    for (int i = 0; i < most && fs::is_symlink(fs::symlink_status(end, failure)); ++i) {
+    for (int i = 0; i < max_links && fs::is_symlink(fs::symlink_status(end, failure)); ++i) {
         const fs::path next = fs::read_symlink(end, failure);
         if (failure) fail(file, end, failure.value());
         end = next.is_absolute() ? next : end.parent_path() / next;

@@ -18,7 +18,7 @@ constexpr int radius = 2;
 constexpr std::array spline{0.375f, 0.25f, 0.0625f}; // B3, Dammertz 2010, section 3.1
 constexpr float noise_widths = 2.0f;                 // σ_l of Schied 2017, section 4.4
 
-/// Values that distinguish surfaces, one of each kind per pixel.
+/// Normal, depth and object of each pixel, by which the filter distinguishes surfaces.
 struct Guides {
     image::Image normals;       // n in the first three channels, not necessarily unit
     std::vector<float> depths;  // along the camera's axis [m]
@@ -154,8 +154,8 @@ private:
     int step_;
 };
 
-/// `ratio`: V in R, G and B, and in A the variance of one of them; negative where there is no light to let
-/// through, which takes no part. @return V filtered, A as it may be.
+/// Filters V. `ratio`: V in R, G and B, and in A the variance of one of them, which is negative where no
+/// light would arrive: such pixels have no weight. @return V in R, G and B
 ///
 /// Five passes of 5×5 pixels, each twice as far apart (Dammertz et al. 2010, "Edge-avoiding À-Trous wavelet
 /// transform"), weighted by normal, depth, object, and by how far values differ in units of their noise

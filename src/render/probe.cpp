@@ -101,7 +101,7 @@ std::optional<PixelTerms> probe(const GpuScene& scene, const scene::Camera& came
 
 namespace {
 
-/// A triangle and what it is drawn with.
+/// Triangle with the draw that it belongs to.
 struct Seen {
     const Draw* draw = nullptr;
     int triangle = 0; // of its mesh

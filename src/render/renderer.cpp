@@ -36,7 +36,7 @@ std::optional<glsl::Root> estimator(const RenderOptions& options) {
 
 } // namespace
 
-std::shared_ptr<ShaderLibrary> Renderer::make_programs(const RenderOptions& options) {
+std::shared_ptr<ShaderLibrary> Renderer::programs(const RenderOptions& options) {
     require(!options.shader_path.empty(), "the shader path has a root");
     return std::make_shared<ShaderLibrary>(options.shader_path, estimator(options), options.trial);
 }
@@ -47,12 +47,12 @@ Renderer::Renderer(const GpuScene& scene, const scene::Camera& camera, const Ren
       camera_(camera),
       options_(options),
       end_light_(scene.light_count()),
-      shaders_(shaders ? std::move(shaders) : make_programs(options)),
+      shaders_(shaders ? std::move(shaders) : programs(options)),
       frame_("frame", options.width, options.height, true),
       film_("film", options.width, options.height, false),
       converged_(options.width, options.height) {
     if (options.estimates_error) first_half_.emplace("first half", options.width, options.height, false);
-    prepare_shadows();
+    ask_for_shadows();
     clear();
 }
 
@@ -67,23 +67,22 @@ void Renderer::resize(int width, int height, int samples) {
     options_.height = height;
     options_.samples = samples;
     use_lights(0, scene_.light_count());
-    prepare_shadows();
+    ask_for_shadows();
     clear();
 }
 
-void Renderer::prepare_shadows() {
+void Renderer::ask_for_shadows() {
     depth_maps_.reset();
     if (options_.has_shadows && scene_.visibility_backend()
         && scene_.visibility_backend()->shadow_map_scene())
         depth_maps_.emplace(scene_, options_.maps);
-    const bool needs_cpu_rays =
+    const bool is_asked =
         options_.has_shadows && scene_.visibility_backend() && scene_.visibility_backend()->occlusion();
     const int rays_per_point = scene_.light_count() * scene_.rays_per_light();
-    if (needs_cpu_rays == shadow_rays_.has_value() && rays_per_point == rays_per_point_) return;
+    if (is_asked == shadow_rays_.has_value() && rays_per_point == rays_per_point_) return;
     shadow_rays_.reset();
     rays_per_point_ = rays_per_point;
-    if (needs_cpu_rays)
-        shadow_rays_.emplace(scene_, frame_, options_.width, options_.height, options_.max_rays);
+    if (is_asked) shadow_rays_.emplace(scene_, frame_, options_.width, options_.height, options_.max_rays);
 }
 
 void Renderer::compile() {

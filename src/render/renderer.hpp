@@ -36,30 +36,30 @@ struct RenderOptions {
     std::optional<PixelRect> window;
     /// Roots of the shader files; the first root that has a file wins.
     std::vector<glsl::Root> shader_path{glsl::embedded()};
-    /// Compiles untrusted files of the path in another process first; null: without such a trial.
+    /// Tries what others wrote of that path before this process compiles it; null: nothing is tried.
     std::shared_ptr<gl::TrialCompiler> trial;
     Estimator estimator = Estimator::sampled;
     int analytic_points = default_analytic_points; // 0: linearly transformed cosines alone
     MapOptions maps;                               // of a scene whose shadows are found by depth maps
-    /// Limit on the shadow rays of one pass on the CPU, 4 bytes each. A picture with more rays is shaded in
-    /// bands of rows.
+    /// Shadow rays whose answers by the CPU are held at once, 4 bytes each; a picture with more is shaded in
+    /// bands.
     std::size_t max_rays = std::size_t{64} << 20;
     /// Takes samples by turns from two independent sequences and keeps a second sum of the first one, which
     /// estimate_error() needs. A single sequence converges a little faster.
     bool estimates_error = false;
-    bool has_shadows = true; // false: V = 1
+    bool has_shadows = true; // false: V = 1, whatever casts them
 };
 
 class Renderer {
 public:
     /// Needs a current context for as long as it lives. @throws Error
-    /// `shaders`: make_programs() of options with the same shader path and estimator, which renderers may
-    /// share; null: its own.
+    /// `shaders`: programs() of options with the same shader path and estimator, which renderers may share;
+    /// null: its own.
     Renderer(const GpuScene& scene, const scene::Camera& camera, const RenderOptions& options,
              std::shared_ptr<ShaderLibrary> shaders = nullptr);
 
     /// Makes an empty library of programs for renderers with such options. @throws Error
-    static std::shared_ptr<ShaderLibrary> make_programs(const RenderOptions& options);
+    static std::shared_ptr<ShaderLibrary> programs(const RenderOptions& options);
 
     /// Compiles every program that the scene needs, so that no sample has to. @throws ShaderError
     void compile();
@@ -125,7 +125,7 @@ public:
     const DepthMaps* depth_maps() const { return depth_maps_ ? &*depth_maps_ : nullptr; }
 
 private:
-    void prepare_shadows();
+    void ask_for_shadows();
     View begin_frame();
     PixelRect window() const; // what this frame draws
     void draw(const PixelRect& part);

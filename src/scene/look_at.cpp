@@ -43,7 +43,7 @@ glm::vec<3, Float> point_in(std::string_view key, std::string_view text) {
     return point;
 }
 
-/// A point of the file's world as the scene has it.
+/// Converts a point of the file's world to the scene's coordinates.
 vec3 place_in(std::string_view key, std::string_view text, glm::dvec3 origin) {
     if (origin == glm::dvec3(0.0)) return point_in<float>(key, text);
     return vec3(point_in<double>(key, text) - origin);

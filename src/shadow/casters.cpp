@@ -141,10 +141,10 @@ private:
 } // namespace
 
 Casters collect_casters(const scene::Scene& scene, std::span<const scene::Light> lights) {
-    constexpr std::size_t most = std::size_t{1} << 24; // shaders count triangles in floats
+    constexpr std::size_t max_triangles = std::size_t{1} << 24; // shaders count triangles in floats
     const std::size_t count = scene::triangle_count(scene);
-    if (count > most)
-        throw Error(fmt::format("{} triangles, shadows are for {} at most", count, most),
+    if (count > max_triangles)
+        throw Error(fmt::format("{} triangles, shadows are for {} at most", count, max_triangles),
                     "simplify the scene, or render with --visibility none");
     Collector collector(scene, lights);
     for (const scene::Instance& instance : scene.instances) collector.append(instance);

@@ -17,7 +17,7 @@
 namespace sr::viewer {
 namespace {
 
-constexpr int frames_after_change = 3; // panels settle by then: they learn their size by being drawn
+constexpr int frames_after_change = 3; // a panel knows its size only after it was drawn
 constexpr double poll_interval = 0.2;  // [s] between two updates while nothing happens
 constexpr double wait_interval = 0.01; // [s] likewise, while a tool waits for another thread
 

@@ -54,7 +54,8 @@ void Workspace::open(const std::string& file) {
 
 void Workspace::reload(bool with_edits) {
     keeps_edits = with_edits;
-    if (!scene::is_look_at(camera->argument())) options.camera = camera->argument(); // as the file has it now
+    if (!scene::is_look_at(camera->argument()))
+        options.camera = camera->argument(); // the file may have changed it
     open(scene->loaded().file);
 }
 

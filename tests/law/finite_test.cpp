@@ -61,7 +61,7 @@ public:
         options_.estimator = way.estimator;
         options_.shader = way.shader;
         options_.maps.size = 64;
-        shaders_ = render::Renderer::make_programs(options_);
+        shaders_ = render::Renderer::programs(options_);
     }
 
     /// Counts the values that are not finite.

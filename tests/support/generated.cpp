@@ -27,8 +27,7 @@ std::uint64_t number_in(const char* variable, std::uint64_t otherwise) {
 
 } // namespace
 
-Pictures::Pictures(const Look& look)
-    : look_(look), shaders_(render::Renderer::make_programs(options_of(look))) {
+Pictures::Pictures(const Look& look) : look_(look), shaders_(render::Renderer::programs(options_of(look))) {
     context();
 }
 

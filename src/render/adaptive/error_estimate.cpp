@@ -23,8 +23,8 @@ double floor_of(const image::Image& mean) {
 /// product. Of halves that know nothing of each other it says too little, so it is not less than a part of
 /// the mean's square.
 double square_of_value(double first, double second, double mean) {
-    constexpr double least = 1.0 / 16.0;
-    return std::max(first * second, least * mean * mean);
+    constexpr double min_ratio = 1.0 / 16.0;
+    return std::max(first * second, min_ratio * mean * mean);
 }
 
 /// The expected square of one pixel's relative error.

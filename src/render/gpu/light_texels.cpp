@@ -15,10 +15,10 @@ namespace {
 /// The linear value of every value that a texel can store.
 template<class Texel>
 std::vector<float> linear_values(bool is_srgb) {
-    constexpr std::size_t most = std::numeric_limits<Texel>::max();
-    std::vector<float> values(most + 1);
-    for (std::size_t i = 0; i <= most; ++i) {
-        const float stored = static_cast<float>(i) / static_cast<float>(most);
+    constexpr std::size_t max_value = std::numeric_limits<Texel>::max();
+    std::vector<float> values(max_value + 1);
+    for (std::size_t i = 0; i <= max_value; ++i) {
+        const float stored = static_cast<float>(i) / static_cast<float>(max_value);
         values[i] = is_srgb ? image::linear_of_srgb(stored) : stored;
     }
     return values;

@@ -117,7 +117,7 @@ bool CpuShadowRays::record_and_answer(RowRange band, int taken, ShaderLibrary& s
     for (int i = 1; i < static_cast<int>(targets_.size()); ++i) {
         read(band, i, rays_);
         asked = answer(band);
-        if (asked == 0) return false; // who has no ray in this place has none in the next
+        if (asked == 0) return false; // a pixel without this ray has none of the later ones
     }
     last_rays_.bind(last_rays_unit); // the read buffer is still the last target
     glCopyTexSubImage2D(GL_TEXTURE_2D, 0, 0, band.first, 0, band.first, width_, band.count);

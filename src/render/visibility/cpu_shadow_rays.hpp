@@ -16,7 +16,7 @@ struct RowRange {
 /// Traces the rays from the opaque surfaces of a frame to its lights.
 class CpuShadowRays {
 public:
-    /// `frame`: has the depth of the opaque surfaces. @throws Error if the driver refuses the targets.
+    /// For the opaque surfaces whose depth lies in `frame`. @throws Error if the driver refuses the targets.
     CpuShadowRays(const GpuScene& scene, const RenderTarget& frame, int width, int height,
                   std::size_t max_rays);
 
@@ -32,7 +32,7 @@ public:
     double seconds() const { return seconds_; }          // that the CPU took for them
 
 private:
-    /// Planes of V in the buffer texture: the number of the first one's ray, and the pixels of each.
+    /// The answers' planes: which ray the first is of, and how many pixels each has.
     struct Planes {
         int first_ray = 0;
         std::size_t size = 0;

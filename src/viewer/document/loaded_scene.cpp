@@ -11,7 +11,7 @@ namespace {
 /// Records the file's contents, before surfaces of lights and softboxes are added.
 void record_contents(LoadedScene& loaded, const scene::Scene& scene, const gltf::Asset& asset) {
     loaded.bounds = scene::bounds_of(scene);
-    loaded.base = {scene.meshes.size(), scene.materials.size(), scene.instances.size(), scene.lights.size()};
+    loaded.base = {scene.meshes.size(), scene.materials.size(), scene.instances.size()};
     loaded.light_nodes = asset.light_nodes();
     loaded.emission.clear();
     for (const scene::Material& material : scene.materials) loaded.emission.push_back(material.emission);

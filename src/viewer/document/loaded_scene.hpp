@@ -1,35 +1,18 @@
 #pragma once
-// Options of the viewer, and a loaded file with its RenderScene. Neither needs GL, so any thread can load.
-#include "glsl/root.hpp"
+// Loaded file with its RenderScene: everything of a scene that needs no GL, so that any thread can load it.
 #include "gltf/asset.hpp"
-#include "settings/render_settings.hpp"
+#include "viewer/options.hpp"
 #include "viewer/view/camera_controller.hpp"
 
 #include <filesystem>
 
 namespace sr::viewer {
 
-/// Options of the viewer. `rendering` and `stop` are those of the converging render.
-struct Options : settings::RenderSettings {
-    std::optional<scene::EnvironmentLight> environment_light; // that `environment` names
-    bool plays = false;                                       // from `at` or the beginning on
-    bool is_reloading = false; // parts that the file has lost are remarks instead of errors
-    // Of an assignment.
-    std::string submission;                 // a student's folder; empty if there is no assignment
-    std::filesystem::path program;          // steradian, which checks the folder
-    std::vector<glsl::Root> reference_path; // the reference's shaders
-    bool shows_reference = false;           // renders with `reference_path` instead of `shaders`
-    bool is_fullscreen = false;
-    bool has_inertia = false; // a view that is released in motion glides on
-    bool is_verbose = false;  // messages go to stderr, too
-};
-
 /// Counts before surfaces of lights and softboxes were added.
 struct BaseCounts {
     std::size_t meshes = 0;
     std::size_t materials = 0;
     std::size_t instances = 0;
-    std::size_t file_lights = 0;
 };
 
 struct LoadedScene {
