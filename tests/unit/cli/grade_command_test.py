@@ -90,9 +90,11 @@ class Class(unittest.TestCase):
         rows = self.rows()
         self.assertEqual({row["name"]: row["percent"] for row in rows.values()}, {"Ann Example": "100.0", "Bob Übel": "100.0"})
         self.assertEqual({row["student"] for row in rows.values()}, {"a", "b"})
+        self.assertEqual({row["remarks"] for row in rows.values()}, {""})
         shutil.rmtree(self.submissions)
         self.hand_in("submission_17")
         self.hand_in("submission_18", "other")
+        self.hand_in("submission_19", "c1")
         (self.submissions / "submission_metadata.yml").write_text(
             "---\nsubmission_17:\n  :submitters:\n  - :name: Cleo\n    :sid: 'c1'\n    :email: c@example.org\n"
             "submission_18:\n  :submitters:\n  - :name: Dan\n    :sid: d1\n  :score: 1\n")
@@ -100,6 +102,10 @@ class Class(unittest.TestCase):
         self.grade()
         rows = self.rows()
         self.assertEqual((rows["submission_17"]["name"], rows["submission_17"]["student"]), ("Cleo", "c1"))
+        self.assertIn("submission_19 of the same student", rows["submission_17"]["remarks"])
+        self.assertIn("submission_17 of the same student", rows["submission_19"]["remarks"])
+        self.assertIn("submission_19 of the same student", (self.out / "overview.html").read_text())
+        self.assertEqual(rows["submission_18"]["student"], "d1", "the platform's id, not the label's")
         self.assertIn("d1 handed in the folder of other", rows["submission_18"]["remarks"])
 
     def test_what_comes_out(self):
@@ -167,7 +173,11 @@ class Class(unittest.TestCase):
         self.assertEqual(len(after), 6)
         self.assertEqual({name: after[name] for name in before}, before, "nothing is graded twice")
         self.assertEqual(len(self.rows()), 6)
-        (self.submissions / "s3" / "phong.glsl").write_text("// nothing\n")
+        changed = self.submissions / "s3" / "phong.glsl"
+        times = changed.stat()
+        changed.write_text(changed.read_text().replace("2.0 * dot", "3.0 * dot"))
+        os.utime(changed, ns=(times.st_atime_ns, times.st_mtime_ns))  # as large and as old as before
+        os.utime(self.submissions / "s4" / "phong.glsl")
         self.grade()
         changed = {f.name for f in results.glob("*.json") if f.stat().st_mtime_ns != after[f.name]}
         self.assertEqual(changed, {"s3.json"}, "what has changed is graded again")
