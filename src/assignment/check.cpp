@@ -180,7 +180,7 @@ std::optional<ordered_json> check_submission(const fs::path& submission, const C
     ordered_json sum =
         sum_of(assignment, marked.intake.value("student", options.grading->student), marked.tasks);
     for (const char* key : {"refused", "lacking"}) sum[key] = marked.intake.value(key, nothing);
-    sum["label"] = marked.intake.value("label", "");
+    for (const char* key : {"label", "label_student"}) sum[key] = marked.intake.value(key, "");
     return sum;
 }
 
@@ -194,6 +194,8 @@ std::vector<std::string> words_of(const MarkRequest& request) {
                                         {"--hidden", request.grading->hidden.string()},
                                         {"--student", request.grading->student},
                                         {"--memory", std::to_string(request.grading->memory)},
+                                        {"--values", request.grading->values.file.string()},
+                                        {"--digest", request.grading->values.digest},
                                         {"--seconds", std::to_string(request.processor_seconds)}})
         if (!value.empty()) words.push_back(fmt::format("{}={}", option, value));
     return words;
@@ -206,18 +208,20 @@ std::vector<fs::path> readable_folders(const MarkRequest& request) {
     std::error_code ignored;
     fs::path program = fs::read_symlink("/proc/self/exe", ignored).parent_path();
     if (program.filename() == "bin") program = program.parent_path();
-    return {program, request.grading->assignment, request.grading->hidden, request.submission};
+    return {program, request.grading->assignment, request.grading->hidden, request.submission,
+            request.grading->values.file};
 }
 
 /// A teacher's reading of a submission: whatever is wrong with it costs its points alone.
 struct Intake {
-    std::string student, label;
+    std::string student;              // whose numbers it is marked with
+    std::string label, label_student; // what its label says
     std::vector<std::string> refused;
     Submission submission;
 };
 
 Intake taken_in(const Assignment& assignment, const MarkRequest& request) {
-    Intake intake{request.grading->student, "", {}, {}};
+    Intake intake{request.grading->student, "", "", {}, {}};
     const auto refuse = [&](const Error& error) { intake.refused.emplace_back(error.what()); };
     try {
         const SubmittedFiles files(request.submission);
@@ -226,7 +230,8 @@ Intake taken_in(const Assignment& assignment, const MarkRequest& request) {
         if (files.has("assignment.json")) try {
                 const FolderLabel label = label_of(files);
                 intake.label = label.assignment;
-                if (!label.student.empty()) intake.student = label.student;
+                intake.label_student = label.student;
+                if (intake.student.empty()) intake.student = label.student;
             } catch (const Error& error) {
                 refuse(error);
             }
@@ -243,7 +248,10 @@ void write_line(std::ostream& stream, const ordered_json& json) {
 
 void mark_all(const Assignment& assignment, const std::string& student, const Submission& submission,
               const MarkRequest& request, std::ostream& stream) {
-    Marker marker(assignment, student, request.keeps_pictures);
+    ReferenceValues known;
+    if (request.grading && !request.grading->values.file.empty())
+        known.load(request.grading->values.file, request.grading->values.digest);
+    Marker marker(assignment, student, request.keeps_pictures, std::move(known));
     for (const std::string& task : request.tasks)
         write_line(stream, marker.mark(assignment.task(task), submission));
 }
@@ -271,9 +279,23 @@ void mark_tasks(const MarkRequest& request) {
     write_line(stream, {{"intake",
                          {{"student", intake.student},
                           {"label", intake.label},
+                          {"label_student", intake.label_student},
                           {"refused", intake.refused},
                           {"lacking", lacking}}}});
     mark_all(assignment, intake.student, intake.submission, request, stream);
+}
+
+std::vector<std::string> words_of_references(const Grading& grading, const fs::path& file, bool mistakes) {
+    std::vector<std::string> words{"assignment", "references", grading.assignment.string(), file.string()};
+    if (!grading.hidden.empty()) words.push_back("--hidden=" + grading.hidden.string());
+    if (mistakes) words.emplace_back("--mistakes");
+    return words;
+}
+
+void compute_references(const Grading& grading, const fs::path& file, bool mistakes) {
+    const auto context = gl::open_context({gl::Backend::automatic, false});
+    const Assignment assignment = graded_assignment(grading);
+    Marker(assignment, grading.student).compute_references(mistakes).save(file);
 }
 
 namespace {

@@ -15,12 +15,19 @@
 
 namespace sr::assignment {
 
+/// A file of values of the reference (reference_values.hpp).
+struct ReferenceFile {
+    std::filesystem::path file; // empty: none
+    std::string digest;         // its SHA-256. A file of another is not read
+};
+
 /// Additional options of a teacher's check.
 struct Grading {
     std::filesystem::path assignment;              // its folder, whatever the submission's label names
     std::filesystem::path hidden;                  // folder of hidden checks; empty: none
-    std::string student;                           // id of a submission without a label
+    std::string student;                           // id that the platform knows; empty: the label's
     std::uint64_t memory = std::uint64_t{2} << 30; // [bytes] beyond what the driver has at the start
+    ReferenceFile values;                          // which need not be computed for each submission
 };
 
 struct CheckOptions {
@@ -36,7 +43,7 @@ struct CheckOptions {
 /// Checks a submission. @return the sum of all tasks (mark.hpp); absent if it was stopped.
 /// With `grading` the children are confined (confinement.hpp), a submission that cannot be read gets no
 /// points, and the sum has "refused" (lines of what was not taken), "lacking" (protections that the system
-/// does not have) and "label" (the assignment that the submission names).
+/// does not have), "label" and "label_student" (the assignment and the student that the submission names).
 /// @throws Error if the submission has no label, or the assignment itself is at fault
 std::optional<nlohmann::ordered_json> check_submission(const std::filesystem::path& submission,
                                                        const CheckOptions& options);
@@ -55,6 +62,13 @@ struct MarkRequest {
 /// task is marked; with `grading`, before them, {"intake": …}. @throws Error
 std::vector<std::string> words_of(const MarkRequest& request);
 void mark_tasks(const MarkRequest& request);
+
+/// The words of `steradian` that make a child compute values of the reference, and the work itself: writes
+/// them to a file.
+/// @throws Error
+std::vector<std::string> words_of_references(const Grading& grading, const std::filesystem::path& file,
+                                             bool mistakes);
+void compute_references(const Grading& grading, const std::filesystem::path& file, bool mistakes);
 
 /// One submission that was tried, and its result.
 struct Proof {

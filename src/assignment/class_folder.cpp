@@ -20,6 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int max_fingerprint_files = 10'000;
+constexpr std::uintmax_t max_fingerprint_bytes = 64 << 20; // of one file; no larger one is taken
 
 std::string plain(const std::string& text) {
     std::string result = shorten(text, 60);
@@ -77,7 +78,20 @@ HandedIn handed_in(const fs::path& path, const std::map<std::string, Person>& pe
     return {plain(stem), stem, "", path};
 }
 
+std::string digest_of_text(const std::string& text) {
+    return golden::hexadecimal(
+        golden::sha256({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}));
+}
+
 } // namespace
+
+std::string digest_of(const fs::path& file) {
+    try {
+        return digest_of_text(read_text(file));
+    } catch (const Error&) {
+        return {};
+    }
+}
 
 ClassFolder class_folder(const fs::path& folder) {
     std::error_code failure;
@@ -120,9 +134,9 @@ std::string fingerprint_of(const fs::path& submission) {
     const auto add = [&](const fs::path& file) {
         std::error_code ignored;
         const bool is_file = fs::is_regular_file(fs::symlink_status(file, ignored));
-        const auto time = is_file ? fs::last_write_time(file, ignored).time_since_epoch().count() : 0;
-        lines.push_back(fmt::format("{} {} {}", file.lexically_relative(submission).string(),
-                                    is_file ? fs::file_size(file, ignored) : 0, time));
+        const std::uintmax_t size = is_file ? fs::file_size(file, ignored) : 0;
+        lines.push_back(fmt::format("{} {} {}", file.lexically_relative(submission).string(), size,
+                                    is_file && size <= max_fingerprint_bytes ? digest_of(file) : ""));
     };
     std::error_code failure;
     add(submission);
@@ -136,8 +150,7 @@ std::string fingerprint_of(const fs::path& submission) {
     std::ranges::sort(lines);
     std::string text;
     for (const std::string& line : lines) text += line + "\n";
-    return golden::hexadecimal(
-        golden::sha256({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}));
+    return digest_of_text(text);
 }
 
 } // namespace sr::assignment

@@ -26,7 +26,10 @@ struct ClassFolder {
 /// folder, or has no submission
 ClassFolder class_folder(const std::filesystem::path& folder);
 
-/// Changes with each change of a submission's files: their names, sizes and times of change.
+/// The SHA-256 of a file in hexadecimal; empty if it cannot be read.
+std::string digest_of(const std::filesystem::path& file);
+
+/// Changes with each change of a submission's files: their names and contents.
 std::string fingerprint_of(const std::filesystem::path& submission);
 
 } // namespace sr::assignment

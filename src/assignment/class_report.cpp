@@ -39,9 +39,13 @@ std::vector<std::string> remarks_of(const ordered_json& result) {
     if (const std::string label = word(result, "label");
         !label.empty() && label != word(result, "assignment"))
         remarks.push_back(fmt::format("its label says {}", shown(label)));
-    if (const std::string id = word(result, "id"); !id.empty() && id != word(result, "student"))
-        remarks.push_back(
-            fmt::format("{} handed in the folder of {}", shown(id), shown(word(result, "student"))));
+    const std::string student = word(result, "student"), named = word(result, "label_student");
+    if (!named.empty() && named != student)
+        remarks.push_back(fmt::format("{} handed in the folder of {}", shown(student), shown(named)));
+    if (const auto others = result.value("same_student", std::vector<std::string>{}); !others.empty())
+        remarks.push_back(fmt::format("{}{} of the same student, {}", others[0],
+                                      others.size() > 1 ? fmt::format(" and {} more", others.size() - 1) : "",
+                                      shown(student)));
     return remarks;
 }
 

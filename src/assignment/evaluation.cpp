@@ -1,12 +1,14 @@
 #include "assignment/evaluation.hpp"
 
 #include "core/error.hpp"
+#include "glsl/untrusted.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <numeric>
+#include <optional>
 #include <random>
 
 namespace sr::assignment {
@@ -98,7 +100,11 @@ std::vector<std::array<double, 3>> averaged_points(const Input& column, int coun
 Inputs inputs_of(std::vector<Input> columns, int rows, const std::string& mean_over, int mean_count,
                  unsigned int seed) {
     std::mt19937 random(seed);
-    Inputs inputs{std::move(columns), {}, 1};
+    Inputs inputs{std::move(columns), {}, 1, {}};
+    inputs.identity = fmt::format("{} {} {} {}", rows, mean_over, mean_count, seed);
+    for (const Input& c : inputs.columns)
+        inputs.identity += fmt::format(" {} {} {} {} {} {} {}", c.name, static_cast<int>(c.kind), c.low,
+                                       c.high, c.is_log, fmt::join(c.values, ","), c.around);
     const std::vector<int> offsets = offsets_of(inputs.columns);
     std::vector<render::Row> outer(static_cast<std::size_t>(rows));
     const auto index_of = [&](const std::string& name) {
@@ -141,6 +147,7 @@ Inputs inputs_of(std::vector<Input> columns, int rows, const std::string& mean_o
 
 Inputs nudged(const Inputs& inputs) {
     Inputs result = inputs;
+    result.identity += " moved";
     const std::vector<int> offsets = offsets_of(inputs.columns);
     std::mt19937 random(2);
     std::uniform_int_distribution<int> way(0, 3);
@@ -242,17 +249,17 @@ std::vector<glsl::Root> shader_path(const Assignment& assignment, const Paramete
     return path;
 }
 
-std::vector<vec4> evaluate_rows(const std::vector<glsl::Root>& path, const Assignment& assignment,
-                                const Expression& expression, const Inputs& inputs) {
+namespace {
+
+render::ShaderEvaluator evaluator_of(const std::vector<glsl::Root>& path, const Assignment& assignment,
+                                     const Expression& expression, std::span<const Input> columns) {
     std::vector<glsl::Root> whole{glsl::Root::memory(
-        "check", {{"assignment/asked.glsl", asked_glsl(assignment, expression, inputs.columns)}})};
+        "check", {{"assignment/asked.glsl", asked_glsl(assignment, expression, columns)}})};
     whole.insert(whole.end(), path.begin(), path.end());
-    return render::ShaderEvaluator(whole, "assignment/value.frag").evaluate(inputs.rows);
+    return {whole, "assignment/value.frag"};
 }
 
-Values evaluate(const std::vector<glsl::Root>& path, const Assignment& assignment,
-                const Expression& expression, const Inputs& inputs) {
-    const std::vector<vec4> rows = evaluate_rows(path, assignment, expression, inputs);
+Values averaged(const std::vector<vec4>& rows, const Inputs& inputs) {
     Values values;
     values.means.assign(rows.size() / inputs.group, glm::dvec4(0.0));
     for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -260,6 +267,64 @@ Values evaluate(const std::vector<glsl::Root>& path, const Assignment& assignmen
         values.means[i / inputs.group] += glm::dvec4(rows[i]) / static_cast<double>(inputs.group);
     }
     return values;
+}
+
+std::vector<double> packed(const Values& values) {
+    std::vector<double> numbers{values.is_implemented ? 1.0 : 0.0};
+    for (const glm::dvec4& mean : values.means)
+        for (int i = 0; i < 4; ++i) numbers.push_back(mean[i]);
+    return numbers;
+}
+
+Values unpacked(const std::vector<double>& numbers) {
+    Values values;
+    values.is_implemented = numbers[0] != 0.0;
+    for (std::size_t i = 1; i + 3 < numbers.size(); i += 4)
+        values.means.emplace_back(numbers[i], numbers[i + 1], numbers[i + 2], numbers[i + 3]);
+    return values;
+}
+
+} // namespace
+
+std::vector<vec4> evaluate_rows(const std::vector<glsl::Root>& path, const Assignment& assignment,
+                                const Expression& expression, const Inputs& inputs) {
+    return evaluator_of(path, assignment, expression, inputs.columns).evaluate(inputs.rows);
+}
+
+Values evaluate(const std::vector<glsl::Root>& path, const Assignment& assignment,
+                const Expression& expression, const Inputs& inputs) {
+    return averaged(evaluate_rows(path, assignment, expression, inputs), inputs);
+}
+
+std::vector<std::string> identity_of(const Assignment& assignment, const Parameters& parameters,
+                                     const Codes& codes) {
+    std::vector<std::string> parts{parameters.empty() ? "" : parameters_glsl(assignment, parameters)};
+    for (const auto& [region, code] : codes) parts.insert(parts.end(), {region, code.text});
+    return parts;
+}
+
+std::vector<Values> evaluate_reference(ReferenceValues& known, const Assignment& assignment,
+                                       const Parameters& parameters, const Codes& codes,
+                                       const Expression& expression, const std::vector<Inputs>& tables) {
+    std::optional<render::ShaderEvaluator> evaluator; // made once, if at all
+    std::vector<Values> result;
+    for (const Inputs& inputs : tables) {
+        std::vector<std::string> parts = identity_of(assignment, parameters, codes);
+        parts.insert(parts.end(), {expression.text, expression.type, inputs.identity});
+        const std::string key = key_of(parts);
+        const std::vector<double>* numbers = known.find(key);
+        if (!numbers) try {
+                if (!evaluator)
+                    evaluator.emplace(evaluator_of(shader_path(assignment, parameters, codes), assignment,
+                                                   expression, inputs.columns));
+                numbers = &known.add(key, packed(averaged(evaluator->evaluate(inputs.rows), inputs)));
+            } catch (const glsl::LoopError&) {
+                numbers = &known.add(key, {});
+            }
+        if (numbers->empty()) throw glsl::LoopError({codes.empty() ? "" : codes.begin()->second.place});
+        result.push_back(unpacked(*numbers));
+    }
+    return result;
 }
 
 } // namespace sr::assignment

@@ -2,6 +2,7 @@
 // Evaluation of a GLSL expression over a table of inputs, with some regions of the reference replaced.
 #include "assignment/manifest.hpp"
 #include "assignment/parameters.hpp"
+#include "assignment/reference_values.hpp"
 #include "render/gpu/shader_evaluator.hpp"
 
 #include <map>
@@ -16,6 +17,7 @@ struct Inputs {
     std::vector<Input> columns;
     std::vector<render::Row> rows;
     std::size_t group = 1;
+    std::string identity; // equal tables have equal texts
 };
 
 /// Makes `rows` groups, each with `mean_count` values of the column `mean_over` (one if that is empty).
@@ -64,6 +66,17 @@ struct Values {
 /// Evaluates an expression for each group. Needs a current context. @throws ShaderError
 Values evaluate(const std::vector<glsl::Root>& path, const Assignment& assignment,
                 const Expression& expression, const Inputs& inputs);
+
+/// Evaluates an expression of the reference, or with `codes` of one of its variants, for each table. All
+/// tables have the same columns. What `known` has is not computed again; what is computed is added there.
+/// @throws ShaderError; LoopError if a loop was stopped
+std::vector<Values> evaluate_reference(ReferenceValues& known, const Assignment& assignment,
+                                       const Parameters& parameters, const Codes& codes,
+                                       const Expression& expression, const std::vector<Inputs>& tables);
+
+/// The parts of a key (reference_values.hpp) that name such a program.
+std::vector<std::string> identity_of(const Assignment& assignment, const Parameters& parameters,
+                                     const Codes& codes);
 
 /// Evaluates an expression for each row. @throws ShaderError
 std::vector<vec4> evaluate_rows(const std::vector<glsl::Root>& path, const Assignment& assignment,

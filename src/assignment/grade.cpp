@@ -4,6 +4,7 @@
 #include "assignment/mark.hpp"
 #include "core/error.hpp"
 #include "core/file.hpp"
+#include "golden/process.hpp"
 #include "golden/sha256.hpp"
 #include "image/whole_file.hpp"
 
@@ -14,6 +15,8 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <functional>
+#include <iterator>
+#include <map>
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -27,6 +30,10 @@ namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
+
+constexpr std::ptrdiff_t min_pending = 3; // submissions, for which values are computed beforehand
+constexpr std::ptrdiff_t min_pending_for_mistakes = 16; // and those of all typical mistakes
+constexpr double max_seconds = 600.0;                   // for that
 
 /// A folder into which one process at a time grades.
 class Lock {
@@ -61,6 +68,7 @@ public:
     std::optional<std::vector<ordered_json>> run() {
         for (const std::string& remark : submissions_.remarks) options_.on_remark(remark);
         take_earlier_results();
+        compute_values();
         {
             std::vector<std::jthread> threads;
             for (int i = 0; i < options_.jobs; ++i) threads.emplace_back([this] { work(); });
@@ -100,6 +108,21 @@ private:
         }
     }
 
+    /// Computes what all submissions are compared with. It is only faster, so a failure is of no account.
+    void compute_values() {
+        const auto pending =
+            std::ranges::count_if(results_, [](const ordered_json& r) { return r.is_null(); });
+        if (pending < min_pending) return;
+        const fs::path file = fs::absolute(options_.output / ".values");
+        std::vector<std::string> words{options_.check.program.string()};
+        std::ranges::copy(
+            words_of_references(*options_.check.grading, file, pending >= min_pending_for_mistakes),
+            std::back_inserter(words));
+        const auto end = golden::run_process(
+            {words, fs::current_path(), options_.output / ".values.log", max_seconds, options_.check.stop});
+        if (end.is_success()) values_ = {file, digest_of(file)};
+    }
+
     void finish(std::size_t i) {
         const std::lock_guard lock(mutex_);
         ++done_;
@@ -129,6 +152,7 @@ private:
         CheckOptions check = options_.check;
         check.keeps_pictures = true;
         check.grading->student = submission.id;
+        check.grading->values = values_;
         check.stop = over_.get_token();
         const std::string fingerprint_before = fingerprint(submission);
         const auto result = check_submission(submission.path, check);
@@ -150,6 +174,7 @@ private:
     ClassFolder submissions_;
     std::string basis_; // of all fingerprints: the assignment's files
     std::vector<ordered_json> results_;
+    ReferenceFile values_;
     std::set<std::string> lacking_;
     std::atomic<std::size_t> next_ = 0;
     std::stop_source over_; // stopped by the caller, or by a failure
@@ -160,6 +185,15 @@ private:
     std::exception_ptr failure_;
 };
 
+/// Names in each result the others of the same student.
+void add_duplicates(std::vector<ordered_json>& results) {
+    std::map<std::string, std::vector<std::string>> keys;
+    for (const ordered_json& result : results) keys[result["student"]].push_back(result["key"]);
+    for (ordered_json& result : results)
+        for (const std::string& key : keys.at(result["student"]))
+            if (key != result["key"] && result["student"] != "") result["same_student"].push_back(key);
+}
+
 } // namespace
 
 std::optional<std::vector<ordered_json>> grade_class(const GradeOptions& options) {
@@ -168,15 +202,17 @@ std::optional<std::vector<ordered_json>> grade_class(const GradeOptions& options
     if (failure) throw Error({options.output.string()}, failure.message(), "name another folder with --out");
     const Lock lock(options.output);
     auto results = Grader(options).run();
+    for (const char* file : {".values", ".values.log"}) fs::remove(options.output / file, failure);
     if (!results) return std::nullopt;
-    image::write_text(options.output / "marks.csv", csv_of(*results));
-    image::write_text(options.output / "junit.xml", junit_of(*results));
-    image::write_text(options.output / "overview.html", overview_html(*results));
     fs::create_directories(options.output / "gradescope");
     for (const ordered_json& result : *results)
         image::write_text(options.output / "gradescope" / (result["key"].get<std::string>() + ".json"),
                           gradescope_of(result).dump(1, ' ', false, ordered_json::error_handler_t::replace)
                               + "\n");
+    add_duplicates(*results); // for the teacher alone
+    image::write_text(options.output / "marks.csv", csv_of(*results));
+    image::write_text(options.output / "junit.xml", junit_of(*results));
+    image::write_text(options.output / "overview.html", overview_html(*results));
     return results;
 }
 

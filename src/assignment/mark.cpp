@@ -14,10 +14,6 @@ namespace {
 
 using nlohmann::ordered_json;
 
-} // namespace
-
-namespace {
-
 ordered_json begun(const Task& task) {
     return {{"id", task.id},
             {"title", task.title},
@@ -89,11 +85,11 @@ Finding Marker::found(const Task& task, const Check& check, const Codes& codes) 
         return finding;
     }
     const Inputs inputs = inputs_of(check.inputs, check.rows, check.mean_over, check.mean_count, check.seed);
-    const Compared compared = compare_values(assignment_, parameters_, check, codes, inputs);
+    const Compared compared = compare_values(known_, assignment_, parameters_, check, codes, inputs);
     Finding finding = judge(check, compared, inputs);
     if (!finding.passed && finding.is_implemented)
-        finding.diagnosis =
-            sr::assignment::diagnose(assignment_, parameters_, task, check, compared, inputs, last_mistake_);
+        finding.diagnosis = sr::assignment::diagnose(known_, assignment_, parameters_, task, check, compared,
+                                                     inputs, last_mistake_);
     return finding;
 }
 
@@ -153,6 +149,22 @@ ordered_json Marker::mark_check(const Task& task, const Check& check, const Code
         result["diagnosis"] = {{"name", finding.diagnosis->name}, {"text", finding.diagnosis->text}};
     if (keeps_pictures_ && finding.picture && finding.reference) result["pictures"] = packed(finding);
     return result;
+}
+
+const ReferenceValues& Marker::compute_references(bool mistakes) {
+    for (const Task& task : assignment_.tasks)
+        for (const Check& check : task.checks) {
+            if (check.kind == Check::Kind::image) pictures_.compute_references(task, check, mistakes);
+            if (check.kind != Check::Kind::value) continue;
+            const Inputs inputs =
+                inputs_of(check.inputs, check.rows, check.mean_over, check.mean_count, check.seed);
+            if (check.relation == Check::Relation::reference || inputs.group == 1)
+                reference_values(known_, assignment_, parameters_, check, inputs);
+            for (const Variant& variant : task.variants)
+                if (mistakes && variant.is_mistake && !check.is_hidden)
+                    mistaken_values(known_, assignment_, parameters_, task, variant, check, inputs);
+        }
+    return known_;
 }
 
 ordered_json Marker::mark(const Task& task, const Submission& submission) {

@@ -12,12 +12,21 @@ namespace sr::assignment {
 class Marker {
 public:
     /// Needs a current context during its lifetime. With `keeps_pictures`, image checks have "pictures" for
-    /// reports.
-    Marker(const Assignment& assignment, const std::string& student, bool keeps_pictures = false)
+    /// reports. `known`: values of this assignment that need not be computed again.
+    Marker(const Assignment& assignment, const std::string& student, bool keeps_pictures = false,
+           ReferenceValues known = {})
         : assignment_(assignment),
           keeps_pictures_(keeps_pictures),
           parameters_(parameters_of(assignment, student)),
-          pictures_(assignment_, parameters_) {}
+          known_(std::move(known)),
+          pictures_(assignment_, parameters_, known_) {}
+
+    Marker(const Marker&) = delete;
+    Marker& operator=(const Marker&) = delete;
+
+    /// Computes what checks compare a submission with: the reference's values and pictures, and with
+    /// `mistakes` those of typical mistakes. @throws Error
+    const ReferenceValues& compute_references(bool mistakes);
 
     /// Marks a task (assets/assignment_result.schema.json): the student's region, the reference for all
     /// others.
@@ -32,6 +41,7 @@ private:
     const Assignment& assignment_;
     bool keeps_pictures_;
     Parameters parameters_;
+    ReferenceValues known_;
     Pictures pictures_;
     std::string last_mistake_; // of the task that is being marked
 };

@@ -11,8 +11,8 @@ namespace sr::assignment {
 class Pictures {
 public:
     /// Needs a current context during its lifetime.
-    Pictures(const Assignment& assignment, const Parameters& parameters)
-        : assignment_(assignment), parameters_(parameters) {}
+    Pictures(const Assignment& assignment, const Parameters& parameters, ReferenceValues& known)
+        : assignment_(assignment), parameters_(parameters), known_(known) {}
 
     /// Renders the scene of an image check [cd/m²]. Scenes stay uploaded. @throws ShaderError, Error
     image::Image render(const Check& check, const Codes& codes);
@@ -25,6 +25,9 @@ public:
     /// @return absent if neither explains it
     std::optional<Named> diagnose(const Task& task, const Check& check, const Finding& finding);
 
+    /// Renders the reference, and with `mistakes` the typical mistakes of a task.
+    void compute_references(const Task& task, const Check& check, bool mistakes);
+
 private:
     struct Shown {
         scene::RenderScene stage;
@@ -32,11 +35,13 @@ private:
     };
     const Shown& shown(const Check& check);
     const image::Image& reference(const Check& check);
+    image::Image known_picture(const Check& check, const Codes& codes);
     /// Null if one of its loops was stopped.
     const image::Image* mistaken(const Task& task, const Check& check, const Variant& variant);
 
     const Assignment& assignment_;
     const Parameters& parameters_;
+    ReferenceValues& known_;
     std::map<std::string, Shown> shown_;
     std::map<const Check*, image::Image> references_;
     std::map<std::pair<const Check*, const Variant*>, std::optional<image::Image>> mistakes_;

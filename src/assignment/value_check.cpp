@@ -136,24 +136,43 @@ std::optional<Named> plain_relation(const Compared& compared, int count) {
 
 } // namespace
 
-Compared compare_values(const Assignment& assignment, const Parameters& parameters, const Check& check,
-                        const Codes& codes, const Inputs& inputs) {
+std::vector<Values> reference_values(ReferenceValues& known, const Assignment& assignment,
+                                     const Parameters& parameters, const Check& check, const Inputs& inputs) {
+    std::vector<Inputs> tables{inputs};
+    if (inputs.group == 1) tables.push_back(nudged(inputs));
+    return evaluate_reference(known, assignment, parameters, {}, {check.value, check.type}, tables);
+}
+
+std::optional<Values> mistaken_values(ReferenceValues& known, const Assignment& assignment,
+                                      const Parameters& parameters, const Task& task, const Variant& mistake,
+                                      const Check& check, const Inputs& inputs) {
+    try {
+        return evaluate_reference(known, assignment, parameters,
+                                  {{task.id, {task.variants_place, mistake.line, mistake.text}}},
+                                  {check.value, check.type}, {inputs})[0];
+    } catch (const glsl::LoopError&) {
+        return std::nullopt;
+    }
+}
+
+Compared compare_values(ReferenceValues& known, const Assignment& assignment, const Parameters& parameters,
+                        const Check& check, const Codes& codes, const Inputs& inputs) {
     const Expression value{check.value, check.type};
     const auto theirs = shader_path(assignment, parameters, codes);
-    const auto ours = shader_path(assignment, parameters, {});
     const int count = components_of(check.type);
     Compared compared;
     compared.got = evaluate(theirs, assignment, value, inputs);
-    const Values reference = evaluate(ours, assignment, value, inputs);
+    const bool needs_reference = check.relation == Check::Relation::reference || inputs.group == 1;
+    std::vector<Values> ours;
+    if (needs_reference) ours = reference_values(known, assignment, parameters, check, inputs);
     compared.expected = check.relation == Relation::reference
-                            ? reference.means
+                            ? ours[0].means
                             : evaluate(theirs, assignment, {check.other, check.type}, inputs).means;
     compared.tolerance = tolerances_around(compared.expected, check.nearness, count);
     if (inputs.group > 1) return compared; // a mean over many values does not follow the last bits of one
-    const Values moved = evaluate(ours, assignment, value, nudged(inputs));
     for (std::size_t r = 0; r < compared.tolerance.size(); ++r)
         for (int i = 0; i < count; ++i)
-            if (const double change = std::abs(moved.means[r][i] - reference.means[r][i]);
+            if (const double change = std::abs(ours[1].means[r][i] - ours[0].means[r][i]);
                 std::isfinite(change))
                 compared.tolerance[r][i] += 8.0 * change;
     return compared;
@@ -190,9 +209,9 @@ Finding judge(const Check& check, const Compared& compared, const Inputs& inputs
     return finding;
 }
 
-std::optional<Named> diagnose(const Assignment& assignment, const Parameters& parameters, const Task& task,
-                              const Check& check, const Compared& compared, const Inputs& inputs,
-                              const std::string& first) {
+std::optional<Named> diagnose(ReferenceValues& known, const Assignment& assignment,
+                              const Parameters& parameters, const Task& task, const Check& check,
+                              const Compared& compared, const Inputs& inputs, const std::string& first) {
     const int count = components_of(check.type);
     std::vector<const Variant*> mistakes;
     for (const Variant& variant : task.variants)
@@ -203,15 +222,9 @@ std::optional<Named> diagnose(const Assignment& assignment, const Parameters& pa
     const Variant* nearest = nullptr;
     double least = infinity;
     for (const Variant* mistake : mistakes) {
-        const auto path = shader_path(assignment, parameters,
-                                      {{task.id, {task.variants_place, mistake->line, mistake->text}}});
-        Values values;
-        try {
-            values = evaluate(path, assignment, {check.value, check.type}, inputs);
-        } catch (const glsl::LoopError&) {
-            continue;
-        }
-        const double d = distance(compared.got.means, values.means, compared, check.nearness, count);
+        const auto values = mistaken_values(known, assignment, parameters, task, *mistake, check, inputs);
+        if (!values) continue;
+        const double d = distance(compared.got.means, values->means, compared, check.nearness, count);
         if (d < least) {
             least = d;
             nearest = mistake;

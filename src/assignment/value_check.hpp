@@ -40,17 +40,26 @@ struct Compared {
 
 /// Evaluates both sides of a check. Needs a current context.
 /// @throws ShaderError for the code; Error if a value of the reference is not finite
-Compared compare_values(const Assignment& assignment, const Parameters& parameters, const Check& check,
-                        const Codes& codes, const Inputs& inputs);
+Compared compare_values(ReferenceValues& known, const Assignment& assignment, const Parameters& parameters,
+                        const Check& check, const Codes& codes, const Inputs& inputs);
+
+/// Evaluates the reference: at the inputs, and, unless they are averaged, at inputs moved by their last bits.
+std::vector<Values> reference_values(ReferenceValues& known, const Assignment& assignment,
+                                     const Parameters& parameters, const Check& check, const Inputs& inputs);
+
+/// Evaluates a typical mistake. @return absent if one of its loops was stopped
+std::optional<Values> mistaken_values(ReferenceValues& known, const Assignment& assignment,
+                                      const Parameters& parameters, const Task& task, const Variant& mistake,
+                                      const Check& check, const Inputs& inputs);
 
 /// Compares the values within the tolerance.
 Finding judge(const Check& check, const Compared& compared, const Inputs& inputs);
 
 /// Finds the mistake of the task that gives the same values, or else a simple relation to the expected values
 /// (a factor, zero, not finite). @param first name of the variant to try first. @return absent if none fits
-std::optional<Named> diagnose(const Assignment& assignment, const Parameters& parameters, const Task& task,
-                              const Check& check, const Compared& compared, const Inputs& inputs,
-                              const std::string& first);
+std::optional<Named> diagnose(ReferenceValues& known, const Assignment& assignment,
+                              const Parameters& parameters, const Task& task, const Check& check,
+                              const Compared& compared, const Inputs& inputs, const std::string& first);
 
 /// Tests (χ²) the directions that `check.value` samples from its input `u` against the density `check.other`
 /// of the direction `w` [1/sr]. Needs a current context. @throws ShaderError

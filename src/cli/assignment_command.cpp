@@ -227,11 +227,25 @@ void add_marking(CLI::App& app) {
     marking->add_option("--hidden", grading->hidden);
     marking->add_option("--student", grading->student);
     marking->add_option("--memory", grading->memory);
+    marking->add_option("--values", grading->values.file);
+    marking->add_option("--digest", grading->values.digest);
     marking->add_option("--seconds", request->processor_seconds);
     marking->callback([=] {
         if (graded->count() > 0) request->grading = *grading;
         assignment::mark_tasks(*request);
     });
+}
+
+/// The hidden command that `grade` runs before all submissions.
+void add_references(CLI::App& app) {
+    const auto grading = std::make_shared<assignment::Grading>();
+    const auto file = std::make_shared<std::filesystem::path>();
+    CLI::App* command = app.add_subcommand("references", "what `grade` runs first")->group("");
+    command->add_option("DIR", grading->assignment)->required();
+    command->add_option("FILE", *file)->required();
+    command->add_option("--hidden", grading->hidden);
+    const CLI::Option* mistakes = command->add_flag("--mistakes");
+    command->callback([=] { assignment::compute_references(*grading, *file, mistakes->count() > 0); });
 }
 
 void add_check(CLI::App& app, const std::shared_ptr<AssignmentArguments>& arguments) {
@@ -299,6 +313,7 @@ void add_assignment_command(CLI::App& app) {
     add_name(*testing, *arguments);
     testing->callback([arguments] { end_with(prove(*arguments)); });
     add_marking(*command);
+    add_references(*command);
     add_grade_command(*command);
     command->footer(
         "Examples:\n  steradian assignment list\n  steradian assignment new a3 my-a3 --student 12345\n"

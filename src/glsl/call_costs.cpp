@@ -1,97 +1,86 @@
 #include "glsl/call_costs.hpp"
 
 #include "core/error.hpp"
+#include "glsl/declarations.hpp"
+#include "glsl/macros.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <optional>
-#include <set>
+#include <map>
 
 namespace sr::glsl {
 namespace {
 
-constexpr double max_cost = 100'000.0; // tokens
-constexpr int max_depth = 64;          // of macros in macros, and of calls in calls
+constexpr std::size_t max_depth = 64; // of calls in calls
+constexpr double max_array_bytes = 64
+                                   << 10; // in one invocation; llvmpipe keeps eight at a time, on the stack
+
+struct Cost {
+    double tokens = 0.0, bytes = 0.0; // of code and of arrays
+};
 
 struct Definition {
-    std::size_t begin = 0, end = 0; // of its body
+    std::size_t header = 0, begin = 0, end = 0; // of its type, and of its body
     int line = 0;
 };
 
 class Costs {
 public:
-    Costs(const std::vector<Token>& tokens, const Macros& macros, const std::string& place)
-        : tokens_(tokens), macros_(macros), place_(place) {
+    Costs(const std::vector<Token>& code, const std::string& place)
+        : code_(code), place_(place), arrays_(code, place) {
         find_definitions();
     }
 
-    void require_short() {
+    void require_low() {
         for (const auto& [name, definitions] : functions_) cost_of_function(name, definitions.front().line);
-        refuse_above(cost(tokens_, 0, tokens_.size()), 1);
+        refuse_above(cost(0, code_.size()), 1);
     }
 
 private:
     void find_definitions() {
         int depth = 0;
-        for (std::size_t i = 0; i < tokens_.size(); ++i) {
-            const std::string_view text = tokens_[i].text;
+        std::size_t header = 0; // behind the statement or the body before
+        for (std::size_t i = 0; i < code_.size(); ++i) {
+            const std::string_view text = code_[i].text;
             if (text == "{") ++depth;
             if (text == "}") --depth;
-            if (depth != 0 || text != "(" || i < 1 || tokens_[i - 1].kind != Token::Kind::word) continue;
-            const std::size_t brace = behind_bracket(tokens_, i, tokens_.size());
-            if (brace < tokens_.size() && tokens_[brace].text == "{")
-                functions_[tokens_[i - 1].text].push_back(
-                    {brace, behind_bracket(tokens_, brace, tokens_.size()), tokens_[i - 1].line});
+            if (depth == 0 && (text == ";" || text == "}")) header = i + 1;
+            if (depth != 0 || text != "(" || i < 1 || code_[i - 1].kind != Token::Kind::word) continue;
+            const std::size_t brace = behind_bracket(code_, i, code_.size());
+            if (brace < code_.size() && code_[brace].text == "{")
+                functions_[code_[i - 1].text].push_back(
+                    {header, brace, behind_bracket(code_, brace, code_.size()), code_[i - 1].line});
         }
     }
 
-    void refuse_above(double cost, int line) const {
-        if (cost > max_cost)
-            throw Error({place_, line}, "more than 100000 tokens once macros and calls are written out",
-                        "call less");
+    void refuse_above(const Cost& cost, int line) const {
+        if (cost.tokens > max_written_tokens)
+            throw Error(
+                {place_, line},
+                fmt::format("more than {} tokens once macros and calls are written out", max_written_tokens),
+                "call less");
+        if (cost.bytes > max_array_bytes)
+            throw Error({place_, line},
+                        fmt::format("arrays of {:.0f} bytes, above {:.0f}", cost.bytes, max_array_bytes),
+                        "use smaller arrays, or fewer");
     }
 
-    /// The tokens of [begin, end) once everything is written out.
-    double cost(const std::vector<Token>& tokens, std::size_t begin, std::size_t end) {
-        double sum = 0.0;
-        for (std::size_t i = begin; i < end; ++i) {
-            sum += 1.0;
-            if (tokens[i].kind != Token::Kind::word) continue;
-            const bool is_called = i + 1 < end && tokens[i + 1].text == "(";
-            if (const auto macro = macros_.find(tokens[i].text); macro != macros_.end()) {
-                if (!macro->second.has_parameters) {
-                    sum += cost_of_macro(macro->first, macro->second, tokens[i].line);
-                } else if (is_called) { // each parameter may stand in the body any number of times
-                    const std::size_t behind = behind_bracket(tokens, i + 1, end);
-                    sum += cost_of_macro(macro->first, macro->second, tokens[i].line)
-                           * std::max(1.0, cost(tokens, i + 2, behind - 1));
-                    i = behind - 1;
-                }
-            } else if (is_called && functions_.contains(tokens[i].text)) {
-                sum += cost_of_function(tokens[i].text, tokens[i].line);
-            }
-            if (sum > max_cost) return sum;
+    /// The cost of [begin, end) once all calls are written out.
+    Cost cost(std::size_t begin, std::size_t end) {
+        Cost sum{0.0, arrays_.bytes(begin, end)};
+        for (std::size_t i = begin; i < end && sum.tokens <= max_written_tokens; ++i) {
+            sum.tokens += 1.0;
+            if (code_[i].kind != Token::Kind::word || i + 1 >= end || code_[i + 1].text != "(") continue;
+            if (!functions_.contains(code_[i].text)) continue;
+            const Cost called = cost_of_function(code_[i].text, code_[i].line);
+            sum.tokens += called.tokens;
+            sum.bytes += called.bytes;
         }
         return sum;
     }
 
-    double cost_of_macro(std::string_view name, const Macro& macro, int line) {
-        if (const auto known = macro_costs_.find(name); known != macro_costs_.end()) return known->second;
-        if (!open_macros_.insert(name).second) return 1.0; // a macro is not written out within itself
-        refuse_depth(line);
-        const double sum = cost(macro.body, 0, macro.body.size());
-        open_macros_.erase(name);
-        refuse_above(sum, line);
-        return macro_costs_[name] = sum;
-    }
-
-    void refuse_depth(int line) const {
-        if (open_macros_.size() + open_.size() > max_depth)
-            throw Error({place_, line}, "calls and macros deeper than 64", "nest less");
-    }
-
     /// That of the longest definition. A call by the same name is one of a definition before.
-    double cost_of_function(std::string_view name, int line) {
+    Cost cost_of_function(std::string_view name, int line) {
         if (const auto known = costs_.find(name); known != costs_.end()) return known->second;
         const std::vector<Definition>& definitions = functions_.at(name);
         if (const auto open = open_.find(name); open != open_.end()) {
@@ -100,34 +89,35 @@ private:
                             "GLSL has no recursion: write a loop");
             return open->second;
         }
-        refuse_depth(line);
-        open_[name] = 0.0;
+        if (open_.size() > max_depth) throw Error({place_, line}, "calls deeper than 64", "nest less");
+        open_[name] = {};
         open_order_.push_back(name);
         for (const Definition& definition : definitions) {
-            const double sum = cost(tokens_, definition.begin, definition.end);
+            Cost sum = cost(definition.begin, definition.end);
+            sum.bytes += arrays_.bytes(definition.header, definition.begin);
             refuse_above(sum, definition.line);
-            open_[name] = std::max(open_[name], sum);
+            Cost& most = open_[name];
+            most = {std::max(most.tokens, sum.tokens), std::max(most.bytes, sum.bytes)};
         }
-        const double most = open_[name];
+        const Cost most = open_[name];
         open_.erase(name);
         open_order_.pop_back();
         return costs_[name] = most;
     }
 
-    const std::vector<Token>& tokens_;
-    const Macros& macros_;
+    const std::vector<Token>& code_;
     const std::string& place_;
+    ArraySizes arrays_;
     std::map<std::string_view, std::vector<Definition>> functions_;
-    std::map<std::string_view, double> costs_, macro_costs_;
-    std::map<std::string_view, double> open_; // functions that are being summed, with their sum so far
+    std::map<std::string_view, Cost> costs_;
+    std::map<std::string_view, Cost> open_; // functions that are being summed, with their sum so far
     std::vector<std::string_view> open_order_;
-    std::set<std::string_view> open_macros_;
 };
 
 } // namespace
 
-void require_short_calls(const std::vector<Token>& tokens, const Macros& macros, const std::string& place) {
-    Costs(tokens, macros, place).require_short();
+void require_low_costs(const std::vector<Token>& code, const std::string& place) {
+    Costs(code, place).require_low();
 }
 
 } // namespace sr::glsl

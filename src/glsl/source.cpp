@@ -1,5 +1,9 @@
 #include "glsl/source.hpp"
 
+#include "glsl/call_costs.hpp"
+#include "glsl/tokens.hpp"
+#include "glsl/untrusted.hpp"
+
 #include <algorithm>
 #include <cctype>
 #include <fmt/format.h>
@@ -127,6 +131,9 @@ private:
     std::set<std::string, std::less<>> seen_;
     std::vector<Location> conditions_; // the #if, #ifdef and #ifndef that are open
     std::vector<std::string> open_;    // the chain of includes from the entry to here
+    std::string untrusted_code_;       // of all untrusted files
+    std::string untrusted_place_;      // of the first
+    bool has_several_untrusted_ = false;
 };
 
 Expansion::Found Expansion::find(std::string_view name, const Location& includer) const {
@@ -163,6 +170,11 @@ void Expansion::add(std::string_view name, const Location& includer) {
         Bounded safe = bounded(text, found.place, found.root->permitted());
         source_.loops.insert(source_.loops.end(), safe.loops.begin(), safe.loops.end());
         text = std::move(safe.text);
+        if (untrusted_place_.empty())
+            untrusted_place_ = found.place;
+        else
+            has_several_untrusted_ = true;
+        untrusted_code_ += safe.code;
     }
     add_lines(text, static_cast<int>(source_.files.size()) - 1);
     open_.pop_back();
@@ -241,12 +253,15 @@ void Expansion::include(std::string_view argument, const Location& here) {
 
 /// The output of a fragment shader that can say that a loop was stopped; empty if it has none.
 std::string_view telling_output(std::string_view text) {
-    for (const std::string_view out : {"film", "answer"})
+    for (const std::string_view out : {"film", "answer", "receiver"})
         if (text.find(fmt::format("out vec4 {};", out)) != text.npos) return out;
     return {};
 }
 
 Source Expansion::take() {
+    // The functions of one untrusted file may call those of another.
+    if (has_several_untrusted_)
+        require_low_costs(tokens_of(untrusted_code_, untrusted_place_), untrusted_place_);
     if (source_.loops.empty()) return std::move(source_);
     const std::string_view out = telling_output(source_.text);
     const std::string before = std::string(turn_counter()) + std::string(out.empty() ? "" : main_renamed());

@@ -2,6 +2,8 @@
 
 #include "core/text.hpp"
 #include "glsl/call_costs.hpp"
+#include "glsl/declarations.hpp"
+#include "glsl/macros.hpp"
 #include "glsl/tokens.hpp"
 
 #include <algorithm>
@@ -51,6 +53,44 @@ int number_of(const std::string& place) {
     return folded == 0 ? 1 : static_cast<int>(folded);
 }
 
+double number(std::string_view text) {
+    try {
+        return std::stod(std::string(text)); // decimal and hexadecimal; an octal number is only larger
+    } catch (const std::exception&) {
+        return HUGE_VAL;
+    }
+}
+
+/// Checks lengths and nesting of code whose macros are written out.
+void require_statements(const std::vector<Token>& code, const std::string& place) {
+    const auto refuse = [&](int line, const std::string& what, const std::string& what_to_do) {
+        throw Error({place, line}, what, what_to_do);
+    };
+    std::size_t length = 0, branches = 0;
+    std::vector<char> open;
+    for (std::size_t i = 0; i < code.size(); ++i) {
+        const Token& token = code[i];
+        const std::string_view text = token.text;
+        if (text == "(" || text == "[" || text == "{") open.push_back(text[0]);
+        if (open.size() > max_nesting) refuse(token.line, "brackets nested deeper than 64", "nest less");
+        if ((text == ")" || text == "]" || text == "}") && !open.empty()) open.pop_back();
+        const bool is_inside = !open.empty() && open.back() != '{'; // of ( ) or [ ]
+        length = (text == ";" && !is_inside) || text == "{" || text == "}" ? 0 : length + 1;
+        if (length > max_statement)
+            refuse(token.line, fmt::format("a statement of more than {} words", max_statement),
+                   "write several");
+        if (text == "else" || text == "if" || text == "case" || text == "?") ++branches;
+        if (branches > max_branches)
+            refuse(token.line, fmt::format("more than {} branches", max_branches), "write less");
+        if ((text == "in" || text == "out" || text == "inout") && !is_inside)
+            refuse(token.line, fmt::format("{} outside a function's parameters", text),
+                   "pass it as a parameter");
+        if (!open.empty() && open.back() == '[' && token.kind == Kind::number
+            && std::abs(number(text)) > max_index)
+            refuse(token.line, fmt::format("[{}] is above {}", text, max_index), "write a smaller number");
+    }
+}
+
 class Gate {
 public:
     Gate(std::string_view text, const std::string& place, std::span<const std::string> permitted)
@@ -62,15 +102,20 @@ public:
         if (tokens_.size() > max_tokens)
             refuse(1, fmt::format("{} tokens, above {}", tokens_.size(), max_tokens), "write less");
         require_brackets();
+        std::vector<Token> part; // of the code, up to a directive
         for (std::size_t i = 0; i < tokens_.size(); ++i) {
-            if (tokens_[i].begins_line) read_directive(i);
             require_word(tokens_[i]);
+            if (tokens_[i].begins_line) {
+                write_out(std::move(part));
+                part.clear();
+                read_directive(i);
+            }
+            if (!tokens_[i].is_directive) part.push_back(tokens_[i]);
         }
-        require_statements();
-        std::vector<Token> code;
-        for (const Token& token : tokens_)
-            if (!token.is_directive) code.push_back(token);
-        require_short_calls(code, macros_, place_);
+        write_out(std::move(part));
+        require_statements(code_, place_);
+        require_own_names(code_, place_);
+        require_low_costs(code_, place_);
         return with_bounds();
     }
 
@@ -131,6 +176,15 @@ private:
                    "count the brackets");
     }
 
+    void write_out(std::vector<Token> part) {
+        const std::vector<Token> written = written_out(std::move(part), macros_, place_, steps_);
+        code_.insert(code_.end(), written.begin(), written.end());
+        if (code_.size() > max_written_tokens)
+            refuse(code_.back().line,
+                   fmt::format("more than {} tokens once macros are written out", max_written_tokens),
+                   "write less");
+    }
+
     std::vector<Token> rest_of_directive(std::size_t hash) const {
         std::vector<Token> rest;
         for (std::size_t i = hash + 1;
@@ -150,9 +204,34 @@ private:
             && std::ranges::any_of(words, [](const Token& w) { return w.kind == Kind::name; }))
             refuse(line, fmt::format("text in quotes in a #{}", name), "remove it: GLSL has no texts");
         if (name == "include") require_include(words, line);
-        if (name == "define") read_macro(words, line);
-        if (name == "undef" && (words.size() != 2 || !macros_.contains(words[1].text)))
+        read_condition(words);
+        if (name != "define" && name != "undef") return;
+        // A macro must be known without the driver's conditions.
+        if (std::ranges::find(certain_, false) != certain_.end())
+            refuse(line, fmt::format("a #{} that depends on a condition", name), "put it outside of #if");
+        if (name == "define") return read_macro(words, line);
+        if (words.size() != 2 || !macros_.contains(words[1].text))
             refuse(line, "#undef of what this file does not define", "remove it");
+        macros_.erase(words[1].text);
+    }
+
+    /// Follows #if and its branches. Their conditions are written out by the driver, too.
+    void read_condition(const std::vector<Token>& words) {
+        const std::string_view name = words[0].text;
+        if (name.starts_with("if")) // #ifndef of what this file has not defined is true
+            certain_.push_back(name == "ifndef" && words.size() == 2 && !defined_.contains(words[1].text)
+                               && !words[1].text.starts_with("GL_"));
+        if (name == "elif" || name == "else") certain_.back() = false;
+        if (name == "endif") certain_.pop_back();
+        if (name != "if" && name != "elif") return;
+        std::vector<Token> condition;
+        for (std::size_t i = 1; i < words.size(); ++i) {
+            if (words[i].text == "defined")
+                i += i + 1 < words.size() && words[i + 1].text == "(" ? 2 : 1;
+            else
+                condition.push_back(words[i]);
+        }
+        written_out(std::move(condition), macros_, place_, steps_);
     }
 
     void require_include(const std::vector<Token>& words, int line) const {
@@ -183,7 +262,13 @@ private:
         const bool has_parameters =
             words.size() > 2 && words[2].text == "(" && words[2].at == words[1].at + name.size();
         if (has_parameters) body = behind_bracket(words, 2, words.size());
-        Macro macro{has_parameters, {words.begin() + static_cast<std::ptrdiff_t>(body), words.end()}};
+        Macro macro{has_parameters, {}, {words.begin() + static_cast<std::ptrdiff_t>(body), words.end()}};
+        for (std::size_t i = 3; has_parameters && i + 1 < body; ++i) {
+            if (words[i].kind == Kind::word)
+                macro.parameters.push_back(words[i].text);
+            else if (words[i].text != ",")
+                refuse(line, fmt::format("{} among the parameters of a macro", words[i].text), "write names");
+        }
         int depth = 0;
         for (std::size_t i = 2; i < words.size(); ++i) {
             const std::string_view text = words[i].text;
@@ -220,41 +305,6 @@ private:
             refuse(token.line, fmt::format("the name {} is reserved", w), "choose another name");
     }
 
-    void require_statements() const {
-        std::size_t length = 0, branches = 0;
-        std::vector<char> open;
-        for (std::size_t i = 0; i < tokens_.size(); ++i) {
-            const Token& token = tokens_[i];
-            if (token.is_directive) continue;
-            const std::string_view text = token.text;
-            if (text == "(" || text == "[" || text == "{") open.push_back(text[0]);
-            if (text == ")" || text == "]" || text == "}") open.pop_back();
-            const bool is_inside = !open.empty() && open.back() != '{'; // of ( ) or [ ]
-            length = (text == ";" && !is_inside) || text == "{" || text == "}" ? 0 : length + 1;
-            if (length > max_statement)
-                refuse(token.line, fmt::format("a statement of more than {} words", max_statement),
-                       "write several");
-            if (text == "else" || text == "if" || text == "case" || text == "?") ++branches;
-            if (branches > max_branches)
-                refuse(token.line, fmt::format("more than {} branches", max_branches), "write less");
-            if ((text == "in" || text == "out" || text == "inout") && !is_inside)
-                refuse(token.line, fmt::format("{} outside a function's parameters", text),
-                       "pass it as a parameter");
-            if (!open.empty() && open.back() == '[' && token.kind == Kind::number
-                && std::abs(number(text)) > max_index)
-                refuse(token.line, fmt::format("[{}] is above {}", text, max_index),
-                       "write a smaller number");
-        }
-    }
-
-    static double number(std::string_view text) {
-        try {
-            return std::stod(std::string(text)); // decimal and hexadecimal; an octal number is only larger
-        } catch (const std::exception&) {
-            return HUGE_VAL;
-        }
-    }
-
     Bounded with_bounds() {
         std::map<std::size_t, std::string> insertions; // by the byte before which they stand
         Bounded result;
@@ -266,6 +316,7 @@ private:
             at = before;
         }
         result.text += text_.substr(at);
+        for (const Token& token : code_) (result.code += token.text) += ' ';
         if (!result.text.empty() && result.text.back() != '\n') result.text += '\n';
         for (const auto& [name, macro] : macros_) result.text += fmt::format("#undef {}\n", name);
         return result;
@@ -312,8 +363,11 @@ private:
     const std::string& place_;
     std::span<const std::string> permitted_;
     std::vector<Token> tokens_;
-    Macros macros_;
+    std::vector<Token> code_;            // without directives, macros written out
+    Macros macros_;                      // of the place that is read
+    int steps_ = 0;                      // of writing them out
     std::set<std::string_view> defined_; // macros, of which some may be undefined again
+    std::vector<bool> certain_;          // of each open #if: whether the branch is compiled for sure
 };
 
 } // namespace

@@ -28,6 +28,7 @@ struct Loop {
 struct Bounded {
     std::string text; // as many lines, and then #undef of each macro
     std::vector<Loop> loops;
+    std::string code; // without comments and directives, macros written out, on one line
 };
 
 /// Checks a text and bounds its loops: each condition counts a turn, and all loops end after max_turns.

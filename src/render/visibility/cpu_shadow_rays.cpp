@@ -2,6 +2,7 @@
 
 #include "core/error.hpp"
 #include "core/parallel.hpp"
+#include "glsl/untrusted.hpp"
 #include "render/passes.hpp"
 
 #include <algorithm>
@@ -113,6 +114,7 @@ bool CpuShadowRays::record_and_answer(RowRange band, int taken, ShaderLibrary& s
     glViewport(0, 0, width_, height_);
     record_pass(scene_, shaders, static_cast<int>(targets_.size()));
     read(band, 0, receivers_);
+    glsl::require_ended_loops({&receivers_[0].x, 4 * receivers_.size()}, shaders.loops());
     std::size_t asked = 0;
     for (int i = 1; i < static_cast<int>(targets_.size()); ++i) {
         read(band, i, rays_);

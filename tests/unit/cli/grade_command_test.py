@@ -27,6 +27,7 @@ REFERENCE = ASSIGNMENTS / "a3-brdf" / "shaders"
 HIDDEN = {"seed": 11, "tasks": {"A3.4": [
     {"name": "elsewhere", "points": 1, "unit": "SECRET_UNIT", "type": "vec3", "value": "F(0.123456, vec3(0.654321))",
      "inputs": [{"unused_secret": {"from": 0, "to": 1}}], "hint": "SECRET_HINT"}]}}
+TASKS = ("A3.1", "A3.4")  # of a copy of a3: two tasks show what grading does, and seven take minutes
 SECRETS = ("SECRET", "0.123456", "0.654321", "unused_secret")
 
 
@@ -36,12 +37,18 @@ class Class(unittest.TestCase):
         self.addCleanup(scratch.cleanup)
         self.scratch = Path(scratch.name)
         self.submissions, self.out, self.hidden = (self.scratch / name for name in ("submissions", "marks", "hidden"))
+        self.assignment = self.scratch / "assignments" / "a3-brdf"
+        shutil.copytree(ASSIGNMENTS / "a3-brdf", self.assignment)
+        manifest = json.loads((self.assignment / "assignment.json").read_text())
+        manifest["files"] = ["phong.glsl", "microfacets.glsl"]
+        manifest["tasks"] = [task for task in manifest["tasks"] if task["id"] in TASKS]
+        (self.assignment / "assignment.json").write_text(json.dumps(manifest))
         self.submissions.mkdir()
         self.hidden.mkdir()
         (self.hidden / "hidden.json").write_text(json.dumps(HIDDEN))
 
     def words(self, *more: str) -> list[str]:
-        return [STERADIAN, "assignment", "grade", "a3", "--submissions", str(self.submissions), "--out", str(self.out), *more]
+        return [STERADIAN, "assignment", "grade", str(self.assignment), "--submissions", str(self.submissions), "--out", str(self.out), *more]
 
     def grade(self, *more: str, status: int = 0) -> subprocess.CompletedProcess:
         run = subprocess.run(self.words(*more), capture_output=True, text=True, errors="replace")
@@ -81,11 +88,13 @@ class Class(unittest.TestCase):
         self.assertIn("onlinetext: left out", run.stderr)
         self.assertIn("notes.txt: left out", run.stderr)
         rows = self.rows()
-        self.assertEqual({row["name"]: row["percent"] for row in rows.values()}, {"Ann Example": "147.1", "Bob Übel": "147.1"})
+        self.assertEqual({row["name"]: row["percent"] for row in rows.values()}, {"Ann Example": "100.0", "Bob Übel": "100.0"})
         self.assertEqual({row["student"] for row in rows.values()}, {"a", "b"})
+        self.assertEqual({row["remarks"] for row in rows.values()}, {""})
         shutil.rmtree(self.submissions)
         self.hand_in("submission_17")
         self.hand_in("submission_18", "other")
+        self.hand_in("submission_19", "c1")
         (self.submissions / "submission_metadata.yml").write_text(
             "---\nsubmission_17:\n  :submitters:\n  - :name: Cleo\n    :sid: 'c1'\n    :email: c@example.org\n"
             "submission_18:\n  :submitters:\n  - :name: Dan\n    :sid: d1\n  :score: 1\n")
@@ -93,22 +102,26 @@ class Class(unittest.TestCase):
         self.grade()
         rows = self.rows()
         self.assertEqual((rows["submission_17"]["name"], rows["submission_17"]["student"]), ("Cleo", "c1"))
+        self.assertIn("submission_19 of the same student", rows["submission_17"]["remarks"])
+        self.assertIn("submission_17 of the same student", rows["submission_19"]["remarks"])
+        self.assertIn("submission_19 of the same student", (self.out / "overview.html").read_text())
+        self.assertEqual(rows["submission_18"]["student"], "d1", "the platform's id, not the label's")
         self.assertIn("d1 handed in the folder of other", rows["submission_18"]["remarks"])
 
     def test_what_comes_out(self):
-        text = (REFERENCE / "microfacets.glsl").read_text()
+        phong = (REFERENCE / "phong.glsl").read_text()
         self.hand_in("right", "1")
-        self.hand_in("wrong", "2", microfacets=text.replace("a2 / (pi * d * d)", "a2 / (d * d)"))
-        self.hand_in("broken", "3", microfacets=text.replace("float a2 =", "float a2 = nothing +", 1))
+        self.hand_in("wrong", "2", phong=phong.replace("(2.0 * pi)", "2.0"))
+        self.hand_in("broken", "3", phong=phong.replace("vec3 r =", "vec3 r = nothing +"))
         self.grade("--hidden", str(self.hidden), "--jobs", "2")
         rows = self.rows()
-        self.assertEqual([rows[key]["A3.2"] for key in ("right", "wrong", "broken")], ["3", "0", "0"])
+        self.assertEqual([rows[key]["A3.1"] for key in ("right", "wrong", "broken")], ["4", "1", "0"])
         self.assertEqual(rows["right"]["A3.4"], "3", "two public points and a hidden one")
         suites = ElementTree.parse(self.out / "junit.xml").getroot()
         self.assertEqual({suite.get("name"): suite.get("failures") for suite in suites}, {"right": "0", "wrong": "1", "broken": "1"})
         page = (self.out / "overview.html").read_text()
         self.assertIn("A factor 1/π is missing", page)
-        self.assertIn('href="students/wrong.html#A3.2"', page)
+        self.assertIn('href="students/wrong.html#A3.1"', page)
         for outside in ("http:", "https:", "<script", "src="):
             self.assertNotIn(outside, page)
         for key in rows:
@@ -121,7 +134,7 @@ class Class(unittest.TestCase):
             for test in scope["tests"]:
                 self.assertLessEqual(set(test), {"score", "max_score", "status", "name", "name_format", "number", "output",
                                                  "output_format", "tags", "visibility", "extra_data"})
-        self.assertIn('"file": "microfacets.glsl"', json.dumps(self.result("broken")))
+        self.assertIn('"file": "phong.glsl"', json.dumps(self.result("broken")))
         self.assertNotIn(str(self.scratch), json.dumps(self.result("broken")))
 
     def test_hidden_checks_show_marks_alone(self):
@@ -160,14 +173,18 @@ class Class(unittest.TestCase):
         self.assertEqual(len(after), 6)
         self.assertEqual({name: after[name] for name in before}, before, "nothing is graded twice")
         self.assertEqual(len(self.rows()), 6)
-        (self.submissions / "s3" / "phong.glsl").write_text("// nothing\n")
+        changed = self.submissions / "s3" / "phong.glsl"
+        times = changed.stat()
+        changed.write_text(changed.read_text().replace("2.0 * dot", "3.0 * dot"))
+        os.utime(changed, ns=(times.st_atime_ns, times.st_mtime_ns))  # as large and as old as before
+        os.utime(self.submissions / "s4" / "phong.glsl")
         self.grade()
         changed = {f.name for f in results.glob("*.json") if f.stat().st_mtime_ns != after[f.name]}
         self.assertEqual(changed, {"s3.json"}, "what has changed is graded again")
 
     def test_single_submissions_for_platforms(self):
         folder = self.hand_in("mine", "", phong="// nothing\n")
-        check = [STERADIAN, "assignment", "check", str(folder), "--assignment", "a3", "--student", "9", "--hidden", str(self.hidden)]
+        check = [STERADIAN, "assignment", "check", str(folder), "--assignment", str(self.assignment), "--student", "9", "--hidden", str(self.hidden)]
         results, junit = self.scratch / "results.json", self.scratch / "junit.xml"
         run = subprocess.run([*check, "--gradescope", results, "--junit", junit, "--vpl", "20"], capture_output=True, text=True)
         self.assertEqual(run.returncode, 1, run.stderr)
@@ -202,7 +219,7 @@ class Class(unittest.TestCase):
         after = sorted(str(file) for file in self.scratch.rglob("*") if "marks" not in file.parts)
         self.assertEqual(after, before, "nothing is written beside the results")
         self.assertFalse(Path("/tmp/escaped.glsl").exists())
-        self.assertEqual(self.result("honest")["percent"], 100 * 26 / 18)
+        self.assertEqual(self.result("honest")["percent"], 100.0)
         for key, words in musts.items():
             with self.subTest(key):
                 result = self.result(key)

@@ -46,6 +46,21 @@ std::string doubling_macros(int count) {
     return text + "float f() { return M" + std::to_string(count - 1) + "; }\n";
 }
 
+/// Macros of nothing, each of which has the one before twice.
+std::string empty_macros(int count) {
+    std::string text;
+    for (int i = 1; i <= count; ++i)
+        text += "#define E" + std::to_string(i) + " E" + std::to_string(i - 1) + " E" + std::to_string(i - 1)
+                + "\n";
+    return text;
+}
+
+std::string many_arrays(int count) {
+    std::string text;
+    for (int i = 0; i < count; ++i) text += "float a" + std::to_string(i) + "[100];\n";
+    return text;
+}
+
 struct Refused {
     const char* name;
     std::string text;
@@ -86,6 +101,52 @@ const std::vector<Refused> refused{
      "float g(float x);\nfloat f(float x) { return g(x); }\nfloat g(float x) { return f(x); }\n",
      "calls itself"},
     {"recursion_by_macro", "#define CALL f(1.0)\nfloat f(float x) { return CALL; }\n", "calls itself"},
+    {"recursion_by_alias", "#define g f\nfloat f(float x) { return g(x); }\n", "f calls itself"},
+    {"recursion_by_parameter", "#define CALL(g) g(1.0)\nfloat f(float x) { return CALL(f); }\n",
+     "f calls itself"},
+    {"recursion_by_two_parameters", "#define J(a, b) a b\nfloat f(float x) { return J(f, (x)); }\n",
+     "f calls itself"},
+    {"recursion_by_defined_alias", "#define g f\nfloat g(float x) { return f(x); }\n", "f calls itself"},
+    {"recursion_behind_condition", "#if 0\n#define f(x) (x)\n#endif\nfloat f(float x) { return f(x); }\n",
+     "a.glsl:2: a #define that depends on a condition"},
+    {"undef_behind_condition", "#define f(x) (x)\n#if 1\n#undef f\n#endif\n", "a #undef that depends"},
+    {"define_behind_guard", "#define A 1\n#ifndef A\n#define f(x) (x)\n#endif\n", "depends on a condition"},
+    {"define_behind_else", "#ifndef A\n#else\n#define f(x) (x)\n#endif\n", "depends on a condition"},
+    {"alias_bomb",
+     "#define D(x) ((x)+(x))\n#define G D\nfloat f(float x) { return " + repeated("G(", 30) + "x"
+         + repeated(")", 30) + "; }\n",
+     "100000 tokens"},
+    {"bomb_of_nothing", "#define E0\n" + empty_macros(40) + "E40\nfloat x;\n", "100000 tokens"},
+    {"bomb_in_condition", doubling_macros(40) + "#if M39 > 1\n#endif\n", "100000 tokens"},
+    {"macro_in_itself", "#define A A + 1.0\nfloat x = A;\n", "the macro A is used within itself"},
+    {"macro_without_arguments", "#define F(x) (x)\nfloat y = F;\n", "the macro F without its arguments"},
+    {"many_parameters", "#define F(...) 1.0\nfloat y = F(1);\n", ". among the parameters"},
+    {"deep_brackets_by_macros",
+     "#define P(x) " + repeated("(", 30) + "x" + repeated(")", 30) + "\nfloat x = P(P(P(1.0)));\n",
+     "deeper than 64"},
+    {"long_statement_by_macros", doubling_macros(12), "more than 2000 words"},
+    {"output_by_macro", "#define O out\nO vec4 color;\n", "out outside a function's parameters"},
+    {"built_in", "float max(float a, float b) { return a; }\n", "a.glsl:1: max is a function of GLSL"},
+    {"built_in_overload", "float dot(float a, vec2 b);\n", "dot is a function of GLSL"},
+    {"built_in_of_arrays", "float[2] pow(float[2] a) { return a; }\n", "pow is a function of GLSL"},
+    {"built_in_by_macro", "#define g max\nfloat g(float a, float b) { return a; }\n",
+     "max is a function of GLSL"},
+    {"built_in_type", "struct mix { float x; };\n", "mix is a function of GLSL"},
+    {"built_in_variable", "const float x = 1.0; float sqrt;\n", "sqrt is a function of GLSL"},
+    {"array_of_arrays", "void f() { float a[4096][4096]; }\n", "arrays of"},
+    {"array_of_its_type", "void f() { float[4096] a[4096]; }\n", "arrays of"},
+    {"many_arrays", "void f() { " + many_arrays(200) + "}\n", "arrays of"},
+    {"arrays_on_a_line", "float a[4096], b[4096], c[4096], d[4096], e[4096];\n", "arrays of"},
+    {"array_of_structs", "struct S { mat4 a[64]; };\nS s[64];\n", "arrays of"},
+    {"array_behind_a_struct", "struct { mat4 a; } s[2048];\n", "arrays of"},
+    {"array_of_a_product", "const int n = 4096;\nfloat a[n * n];\n", "neither a number nor a constant"},
+    {"array_of_a_computed_constant", "const int n = 4096 * 4096;\nfloat a[n];\n",
+     "neither a number nor a constant"},
+    {"array_of_the_second_constant", "const int m = 4, n = 1000000;\nfloat a[n];\n", "arrays of"},
+    {"array_size_by_macro", "#define N 100000000\nfloat a[N];\n", "above 4096"},
+    {"arrays_by_calls",
+     "float f() { float a[1024]; return a[1]; }\nfloat g() { return " + repeated("f() + ", 20) + "1.0; }\n",
+     "arrays of"},
     {"image_store", "void f() { imageStore(i, ivec2(0), vec4(1.0)); }\n", "imageStore is not allowed"},
     {"image", "image2D i;\n", "image2D is not allowed"},
     {"unsigned_image", "uimageBuffer i;\n", "uimageBuffer is not allowed"},
@@ -156,6 +217,13 @@ const Test passes("unit.glsl.untrusted.passes", [] {
           "float f(float x) { return x; }\nvec3 f(vec3 v) { return vec3(f(v.x), f(v.y), f(v.z)); }\n",
           "#ifdef A\nfloat f() { return 1.0; }\n#else\nfloat f() { return 2.0; }\n#endif\n",
           "void f(in float x, inout vec3 y, out float z) { z = x + y.x; }\n",
+          "#ifndef MINE\n#define MINE\n#define N 4\nconst int m = 8;\nfloat f(float a[N]) { float max = "
+          "a[0], b[m]; b[1] = "
+          "a[N - 1]; return max * b[1]; }\nfloat g() { return f(float[](1.0, 2.0, 3.0, 4.0)); }\n#endif\n",
+          "#define sq(x) ((x) * (x))\n#if defined(sq) && 1\nconst float a = "
+          "sqrt(sq(sq(2.0)));\n#endif\n#undef sq\nfloat "
+          "sq(float x) { return x * x; }\nstruct S { vec3 n, t; float a[3]; };\nS f(in S s) { S r = s; "
+          "return r; }\n",
           "const float table[3] = float[](1.0, 2.0, .5e-3);\nstruct A { float x; };\nfloat imagery, atomics, "
           "images;\n",
           "float f() { return gl_FragCoord.x; }"})
@@ -207,6 +275,26 @@ const Test expanded_lines("unit.glsl.untrusted.keeps_the_places_of_lines", [] {
     EXPECT_EQ(source.location(line).text(), "theirs/a.glsl:2");
     EXPECT_TRUE(source.text.starts_with("#version 410 core\n"));
     EXPECT_NE(source.text.find("steradian_main(); if (steradian_stopped != 0) film ="), std::string::npos);
+});
+
+const Test several_files("unit.glsl.untrusted.writes_calls_out_across_files", [] {
+    const auto roots = [](const std::string& a, const std::string& b) {
+        return std::vector{
+            Root::memory("one", {{"a.glsl", a}}).untrusted(),
+            Root::memory("two", {{"b.glsl", b}}).untrusted(),
+            Root::memory("ours", {{"main.frag", "#version 410 core\n#include \"a.glsl\"\n#include "
+                                                "\"b.glsl\"\nvoid main() { }\n"}})};
+    };
+    EXPECT_NO_THROW(expand(
+        roots("float f(float x) { return x; }\n", "float g(float x) { return f(f(x)); }\n"), "main.frag"));
+    EXPECT_THROW(expand(roots(doubling_functions(9), "float g(float x) { return " + repeated("f8(", 40) + "x"
+                                                         + repeated(")", 40) + "; }\n"),
+                        "main.frag"),
+                 Error);
+    EXPECT_THROW(expand(roots("float g(float x);\nfloat f(float x) { return g(x); }\n",
+                              "float g(float x) { return f(x); }\n"),
+                        "main.frag"),
+                 Error);
 });
 
 const Test only_glsl("unit.glsl.untrusted.serves_glsl_files_alone", [] {
