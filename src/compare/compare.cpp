@@ -148,7 +148,7 @@ struct JudgedLayer {
     std::vector<double> floors;
 };
 
-/// What is said of the layers beside the picture.
+/// The layers beside the picture that were judged.
 struct LayerCount {
     std::size_t compared = 0;
     std::string without_noise; // those that a tolerance judges, though noise is given

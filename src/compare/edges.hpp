@@ -14,7 +14,7 @@ inline constexpr double max_share_at_edges = 1e-3; // of the pixels of a small i
 inline constexpr int edge_window = 64;             // [pixels] edge
 inline constexpr int max_at_edges_nearby = 12;     // in any such window
 inline constexpr std::size_t max_edge_cluster = 4; // pixels that touch one another
-inline constexpr std::size_t max_in_line = 8;      // in one row or column
+inline constexpr std::size_t max_in_line = 12;     // in one row or column
 inline constexpr std::size_t max_in_rhythm = 3;    // the same, where all distances are equal
 
 /// The largest distance of the old value from those around it, as a share of the change.

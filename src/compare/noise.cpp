@@ -170,8 +170,8 @@ bool all_know(const std::vector<Noise>& noise, std::optional<Image> Noise::*laye
                                [&](const Noise& n) { return n.is_number() || (n.*layer).has_value(); });
 }
 
-/// How many times the variance of independent pixels the sum over a block has (or over the image), of whose
-/// mean the layer holds the standard error; no less than 1.
+/// Returns how many times the variance of independent pixels the sum over a block (or the image) has, of
+/// whose mean the layer holds the standard error; no less than 1.
 double likeness(const Deviation& whole, const std::vector<Noise>& noise, std::optional<Image> Noise::*layer,
                 std::size_t pixel, std::size_t color) {
     double variance = 0.0;

@@ -63,10 +63,18 @@ Damage with_layers(const std::function<void(Mutant&)>& change) {
     };
 }
 
+/// The place in a row where a channel is largest, with `edge` pixels to its right.
+int brightest_in_row(const Image& image, int row, std::size_t channel, int edge) {
+    int best = 0;
+    for (int x = 0; x + edge < image.width; ++x)
+        if (image.at(x, row)[channel] > image.at(best, row)[channel]) best = x;
+    return best;
+}
+
 Damage in_channel(std::size_t channel, int edge, float factor) {
     return with_layers([=](Mutant& m) {
-        for (int k = 0; k < edge * edge; ++k)
-            m.test.at(m.test.width / 2 + k % edge, m.test.height * 4 / 5 + k / edge)[channel] *= factor;
+        const int top = m.test.height * 4 / 5, left = brightest_in_row(m.test, top, channel, edge);
+        for (int k = 0; k < edge * edge; ++k) m.test.at(left + k % edge, top + k / edge)[channel] *= factor;
     });
 }
 
@@ -128,7 +136,8 @@ std::vector<Recipe> wrong_interface_details() {
     const std::array<const char*, 5> columns{"column_of_paper_20", "column_of_paper_41", "column_of_paper_62",
                                              "column_of_paper_75", "column_of_paper_120"};
     const std::array<int, 5> at{20, 41, 62, 75, 120};
-    for (std::size_t k = 0; k < at.size(); ++k) list.push_back(detail(base, columns[k], column_of_paper(at[k])));
+    for (std::size_t k = 0; k < at.size(); ++k)
+        list.push_back(detail(base, columns[k], column_of_paper(at[k])));
     list.push_back(detail(base, "row_of_paper", [](Mutant& m) {
         for (int x = 0; x < m.test.width; ++x) std::ranges::fill(m.test.at(x, 133), 247.0f / 255.0f);
     }));
@@ -147,20 +156,19 @@ std::vector<Recipe> wrong_photo_details() {
                        for (float& v : m.test.pixels) v = std::max(v - 1.0f / 255.0f, 0.0f);
                        in_block(0.5f, 0.5f, 7, [](auto p, int, int) { std::ranges::fill(p, 0.0f); })(m);
                    }),
-            detail(base, "hole_beside_a_mask",
-                   [](Mutant& m) {
-                       Image mask(m.reference.width, m.reference.height, 1);
-                       std::ranges::fill(mask.pixels, 1.0f);
-                       for (int x = 0; x < mask.width; ++x)
-                           for (int y = 50; y < 53; ++y) mask.at(x, y)[0] = 0.0f;
-                       for (int x = 60; x < 70; ++x)
-                           for (int y = 48; y < 53; ++y) {
-                               std::ranges::fill(m.reference.at(x, y), y < 50 ? 0.8f : 0.2f);
-                               std::ranges::copy(m.reference.at(x, y), m.test.at(x, y).begin());
-                           }
-                       std::ranges::fill(m.test.at(64, 49), 0.2f); // explained by masked pixels alone
-                       m.options.mask = mask;
-                   })};
+            detail(base, "hole_beside_a_mask", [](Mutant& m) {
+                Image mask(m.reference.width, m.reference.height, 1);
+                std::ranges::fill(mask.pixels, 1.0f);
+                for (int x = 0; x < mask.width; ++x)
+                    for (int y = 50; y < 53; ++y) mask.at(x, y)[0] = 0.0f;
+                for (int x = 60; x < 70; ++x)
+                    for (int y = 48; y < 53; ++y) {
+                        std::ranges::fill(m.reference.at(x, y), y < 50 ? 0.8f : 0.2f);
+                        std::ranges::copy(m.reference.at(x, y), m.test.at(x, y).begin());
+                    }
+                std::ranges::fill(m.test.at(64, 49), 0.2f); // explained by masked pixels alone
+                m.options.mask = mask;
+            })};
 }
 
 std::vector<Recipe> wrong_render_details() {
@@ -201,22 +209,24 @@ std::vector<Recipe> wrong_render_details() {
                    })),
             detail(base, "noise_and_layer_5_times", with_layers(with_noise(five_times_the_key))),
             detail(base, "noise_and_layer_pixel", with_layers(with_noise([](Mutant& m) {
-                       m.test.at(m.test.width / 2, m.test.height * 4 / 5)[5] *= 1.5f;
+                       const int row = m.test.height * 4 / 5;
+                       m.test.at(brightest_in_row(m.test, row, 5, 1), row)[5] *= 1.5f;
                    }))),
-            detail(base, "0.3_percent_and_a_hole",
-                   [](Mutant& m) {
-                       m.test = scaled(m.test, 1.003f);
-                       in_block(0.5f, 0.8f, 3, [](auto p, int, int) { std::ranges::fill(p, 0.0f); })(m);
-                   },
-                   ""),
-            detail(base, "last_bits_and_alpha_opaque",
-                   [](Mutant& m) {
-                       m.test = scaled(m.test, 1.00001f);
-                       for (std::size_t p = 3; p < m.test.pixels.size(); p += 4) m.test.pixels[p] = 1.0f;
-                   },
-                   "alpha_lost"),
-            detail(base, "0.3_percent_and_layer_5_times",
-                   with_layers([=](Mutant& m) {
+            detail(
+                base, "0.3_percent_and_a_hole",
+                [](Mutant& m) {
+                    m.test = scaled(m.test, 1.003f);
+                    in_block(0.5f, 0.8f, 3, [](auto p, int, int) { std::ranges::fill(p, 0.0f); })(m);
+                },
+                ""),
+            detail(
+                base, "last_bits_and_alpha_opaque",
+                [](Mutant& m) {
+                    m.test = scaled(m.test, 1.00001f);
+                    for (std::size_t p = 3; p < m.test.pixels.size(); p += 4) m.test.pixels[p] = 1.0f;
+                },
+                "alpha_lost"),
+            detail(base, "0.3_percent_and_layer_5_times", with_layers([=](Mutant& m) {
                        m.test = scaled(m.test, 1.003f);
                        five_times_the_key(m);
                    }),
