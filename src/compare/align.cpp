@@ -208,6 +208,14 @@ AlignedImages align(const Image& test, const Image& reference, const CompareOpti
     return images;
 }
 
+AlignedImages alpha_of(const AlignedImages& images) {
+    AlignedImages alpha = images;
+    alpha.colors = 1;
+    alpha.test = extract(images.test, {images.colors});
+    alpha.reference = extract(images.reference, {images.colors});
+    return alpha;
+}
+
 AlignedImages align(const Image& test, const Image& reference, const OtherLayer& layer,
                     const CompareOptions& options) {
     AlignedImages images;
@@ -236,8 +244,9 @@ std::vector<OtherLayer> other_layers(const Image& test, const Image& reference) 
         const auto dot = names[i].rfind('.');
         const std::string name = dot == std::string::npos ? std::string() : names[i].substr(0, dot);
         auto layer = std::ranges::find(layers, name, &OtherLayer::name);
-        if (layer == layers.end()) layer = layers.insert(layers.end(), OtherLayer{name, {}, {}, {}});
+        if (layer == layers.end()) layer = layers.insert(layers.end(), OtherLayer{name, {}, {}, {}, {}});
         if (const auto found = index_of(test_names, names[i])) {
+            layer->channels.push_back(names[i]);
             layer->reference.push_back(channel);
             layer->test.push_back(*found);
         } else {

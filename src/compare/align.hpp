@@ -62,9 +62,10 @@ private:
 /// empty).
 struct OtherLayer {
     std::string name;
-    std::vector<int> reference;       // channels
-    std::vector<int> test;            // the same; without those in `missing`
-    std::vector<std::string> missing; // channels that the test lacks
+    std::vector<std::string> channels; // their names in the reference, of those that both have
+    std::vector<int> reference;        // channels
+    std::vector<int> test;             // the same; without those in `missing`
+    std::vector<std::string> missing;  // channels that the test lacks
 };
 
 /// The layers of the reference beside the picture, in the file's order.
@@ -81,6 +82,9 @@ std::string incompatibility(const image::Image& test, const image::Image& refere
 /// Aligns two compatible images.
 /// @throws Error if the region lies outside or the mask has another size, or if they leave no pixel.
 AlignedImages align(const image::Image& test, const image::Image& reference, const CompareOptions& options);
+
+/// The alpha of both images, as a grey picture. Both have it.
+AlignedImages alpha_of(const AlignedImages& images);
 
 /// Aligns the channels that both images have of one of the reference's other layers. Values that are not
 /// finite and equal are as good as finite ones.

@@ -60,19 +60,26 @@ void measure_appearance(const AlignedImages& images, const CompareOptions& optio
     measurements.metrics.hdr_flip = mean_over(measurements.hdr_flip, images);
 }
 
+bool limits_appearance(const Tolerance& tolerance) {
+    return tolerance.measure == Measure::flip || tolerance.measure == Measure::hdr_flip
+           || tolerance.measure == Measure::ssim;
+}
+
 Measurements measure(const AlignedImages& images, const CompareOptions& options) {
     Measurements measurements;
     measure_differences(images, measurements.metrics);
     if (images.compared.empty()) return measurements;
     measurements.abs = absolute_differences(images);
-    measurements.rel = relative_differences(images, measurements.metrics.floor);
+    measurements.floors.assign(static_cast<std::size_t>(images.colors), measurements.metrics.floor);
+    measurements.rel = relative_differences(images, measurements.floors);
     if (!options.noise.empty()) {
-        measurements.noise = score_noise(images, options.noise);
+        measurements.noise = score_noise(images, options.noise, {});
         measurements.metrics.max_z = std::ranges::max(measurements.noise->pixels);
         measurements.metrics.max_block_z = measurements.noise->max_block;
         measurements.metrics.total_z = measurements.noise->total;
     }
-    measure_appearance(images, options, measurements);
+    if (options.measures_appearance || std::ranges::any_of(options.tolerances, limits_appearance))
+        measure_appearance(images, options, measurements);
     return measurements;
 }
 
@@ -93,6 +100,20 @@ Verdict judge_finite(const AlignedImages& images, bool nonfinite_is_allowed) {
                         count > 0 && nonfinite_is_allowed ? ", which is allowed" : "")};
 }
 
+/// Fills in what follows from the errors over the limits, which it returns.
+PixelValues finish_measurements(const AlignedImages& images, const std::vector<Tolerance>& tolerances,
+                                const std::vector<Tolerance>& by_pixel, Measurements& measurements) {
+    measurements.even_energy_ratios =
+        energy_ratios(images, pixels_at_edges(images, measurements, tolerances));
+    PixelValues errors = errors_over_limits(images, measurements, by_pixel);
+    std::vector<bool> fails;
+    for (const float error : errors) fails.push_back(!(error <= 1.0f));
+    measurements.metrics.failing_fraction =
+        static_cast<double>(std::ranges::count(fails, true)) / static_cast<double>(fails.size());
+    measurements.metrics.density = densest_window(images, fails, density_window).share;
+    return errors;
+}
+
 void judge(const AlignedImages& images, Measurements& measurements, const CompareOptions& options,
            Comparison& comparison) {
     comparison.verdicts.push_back(judge_finite(images, options.allow_nonfinite));
@@ -102,72 +123,106 @@ void judge(const AlignedImages& images, Measurements& measurements, const Compar
         return;
     }
     const auto tolerances = tolerances_in_use(options);
-    measurements.even_energy_ratio = energy_ratios(images, pixels_at_edges(images, measurements, tolerances));
     const PixelValues errors =
-        errors_over_limits(images, measurements, pixel_tolerances(tolerances, options));
-    std::vector<bool> fails;
-    for (const float error : errors) fails.push_back(!(error <= 1.0f));
-    measurements.metrics.failing_fraction =
-        static_cast<double>(std::ranges::count(fails, true)) / static_cast<double>(fails.size());
-    measurements.metrics.density = densest_window(images, fails);
+        finish_measurements(images, tolerances, pixel_tolerances(tolerances, options), measurements);
     for (const Tolerance& tolerance : tolerances)
         comparison.verdicts.push_back(judge(tolerance, images, measurements));
     comparison.error = error_map(images, errors);
 }
 
-/// The limits on rel and abs, which are for any channel; the default ones if there are none.
+/// The limits for layers: those of the picture that are neither on its appearance nor on its noise, and the
+/// default ones on pixels if none of these is left.
 std::vector<Tolerance> layer_tolerances(const CompareOptions& options) {
     std::vector<Tolerance> tolerances = tolerances_in_use(options);
     std::erase_if(tolerances,
-                  [](const Tolerance& t) { return t.measure != Measure::rel && t.measure != Measure::abs; });
-    return tolerances.empty() ? default_tolerances(options.encoding, false, options.bits) : tolerances;
+                  [](const Tolerance& t) { return limits_appearance(t) || t.measure == Measure::z; });
+    if (std::ranges::any_of(tolerances, &Tolerance::by_pixel)) return tolerances;
+    for (const Tolerance& tolerance : default_tolerances(options.encoding, false, options.bits))
+        if (tolerance.by_pixel || tolerances.empty()) tolerances.push_back(tolerance);
+    return tolerances;
 }
 
-/// Judges one of the reference's other layers, and adds its errors to the error map.
-void judge_layer(const AlignedImages& images, const std::string& name, const CompareOptions& options,
-                 Comparison& comparison) {
-    const std::string prefix = name.empty() ? "other channels: " : fmt::format("layer {}: ", name);
-    Verdict finite = judge_finite(images, options.allow_nonfinite);
-    if (!finite.passed) comparison.verdicts.push_back({false, prefix + finite.line});
+/// A layer beside the picture, or its alpha.
+struct JudgedLayer {
+    std::string title;                 // "layer key"
+    std::vector<std::string> channels; // by which a noise image names its errors
+    AlignedImages images;
+    std::vector<double> floors;
+};
+
+/// The layers beside the picture that were judged.
+struct LayerCount {
+    std::size_t compared = 0;
+    std::string without_noise; // those that a tolerance judges, though noise is given
+};
+
+/// Judges a layer by its own noise if that is given, else by the tolerances, and adds its errors to the error
+/// map.
+void judge_layer(const JudgedLayer& layer, const CompareOptions& options, Comparison& comparison,
+                 LayerCount& count) {
+    const AlignedImages& images = layer.images;
+    ++count.compared;
+    const std::vector<Image> noise = noise_of(options.noise, layer.channels);
+    if (noise.empty() && !options.noise.empty())
+        count.without_noise += (count.without_noise.empty() ? "" : ", ") + layer.title;
+    const auto add = [&](const Verdict& verdict) {
+        if (!verdict.passed)
+            comparison.verdicts.push_back(
+                {false, fmt::format("{}{}: {}", layer.title,
+                                    noise.empty() && !options.noise.empty() ? " (of unknown noise)" : "",
+                                    verdict.line)});
+    };
+    add(judge_finite(images, options.allow_nonfinite));
     if (images.compared.empty()) return;
     Measurements measurements;
-    measurements.metrics.floor = relative_floor(images);
+    measure_differences(images, measurements.metrics);
+    measurements.floors = layer.floors;
     measurements.abs = absolute_differences(images);
-    measurements.rel = relative_differences(images, measurements.metrics.floor);
+    measurements.rel = relative_differences(images, measurements.floors);
     std::vector<Tolerance> tolerances = layer_tolerances(options);
-    std::erase_if(tolerances, [](const Tolerance& t) { return !t.by_pixel; });
-    for (const Tolerance& tolerance : tolerances) {
-        const Verdict verdict = judge(tolerance, images, measurements);
-        if (!verdict.passed) comparison.verdicts.push_back({false, prefix + verdict.line});
+    if (!noise.empty()) {
+        measurements.noise = score_noise(images, noise, layer.channels);
+        tolerances = default_tolerances(options.encoding, true);
     }
-    const PixelValues errors = errors_over_limits(images, measurements, tolerances);
+    const PixelValues errors = finish_measurements(images, tolerances, tolerances, measurements);
+    for (const Tolerance& tolerance : tolerances) add(judge(tolerance, images, measurements));
     for (std::size_t k = 0; k < errors.size(); ++k) {
         float& error = comparison.error.pixels[images.compared[k]];
         if (error >= 0.0f) error = std::max(error, errors[k]);
     }
 }
 
-/// Judges all channels of the reference but the picture's colours: none may be missing. Noise is known of the
-/// picture alone: with it, other layers only must be there.
-void judge_other_channels(const Image& test, const Image& reference, const CompareOptions& options,
-                          Comparison& comparison) {
+/// Judges all channels of the reference but the picture's colours: none may be missing. Without known noise
+/// alpha is judged with the colours.
+void judge_other_channels(const AlignedImages& images, const Image& test, const Image& reference,
+                          const CompareOptions& options, Comparison& comparison) {
     std::string missing = lacks_alpha(test, reference, options.layer) ? "alpha" : "";
-    std::size_t compared = 0, failing = comparison.verdicts.size();
+    const std::size_t before = comparison.verdicts.size();
+    LayerCount count;
+    if (!options.noise.empty() && images.reference.channels > images.colors) {
+        const std::string name = options.layer.empty() ? "A" : options.layer + ".A";
+        judge_layer({"alpha", {name}, alpha_of(images), {1.0}}, options, comparison, count);
+    }
     if (options.layer.empty())
         for (const OtherLayer& layer : other_layers(test, reference)) {
             const auto& wanted = options.other_layers;
             if (wanted && std::ranges::find(*wanted, layer.name) == wanted->end()) continue;
             for (const std::string& channel : layer.missing)
                 missing += (missing.empty() ? "" : ", ") + channel;
-            if (layer.reference.empty() || !options.noise.empty()) continue;
-            judge_layer(align(test, reference, layer, options), layer.name, options, comparison);
-            ++compared;
+            if (layer.reference.empty()) continue;
+            const AlignedImages both = align(test, reference, layer, options);
+            judge_layer({layer.name.empty() ? "other channels" : "layer " + layer.name, layer.channels, both,
+                         channel_floors(both)},
+                        options, comparison, count);
         }
     if (!missing.empty())
         comparison.verdicts.push_back({false, "all channels of the reference: the test lacks " + missing});
-    else if (compared > 0 && failing == comparison.verdicts.size())
+    else if (count.compared > 0 && before == comparison.verdicts.size())
         comparison.verdicts.push_back(
-            {true, fmt::format("other layers: {} of {} agree", compared, compared)});
+            {true, fmt::format("other layers: {0} of {0} agree{1}", count.compared,
+                               count.without_noise.empty()
+                                   ? ""
+                                   : "; of unknown noise, so by the tolerance: " + count.without_noise)});
 }
 
 } // namespace
@@ -202,12 +257,18 @@ Comparison compare(const Image& test, const Image& reference, const CompareOptio
     const AlignedImages images = align(test, reference, options);
     Measurements measurements = measure(images, options);
     judge(images, measurements, options, comparison);
-    judge_other_channels(test, reference, options, comparison);
+    const bool is_wrong_as_a_whole =
+        std::ranges::any_of(tolerances_in_use(options), [&](const Tolerance& tolerance) {
+            return !images.compared.empty() && !tolerance.by_pixel
+                   && !judge(tolerance, images, measurements).passed;
+        });
+    const Image picture_error = comparison.error; // a layer's errors have no cause in the picture
+    judge_other_channels(images, test, reference, options, comparison);
     comparison.passed = std::ranges::all_of(comparison.verdicts, &Verdict::passed);
     comparison.metrics = measurements.metrics;
-    if (!comparison.passed && !images.compared.empty())
-        comparison.diagnosis = diagnose(images, comparison.error, test, reference, options,
-                                        measurements.noise ? &measurements.noise->pixels : nullptr);
+    if (!comparison.passed && options.diagnoses && !images.compared.empty())
+        comparison.diagnosis = diagnose({images, picture_error, test, reference, is_wrong_as_a_whole, options,
+                                         measurements.noise ? &measurements.noise->pixels : nullptr});
     return comparison;
 }
 

@@ -36,13 +36,15 @@ std::vector<float> as_light(const image::Image& image, std::size_t colors, Encod
     return light;
 }
 
-/// True if the reference varies by half over these pixels: otherwise any factor fits any change.
-bool varies(const DiagnosisInput& in, const std::vector<std::size_t>& pixels) {
+/// True if the reference varies by half over these pixels, but for a share of them: otherwise any factor fits
+/// any change.
+bool varies(const DiagnosisInput& in, const std::vector<std::size_t>& pixels, double but_for) {
     std::vector<float> values;
     for (const std::size_t i : pixels)
         for (std::size_t c = 0; c < in.colors; ++c) values.push_back(in.r(i, c));
     std::ranges::sort(values);
-    const float low = values[values.size() / 10], high = values[values.size() - 1 - values.size() / 10];
+    const auto left_out = static_cast<std::size_t>(but_for * static_cast<double>(values.size()));
+    const float low = values[left_out], high = values[values.size() - 1 - left_out];
     return high > 1.5f * std::max(low, in.floor);
 }
 
@@ -96,7 +98,7 @@ std::optional<DiagnosisInput> failing_input(const DiagnosisInput& whole, const A
     if (failing.size() < min_failing) return std::nullopt;
     if (static_cast<double>(failing.size()) > nearly_all * static_cast<double>(images.compared.size()))
         return std::nullopt;
-    if (!varies(whole, failing)) return std::nullopt;
+    if (!varies(whole, failing, 0.1)) return std::nullopt;
     DiagnosisInput in = whole;
     in.is_whole = false;
     in.where = region_text(failing, static_cast<std::size_t>(whole.width), images.compared.size());
@@ -170,20 +172,32 @@ std::optional<Diagnosis> half_overflow(const Image& error, const Image& test, co
         {}};
 }
 
+/// True if two colours differ by no more than the default limits.
+bool agree(float t, float r, double floor, Encoding encoding) {
+    const float limit = encoding == Encoding::display_referred
+                            ? 0.0079f
+                            : 0.01f * std::max(std::abs(r), static_cast<float>(floor));
+    return std::abs(t - r) <= limit;
+}
+
 /// Alpha is gone from the test, or the same everywhere, and the colours agree.
-std::optional<Diagnosis> lost_alpha(const AlignedImages& images, const Image& error, const Image& test,
-                                    const Image& reference, const std::string& layer) {
-    if (lacks_alpha(test, reference, layer) && std::ranges::none_of(error.pixels, fails))
+std::optional<Diagnosis> lost_alpha(const Failure& failure) {
+    const AlignedImages& images = failure.images;
+    if (lacks_alpha(failure.test, failure.reference, failure.options.layer)
+        && std::ranges::none_of(failure.error.pixels, fails))
         return Diagnosis{"alpha_lost", "the test has no alpha, the colours agree", 0.0, {}};
     if (images.reference.channels == images.colors) return std::nullopt;
+    constexpr float same_alpha = 0.002f; // half a code of 8 bits
     const auto alpha = static_cast<std::size_t>(images.colors);
     const float first = images.test_at(images.compared.front())[alpha];
+    const double floor = relative_floor(images);
     bool varies = false;
     for (const std::size_t i : images.compared) {
-        if (images.test_at(i)[alpha] != first) return std::nullopt;
-        varies = varies || images.reference_at(i)[alpha] != first;
+        if (std::abs(images.test_at(i)[alpha] - first) > same_alpha) return std::nullopt;
+        varies = varies || std::abs(images.reference_at(i)[alpha] - first) > same_alpha;
         for (std::size_t c = 0; c < alpha; ++c)
-            if (images.test_at(i)[c] != images.reference_at(i)[c]) return std::nullopt;
+            if (!agree(images.test_at(i)[c], images.reference_at(i)[c], floor, failure.options.encoding))
+                return std::nullopt;
     }
     if (!varies) return std::nullopt;
     return Diagnosis{"alpha_lost",
@@ -192,34 +206,45 @@ std::optional<Diagnosis> lost_alpha(const AlignedImages& images, const Image& er
                      {}};
 }
 
-} // namespace
+/// The share of the difference that lies in failing pixels.
+double failing_share(const DiagnosisInput& in, const Image& error) {
+    double all = 0.0, failing = 0.0;
+    for (const std::size_t i : in.fitted)
+        for (std::size_t c = 0; c < in.colors; ++c) {
+            const auto distance = static_cast<double>(in.distance(in.t(i, c), in.r(i, c)));
+            all += distance;
+            failing += error.pixels[i] > 1.0f ? distance : 0.0;
+        }
+    return all > 0.0 ? failing / all : 0.0;
+}
 
-std::optional<Diagnosis> diagnose(const AlignedImages& images, const Image& error, const Image& test,
-                                  const Image& reference, const CompareOptions& options,
-                                  const PixelValues* z) {
-    if (auto found = half_overflow(error, test, reference, options.layer)) return found;
-    if (auto found = lost_alpha(images, error, test, reference, options.layer)) return found;
-    const DiagnosisInput whole = whole_input(images, options.encoding, z);
-    if (whole.floor == 0.0f) return std::nullopt; // a black reference explains nothing
-    if (z && whole.pixels.size() < min_significant) return std::nullopt;
+/// The mistakes of a whole image that may be the cause.
+Hypotheses tried_on_all(const DiagnosisInput& in, const Failure& failure) {
+    constexpr double small_part = 0.01; // a picture of one colour with a lamp is still of one colour
     Hypotheses tried;
-    hypotheses_blank(whole, tried);
-    hypotheses_blank_part(whole, tried);
-    hypotheses_factors(whole, tried);
-    hypotheses_curves(whole, tried);
-    hypotheses_channel_orders(whole, tried);
-    hypotheses_geometric(whole, tried);
-    if (options.layer.empty() && options.encoding == Encoding::scene_referred) {
-        hypotheses_lights(whole, reference, tried);
-        hypotheses_terms(whole, reference, tried);
+    hypotheses_blank(in, tried);
+    hypotheses_blank_part(in, tried);
+    hypotheses_factors(in, tried);
+    hypotheses_curves(in, tried);
+    hypotheses_channel_orders(in, tried);
+    hypotheses_geometric(in, tried);
+    if (failure.options.layer.empty() && failure.options.encoding == Encoding::scene_referred) {
+        hypotheses_lights(in, failure.reference, tried);
+        hypotheses_terms(in, failure.reference, tried);
     }
-    if (z)
+    if (failure.z)
         std::erase_if(tried, [](const Hypothesis& h) {
             return h.degrees_of_freedom > max_freedom_without_fits && !h.fits_all_pixels;
         });
-    if (auto diagnosis = best_of(tried, z != nullptr); diagnosis || z) return diagnosis;
+    if (!varies(in, in.fitted, small_part))
+        std::erase_if(tried,
+                      [](const Hypothesis& h) { return h.degrees_of_freedom > max_freedom_without_fits; });
+    return tried;
+}
 
-    const auto failing = failing_input(whole, images, error);
+/// The mistake that explains the failing pixels, where it acts within a pixel.
+std::optional<Diagnosis> cause_of_failing(const DiagnosisInput& whole, const Failure& failure) {
+    const auto failing = failing_input(whole, failure.images, failure.error);
     if (!failing) return std::nullopt;
     Hypotheses local;
     hypotheses_blank_part(*failing, local);
@@ -228,6 +253,25 @@ std::optional<Diagnosis> diagnose(const AlignedImages& images, const Image& erro
     hypotheses_channel_orders(*failing, local);
     std::erase_if(local, [](const Hypothesis& h) { return h.diagnosis.residual > max_residual_of_fits; });
     return best_of(local);
+}
+
+} // namespace
+
+std::optional<Diagnosis> diagnose(const Failure& failure) {
+    constexpr double most_of_it = 0.5;
+    const AlignedImages& images = failure.images;
+    if (auto found = half_overflow(failure.error, failure.test, failure.reference, failure.options.layer))
+        return found;
+    if (auto found = lost_alpha(failure)) return found;
+    const DiagnosisInput whole = whole_input(images, failure.options.encoding, failure.z);
+    if (whole.floor == 0.0f) return std::nullopt; // a black reference explains nothing
+    if (failure.z && whole.pixels.size() < min_significant) return std::nullopt;
+    const bool is_of_all =
+        failure.z || failure.is_wrong_as_a_whole || failing_share(whole, failure.error) >= most_of_it;
+    if (is_of_all)
+        if (auto found = best_of(tried_on_all(whole, failure), failure.z != nullptr)) return found;
+    if (failure.z) return std::nullopt;
+    return cause_of_failing(whole, failure);
 }
 
 std::optional<Diagnosis> diagnose_unequal_sizes(const Image& test, const Image& reference,

@@ -3,20 +3,39 @@
 #include "compare/metrics.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
+#include <optional>
+#include <set>
 #include <unordered_set>
 
 namespace sr::compare {
 namespace {
 
-/// Calls `visit` with each pixel around the given one that lies inside the image.
+struct Offset {
+    int x = 0;
+    int y = 0;
+};
+
+/// The 8 neighbours, once around.
+constexpr std::array<Offset, 8> circle{
+    {{-1, -1}, {0, -1}, {1, -1}, {1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}}};
+
+/// The pixel beside the given one, if it lies inside the image and is compared.
+std::optional<std::size_t> beside(const AlignedImages& images, std::size_t pixel, Offset offset) {
+    const int width = images.reference.width;
+    const int x = static_cast<int>(pixel) % width + offset.x, y = static_cast<int>(pixel) / width + offset.y;
+    if (x < 0 || y < 0 || x >= width || y >= images.reference.height) return std::nullopt;
+    const std::size_t at = static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + x;
+    return images.pixels[at] == PixelState::compared ? std::optional(at) : std::nullopt;
+}
+
+/// Calls `visit` with each neighbour that is compared.
 template<typename Visit>
 void for_each_neighbour(const AlignedImages& images, std::size_t pixel, const Visit& visit) {
-    const int width = images.reference.width, height = images.reference.height;
-    const int x = static_cast<int>(pixel) % width, y = static_cast<int>(pixel) / width;
-    for (int v = std::max(y - 1, 0); v <= std::min(y + 1, height - 1); ++v)
-        for (int u = std::max(x - 1, 0); u <= std::min(x + 1, width - 1); ++u)
-            if (u != x || v != y) visit(static_cast<std::size_t>(v) * static_cast<std::size_t>(width) + u);
+    for (const Offset offset : circle)
+        if (const auto at = beside(images, pixel, offset)) visit(*at);
 }
 
 using PixelAt = std::span<const float> (AlignedImages::*)(std::size_t) const;
@@ -45,37 +64,80 @@ float distance(std::span<const float> a, std::span<const float> b) {
     return sum;
 }
 
-/// True if at least `count` neighbours in the reference resemble the old value and as many the new one.
-bool has_two_sides(const AlignedImages& images, std::size_t pixel, int count) {
-    int like_old = 0, like_new = 0;
-    for_each_neighbour(images, pixel, [&](std::size_t i) {
-        const float from_old = distance(images.reference_at(i), images.reference_at(pixel)),
-                    from_new = distance(images.reference_at(i), images.test_at(pixel));
-        like_old += from_old <= from_new;
-        like_new += from_new <= from_old;
-    });
-    return like_old >= count && like_new >= count;
+enum class Side { none, old_value, new_value };
+
+/// Gives a corner of the circle to the side of both pixels beside it: it touches the middle at a point only,
+/// and another surface may begin there.
+void settle_corners(std::array<Side, 8>& sides) {
+    for (std::size_t k = 0; k < 8; k += 2) {
+        const Side before = sides[(k + 7) % 8], after = sides[k + 1];
+        if (before == after && before != Side::none && sides[k] != Side::none) sides[k] = before;
+    }
 }
 
-/// The failing pixels that touch the given one, directly or through one another, with itself.
-std::vector<std::size_t> cluster_of(const AlignedImages& images, std::size_t pixel,
-                                    const std::unordered_set<std::size_t>& failing) {
+/// True if the neighbours on one side are one arc of the circle, long enough.
+bool is_one_arc(const std::array<Side, 8>& sides, Side side, int min_length) {
+    int arcs = 0;
+    for (std::size_t k = 0; k < 8; ++k) arcs += sides[k] == side && sides[(k + 7) % 8] != side;
+    return arcs == 1 && std::ranges::count(sides, side) >= min_length;
+}
+
+/// True if the neighbours that resemble the old value, and those that resemble the new one, are an arc each.
+bool has_two_sides(const AlignedImages& images, std::size_t pixel, PixelAt at, int min_length) {
+    std::array<Side, 8> sides{};
+    for (std::size_t k = 0; k < 8; ++k) {
+        const auto i = beside(images, pixel, circle[k]);
+        if (!i) continue;
+        const float from_old = distance((images.*at)(*i), images.reference_at(pixel)),
+                    from_new = distance((images.*at)(*i), images.test_at(pixel));
+        sides[k] = from_old <= from_new ? Side::old_value : Side::new_value;
+    }
+    settle_corners(sides);
+    return is_one_arc(sides, Side::old_value, min_length) && is_one_arc(sides, Side::new_value, min_length);
+}
+
+/// The number of failing pixels that touch the given one, directly or through one another, with itself.
+std::size_t cluster_of(const AlignedImages& images, std::size_t pixel,
+                       const std::unordered_set<std::size_t>& failing) {
     std::vector<std::size_t> cluster{pixel};
     for (std::size_t k = 0; k < cluster.size() && cluster.size() <= max_edge_cluster; ++k)
         for_each_neighbour(images, cluster[k], [&](std::size_t i) {
             if (failing.contains(i) && std::ranges::find(cluster, i) == cluster.end()) cluster.push_back(i);
         });
-    return cluster;
+    return cluster.size();
 }
 
 bool is_explained(const AlignedImages& images, std::size_t pixel,
                   const std::unordered_set<std::size_t>& failing, const Slack& slack) {
-    const std::size_t cluster = cluster_of(images, pixel, failing).size();
-    return cluster <= max_edge_cluster && has_two_sides(images, pixel, cluster == 1 ? 2 : 3)
+    const std::size_t cluster = cluster_of(images, pixel, failing);
+    const int min_length = cluster == 1 ? 2 : 3;
+    return cluster <= max_edge_cluster
+           && has_two_sides(images, pixel, &AlignedImages::reference_at, min_length)
+           && has_two_sides(images, pixel, &AlignedImages::test_at, min_length)
            && is_within_neighbours(images, pixel, images.test_at(pixel), &AlignedImages::reference_at, slack,
                                    0.0f)
            && is_within_neighbours(images, pixel, images.reference_at(pixel), &AlignedImages::test_at, slack,
                                    max_lost_share);
+}
+
+/// True if there are too many places in a line, or too many at equal distances, as no edge that fell to the
+/// other side has them. The places are sorted.
+bool are_too_many(const std::vector<std::size_t>& places) {
+    if (places.size() > max_in_line) return true;
+    if (places.size() <= max_in_rhythm || places[1] == places[0] + 1) return false; // a cluster has no rhythm
+    for (std::size_t k = 2; k < places.size(); ++k)
+        if (places[k] - places[k - 1] != places[1] - places[0]) return false;
+    return true;
+}
+
+bool are_in_line(const std::unordered_set<std::size_t>& pixels, std::size_t width) {
+    std::map<std::size_t, std::vector<std::size_t>> rows, columns;
+    for (const std::size_t i : std::set(pixels.begin(), pixels.end())) {
+        rows[i / width].push_back(i % width);
+        columns[i % width].push_back(i / width);
+    }
+    const auto fails = [](const auto& line) { return are_too_many(line.second); };
+    return std::ranges::any_of(rows, fails) || std::ranges::any_of(columns, fails);
 }
 
 } // namespace
@@ -93,9 +155,8 @@ EdgeJudgement judge_edges(const AlignedImages& images, const std::vector<bool>& 
         if (fails[k]) failing.insert(images.compared[k]);
     judgement.unexplained = static_cast<std::size_t>(std::ranges::count_if(
         failing, [&](std::size_t pixel) { return !is_explained(images, pixel, failing, slack); }));
-    const double window =
-        std::min(density_window, images.reference.width) * std::min(density_window, images.reference.height);
-    judgement.is_crowded = densest_window(images, fails) * window > max_at_edges_nearby + 0.5;
+    judgement.is_crowded = densest_window(images, fails, edge_window).most > max_at_edges_nearby;
+    judgement.is_in_line = are_in_line(failing, static_cast<std::size_t>(images.reference.width));
     return judgement;
 }
 

@@ -9,10 +9,13 @@ namespace sr::compare {
 
 // Caps on the pixels that edges explain. None of them grows with the image: damage does not become harmless
 // because more pixels surround it. Two drivers differ in a handful of pixels that lie apart from one another.
-inline constexpr std::size_t max_at_edges = 64;    // pixels of the image
+inline constexpr std::size_t max_at_edges = 48;    // pixels of the image
 inline constexpr double max_share_at_edges = 1e-3; // of the pixels of a small image
-inline constexpr int max_at_edges_nearby = 8;      // in any 16×16 window
+inline constexpr int edge_window = 64;             // [pixels] edge
+inline constexpr int max_at_edges_nearby = 12;     // in any such window
 inline constexpr std::size_t max_edge_cluster = 4; // pixels that touch one another
+inline constexpr std::size_t max_in_line = 12;     // in one row or column
+inline constexpr std::size_t max_in_rhythm = 3;    // the same, where all distances are equal
 
 /// The largest distance of the old value from those around it, as a share of the change.
 inline constexpr float max_lost_share = 0.5f;
@@ -26,7 +29,8 @@ struct EdgeJudgement {
     std::size_t unexplained = 0; // fail the image
     std::size_t max_count = 0;   // the cap on all failing pixels
     bool is_crowded = false;     // more than max_at_edges_nearby in a window
-    bool passes() const { return unexplained == 0 && failing <= max_count && !is_crowded; }
+    bool is_in_line = false;     // more than max_in_line or max_in_rhythm in a row or a column
+    bool passes() const { return unexplained == 0 && failing <= max_count && !is_crowded && !is_in_line; }
 };
 
 /// Judges the failing pixels. An edge explains a pixel if all of this is so:
@@ -37,8 +41,9 @@ struct EdgeJudgement {
 /// 2. Nothing disappeared, such as a wire or a small object: the reference's value lies within the range of
 ///    the test's 3×3 pixels, or near it in a picture with grain.
 ///
-/// 3. Both sides of the edge are there: of its 8 neighbours in the reference at least two resemble the old
-///    value, and at least two the new one. Where failing pixels touch it takes three of each.
+/// 3. Both sides of the edge are there, in the reference and in the test: on the circle of its 8 neighbours,
+///    those that resemble the old value are one arc of at least two, and those that resemble the new one are
+///    another; of three where failing pixels touch. A gap in a line has two arcs of the line's colour.
 ///
 /// 4. It touches at most three other failing pixels, directly or through one another.
 ///

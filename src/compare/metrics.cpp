@@ -56,6 +56,17 @@ double relative_floor(const AlignedImages& images) {
     return image::relative_floor(std::move(colors));
 }
 
+std::vector<double> channel_floors(const AlignedImages& images) {
+    std::vector<double> floors;
+    for (std::size_t c = 0; c < static_cast<std::size_t>(images.colors); ++c) {
+        std::vector<float> values;
+        for (const std::size_t i : images.compared) values.push_back(images.reference_at(i)[c]);
+        const double floor = image::relative_floor(std::move(values));
+        floors.push_back(floor > 0.0 ? floor : relative_floor(images));
+    }
+    return floors;
+}
+
 PixelValues absolute_differences(const AlignedImages& images) {
     PixelValues values;
     values.reserve(images.compared.size());
@@ -68,7 +79,7 @@ PixelValues absolute_differences(const AlignedImages& images) {
     return values;
 }
 
-PixelValues relative_differences(const AlignedImages& images, double floor) {
+PixelValues relative_differences(const AlignedImages& images, std::span<const double> floors) {
     PixelValues values;
     values.reserve(images.compared.size());
     for (const std::size_t i : images.compared) {
@@ -76,7 +87,7 @@ PixelValues relative_differences(const AlignedImages& images, double floor) {
         double largest = 0.0;
         for (std::size_t c = 0; c < r.size(); ++c) {
             const bool is_color = static_cast<int>(c) < images.colors;
-            const double scale = is_color ? std::max(std::abs(static_cast<double>(r[c])), floor) : 1.0;
+            const double scale = is_color ? std::max(std::abs(static_cast<double>(r[c])), floors[c]) : 1.0;
             largest =
                 std::max(largest, relative(static_cast<double>(t[c]) - static_cast<double>(r[c]), scale));
         }
@@ -85,17 +96,18 @@ PixelValues relative_differences(const AlignedImages& images, double floor) {
     return values;
 }
 
-std::array<double, 3> energy_ratios(const AlignedImages& images, const std::vector<bool>& left_out) {
-    std::array<double, 3> ratios{};
-    for (std::size_t c = 0; c < 3; ++c) {
-        const std::size_t channel = std::min(c, static_cast<std::size_t>(images.colors) - 1);
-        double test = 0.0, reference = 0.0;
+std::vector<double> energy_ratios(const AlignedImages& images, const std::vector<bool>& left_out) {
+    std::vector<double> ratios;
+    for (std::size_t c = 0; c < static_cast<std::size_t>(images.colors); ++c) {
+        double difference = 0.0, reference = 0.0;
         for (std::size_t k = 0; k < images.compared.size(); ++k) {
             if (left_out[k]) continue;
-            test += images.test_at(images.compared[k])[channel];
-            reference += images.reference_at(images.compared[k])[channel];
+            const double t = images.test_at(images.compared[k])[c],
+                         r = images.reference_at(images.compared[k])[c];
+            difference += t - r;
+            reference += std::abs(r);
         }
-        ratios[c] = ratio(test, reference);
+        ratios.push_back(difference == 0.0 ? 1.0 : 1.0 + difference / reference);
     }
     return ratios;
 }
@@ -107,7 +119,8 @@ void measure_differences(const AlignedImages& images, Metrics& metrics) {
     if (images.compared.empty()) return;
     metrics.floor = relative_floor(images);
     metrics.max_abs = std::ranges::max(absolute_differences(images));
-    metrics.max_rel = std::ranges::max(relative_differences(images, metrics.floor));
+    const std::vector<double> floors(static_cast<std::size_t>(images.colors), metrics.floor);
+    metrics.max_rel = std::ranges::max(relative_differences(images, floors));
     Sums all;
     for (std::size_t c = 0; c < static_cast<std::size_t>(images.reference.channels); ++c) {
         const Sums sums = summed(images, c, metrics.floor);
@@ -125,7 +138,7 @@ void measure_differences(const AlignedImages& images, Metrics& metrics) {
     metrics.rel_mse = all.relative_square / count;
 }
 
-double densest_window(const AlignedImages& images, const std::vector<bool>& fails) {
+Density densest_window(const AlignedImages& images, const std::vector<bool>& fails, int edge) {
     const auto width = static_cast<std::size_t>(images.reference.width);
     const auto height = static_cast<std::size_t>(images.reference.height);
     const std::size_t stride = width + 1;
@@ -137,14 +150,14 @@ double densest_window(const AlignedImages& images, const std::vector<bool>& fail
             sums[y * stride + x] +=
                 sums[(y - 1) * stride + x] + sums[y * stride + x - 1] - sums[(y - 1) * stride + x - 1];
 
-    const std::size_t w = std::min<std::size_t>(density_window, width);
-    const std::size_t h = std::min<std::size_t>(density_window, height);
+    const std::size_t w = std::min(static_cast<std::size_t>(edge), width);
+    const std::size_t h = std::min(static_cast<std::size_t>(edge), height);
     int most = 0;
     for (std::size_t y = h; y <= height; ++y)
         for (std::size_t x = w; x <= width; ++x)
             most = std::max(most, sums[y * stride + x] - sums[(y - h) * stride + x] - sums[y * stride + x - w]
                                       + sums[(y - h) * stride + x - w]);
-    return static_cast<double>(most) / static_cast<double>(w * h);
+    return {most, static_cast<double>(most) / static_cast<double>(w * h)};
 }
 
 namespace {

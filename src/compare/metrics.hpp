@@ -79,21 +79,32 @@ double relative_floor(const AlignedImages& images);
 /// |t - r|.
 PixelValues absolute_differences(const AlignedImages& images);
 
+/// The same of each channel of a layer by itself: depth may stand beside unit vectors. A channel that is 0
+/// everywhere takes that of the layer.
+std::vector<double> channel_floors(const AlignedImages& images);
+
 /// |t - r| / max(|r|, floor) of the colours, and |t - r| of alpha. Infinite where the divisor is 0 and t is
 /// not.
-PixelValues relative_differences(const AlignedImages& images, double floor);
+/// @param floors one for each colour
+PixelValues relative_differences(const AlignedImages& images, std::span<const double> floors);
 
-/// Σ t / Σ r of each colour (of grey, three times) over the compared pixels but those left out.
-std::array<double, 3> energy_ratios(const AlignedImages& images, const std::vector<bool>& left_out);
+/// 1 + Σ (t - r) / Σ |r| of each colour over the compared pixels but those left out.
+std::vector<double> energy_ratios(const AlignedImages& images, const std::vector<bool>& left_out);
 
 /// Fills the abs, rel, rmse, rel_mse and energy numbers, and the counts.
 void measure_differences(const AlignedImages& images, Metrics& metrics);
 
 inline constexpr int density_window = 16; // [pixels] edge
 
-/// The largest share of failing pixels in any window of 16×16 pixels (or of the image, along an edge that is
-/// shorter). `fails` has one entry for each compared pixel; all other pixels pass.
-double densest_window(const AlignedImages& images, const std::vector<bool>& fails);
+/// The failing pixels of the window that has most of them.
+struct Density {
+    int most = 0;
+    double share = 0.0; // of the window's pixels
+};
+
+/// Finds the densest square window (along an edge of the image that is shorter, it ends there). `fails` has
+/// one entry for each compared pixel; all other pixels pass.
+Density densest_window(const AlignedImages& images, const std::vector<bool>& fails, int edge);
 
 /// The mean structural similarity of two planes in 0..1; 1 if they are equal. The mean covers the windows
 /// inside the image (11×11, Gaussian of σ = 1.5), or all windows of a smaller image.

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <fmt/format.h>
+#include <numeric>
 #include <optional>
 
 namespace sr::compare {
@@ -48,11 +49,31 @@ struct Noise {
     }
 };
 
-std::optional<Image> errors_in(const Image& noise, const std::string& name, int colors) {
-    const auto layer = layer_of(noise, name);
-    if (!layer || (layer->colors.size() != 1 && static_cast<int>(layer->colors.size()) != colors))
-        return std::nullopt;
-    Image errors = extract(noise, layer->colors);
+/// The indices of the named channels behind "block." and the like, or of the colours of that layer if none
+/// are named; absent if they are not there.
+std::optional<std::vector<int>> channels_in(const Image& noise, const std::string& prefix,
+                                            const std::vector<std::string>& channels, int colors) {
+    if (channels.empty()) {
+        const auto layer = layer_of(noise, prefix);
+        if (!layer || (layer->colors.size() != 1 && static_cast<int>(layer->colors.size()) != colors))
+            return std::nullopt;
+        return layer->colors;
+    }
+    std::vector<int> indices;
+    for (const std::string& channel : channels) {
+        const auto at =
+            std::ranges::find(noise.channel_names, prefix.empty() ? channel : prefix + "." + channel);
+        if (at == noise.channel_names.end()) return std::nullopt;
+        indices.push_back(static_cast<int>(at - noise.channel_names.begin()));
+    }
+    return indices;
+}
+
+std::optional<Image> errors_in(const Image& noise, const std::string& prefix,
+                               const std::vector<std::string>& channels, int colors) {
+    const auto indices = channels_in(noise, prefix, channels, colors);
+    if (!indices) return std::nullopt;
+    Image errors = extract(noise, *indices);
     if (!std::ranges::all_of(errors.pixels, [](float s) { return std::isfinite(s) && s >= 0.0f; }))
         throw Error("the noise has values that are negative or not finite",
                     "give standard errors, from 0 up");
@@ -74,17 +95,18 @@ double degrees_by_scatter(const Image& errors) {
     return std::clamp(4.0 * 0.6745 * 0.6745 / std::max(*middle * *middle, 1e-12), 1.0, many_seeds);
 }
 
-Noise read_noise(const Image& image, const AlignedImages& images) {
+Noise read_noise(const Image& image, const AlignedImages& images, const std::vector<std::string>& channels) {
     const bool is_number = image.width == 1 && image.height == 1;
     if (!is_number && (image.width != images.reference.width || image.height != images.reference.height))
         throw Error(fmt::format("the noise is {}x{}, the reference {}x{}", image.width, image.height,
                                 images.reference.width, images.reference.height),
                     "give a number, or an image of the reference's size");
-    const auto pixels = errors_in(image, "", images.colors);
+    const auto pixels = errors_in(image, "", channels, images.colors);
     if (!pixels)
         throw Error("the noise has other channels than the images",
                     "give it the channels R, G and B, or only one");
-    Noise noise{*pixels, errors_in(image, "block", images.colors), errors_in(image, "whole", images.colors)};
+    Noise noise{*pixels, errors_in(image, "block", channels, images.colors),
+                errors_in(image, "whole", channels, images.colors)};
     if (is_number) return noise;
     const auto seeds = std::ranges::find(image.attributes, seeds_attribute, &image::Attribute::name);
     noise.degrees_of_freedom = seeds == image.attributes.end()
@@ -132,9 +154,15 @@ struct DeviationSums {
     std::vector<Deviation> blocks; // block by block, all colours of each
     std::vector<Deviation> scores; // the same of differences in standard errors
     std::vector<Deviation> totals;
+    std::vector<Deviation> whole_blocks; // variances and counts with the pixels that are not compared
+    std::vector<Deviation> whole_totals;
 
     DeviationSums(const Blocks& image_blocks, std::size_t colors)
-        : blocks(image_blocks.count * colors), scores(image_blocks.count * colors), totals(colors) {}
+        : blocks(image_blocks.count * colors),
+          scores(image_blocks.count * colors),
+          totals(colors),
+          whole_blocks(blocks.size()),
+          whole_totals(colors) {}
 };
 
 bool all_know(const std::vector<Noise>& noise, std::optional<Image> Noise::*layer) {
@@ -142,25 +170,28 @@ bool all_know(const std::vector<Noise>& noise, std::optional<Image> Noise::*laye
                                [&](const Noise& n) { return n.is_number() || (n.*layer).has_value(); });
 }
 
-/// The variance of a sum of `count` values, of whose mean the layer holds the standard error.
-double variance_of_sum(const std::vector<Noise>& noise, std::optional<Image> Noise::*layer, std::size_t pixel,
-                       std::size_t color, double count) {
+/// Returns how many times the variance of independent pixels the sum over a block (or the image) has, of
+/// whose mean the layer holds the standard error; no less than 1.
+double likeness(const Deviation& whole, const std::vector<Noise>& noise, std::optional<Image> Noise::*layer,
+                std::size_t pixel, std::size_t color) {
     double variance = 0.0;
     for (const Noise& n : noise) {
         const double error = n.is_number() ? 0.0 : n.error(*(n.*layer), pixel, color);
-        variance += error * error * count * count;
+        variance += error * error * whole.count * whole.count;
     }
-    return variance;
+    return whole.variance > 0.0 ? std::max(1.0, variance / whole.variance) : 1.0;
 }
 
 /// Replaces the variances of blocks, which add those of pixels as if these were independent, by known ones.
 void correct_blocks(DeviationSums& sums, const std::vector<Noise>& noise, const Blocks& blocks,
                     std::size_t colors, const std::vector<std::size_t>& compared) {
+    std::vector<bool> is_done(sums.blocks.size(), false);
     for (const std::size_t i : compared) // all pixels of a block say the same
         for (std::size_t c = 0; c < colors; ++c) {
-            Deviation& block = sums.blocks[blocks.of(i) * colors + c];
-            block.variance =
-                std::max(block.variance, variance_of_sum(noise, &Noise::blocks, i, c, block.count));
+            if (is_done[blocks.of(i) * colors + c]) continue;
+            is_done[blocks.of(i) * colors + c] = true;
+            sums.blocks[blocks.of(i) * colors + c].variance *=
+                likeness(sums.whole_blocks[blocks.of(i) * colors + c], noise, &Noise::blocks, i, c);
         }
 }
 
@@ -170,7 +201,7 @@ double total_z(const DeviationSums& sums, const std::vector<Noise>& noise, std::
     Deviation total = sums.totals[c];
     if (std::ranges::all_of(noise, &Noise::is_number)) return total.t();
     if (all_know(noise, &Noise::whole)) {
-        total.variance = std::max(total.variance, variance_of_sum(noise, &Noise::whole, 0, c, total.count));
+        total.variance *= likeness(sums.whole_totals[c], noise, &Noise::whole, 0, c);
         return z_of_t(total.t(), degrees_of_freedom);
     }
     // Batch means: the blocks' own scatter tells how much a sum of pixels that err alike may scatter.
@@ -178,7 +209,9 @@ double total_z(const DeviationSums& sums, const std::vector<Noise>& noise, std::
     for (std::size_t b = c; b < sums.scores.size(); b += colors) score += sums.scores[b];
     const double mean = score.difference / score.count;
     double scatter = 0.0, blocks = 0.0;
-    for (std::size_t b = c; b < sums.scores.size(); b += colors, blocks += 1.0) {
+    for (std::size_t b = c; b < sums.scores.size(); b += colors) {
+        if (sums.scores[b].count == 0.0) continue; // not compared
+        blocks += 1.0;
         const double rest = sums.scores[b].difference - mean * sums.scores[b].count;
         scatter += rest * rest;
     }
@@ -203,24 +236,39 @@ double z_of_t(double t, double degrees_of_freedom) {
     return (8.0 * n + 1.0) / (8.0 * n + 3.0) * std::sqrt(n * std::log1p(t * t / n));
 }
 
-NoiseScores score_noise(const AlignedImages& images, const std::vector<Image>& given) {
+std::vector<Image> noise_of(const std::vector<Image>& noise, const std::vector<std::string>& channels) {
+    std::vector<Image> known;
+    for (const Image& image : noise) {
+        if (image.width == 1 && image.height == 1) continue;
+        if (!channels_in(image, "", channels, 0)) return {};
+        known.push_back(image);
+    }
+    return known;
+}
+
+NoiseScores score_noise(const AlignedImages& images, const std::vector<Image>& given,
+                        const std::vector<std::string>& channels) {
     const auto colors = static_cast<std::size_t>(images.colors);
     const Blocks blocks(images.reference.width, images.reference.height);
     std::vector<Noise> noise;
-    for (const Image& image : given) noise.push_back(read_noise(image, images));
+    for (const Image& image : given) noise.push_back(read_noise(image, images, channels));
     const double n = std::ranges::min_element(noise, {}, &Noise::degrees_of_freedom)->degrees_of_freedom;
     DeviationSums sums(blocks, colors);
     NoiseScores scores;
     scores.judges_blocks = all_know(noise, &Noise::blocks);
     scores.pixels.reserve(images.compared.size());
     scores.errors.assign(images.pixels.size() * colors, 0.0f);
-    for (const std::size_t i : images.compared) {
+    for (std::size_t i = 0; i < images.pixels.size(); ++i) {
+        const bool is_compared = images.pixels[i] == PixelState::compared;
         double largest = 0.0;
         for (std::size_t c = 0; c < colors; ++c) {
             const double r = images.reference_at(i)[c];
             Deviation deviation{static_cast<double>(images.test_at(i)[c]) - r, rounding * rounding * r * r,
                                 1.0};
             for (const Noise& known : noise) deviation.variance += pooled_variance(known, i, c);
+            sums.whole_blocks[blocks.of(i) * colors + c] += deviation;
+            sums.whole_totals[c] += deviation;
+            if (!is_compared) continue;
             largest = std::max(largest, z_of_t(deviation.t(), n));
             scores.errors[i * colors + c] = static_cast<float>(std::sqrt(deviation.variance));
             const double z =
@@ -229,7 +277,7 @@ NoiseScores score_noise(const AlignedImages& images, const std::vector<Image>& g
             sums.scores[blocks.of(i) * colors + c] += {z, 1.0, 1.0};
             sums.totals[c] += deviation;
         }
-        scores.pixels.push_back(static_cast<float>(largest));
+        if (is_compared) scores.pixels.push_back(static_cast<float>(largest));
     }
     if (scores.judges_blocks) correct_blocks(sums, noise, blocks, colors, images.compared);
     for (const Deviation& block : sums.blocks)
@@ -237,9 +285,13 @@ NoiseScores score_noise(const AlignedImages& images, const std::vector<Image>& g
     for (std::size_t c = 0; c < colors; ++c)
         scores.total = std::max(scores.total, total_z(sums, noise, colors, c, n));
     const double chance = false_alarms / 3.0 / static_cast<double>(colors);
+    const auto compared_blocks =
+        std::ranges::count_if(sums.blocks, [](const Deviation& b) { return b.count > 0.0; });
     scores.limits = {
         two_sided_z(chance / static_cast<double>(std::max<std::size_t>(images.compared.size(), 1))),
-        two_sided_z(chance / static_cast<double>(blocks.count)), two_sided_z(chance)};
+        two_sided_z(chance * static_cast<double>(colors)
+                    / static_cast<double>(std::max<std::ptrdiff_t>(compared_blocks, 1))),
+        two_sided_z(chance)};
     return scores;
 }
 
@@ -256,8 +308,16 @@ void NoiseOfSeeds::Moments::add(const std::vector<double>& values, int count) {
 void NoiseOfSeeds::add(const Image& picture) {
     const auto layer = layer_of(picture, "");
     if (!layer) throw Error("the picture has no colours", "render one with R, G and B, or with Y");
-    std::vector<std::string> names{"Y"};
-    if (layer->colors.size() == 3) names = {"R", "G", "B"};
+    const bool is_named = static_cast<int>(picture.channel_names.size()) == picture.channels;
+    std::vector<std::string> names = picture.channel_names;
+    std::vector<int> chosen = layer->colors;
+    if (is_named) {
+        chosen.resize(names.size());
+        std::iota(chosen.begin(), chosen.end(), 0);
+    } else {
+        names = {"Y"};
+        if (chosen.size() == 3) names = {"R", "G", "B"};
+    }
     if (count_ > 0 && (picture.width != width_ || picture.height != height_ || names != names_))
         throw Error("the pictures of the seeds differ in size or channels",
                     "render the same view with each seed");
@@ -265,7 +325,9 @@ void NoiseOfSeeds::add(const Image& picture) {
     height_ = picture.height;
     names_ = names;
     ++count_;
-    const Image colors = extract(picture, layer->colors);
+    Image colors = extract(picture, chosen);
+    for (float& value : colors.pixels)
+        if (!std::isfinite(value)) value = 0.0f; // depth is infinite where nothing is
     const std::size_t channels = names.size();
     const Blocks blocks(width_, height_);
     std::vector<double> block_means(blocks.count * channels), counts(blocks.count), whole(channels);

@@ -12,10 +12,11 @@ public:
     /// @throws Error if the picture has another size or other channels than the first, or no colours
     void add(const image::Image& picture);
 
-    /// The standard errors of one picture: of each pixel (the colours), of the mean over the block of 16×16
-    /// pixels around it ("block."), and of the mean over the picture ("whole."). Neighbours may err alike,
-    /// since all pixels can share the places of their samples: the errors of sums do not follow from those of
-    /// pixels. The attribute "steradian:seeds" is the number of pictures. @throws Error for fewer than two
+    /// The standard errors of one picture, of all its channels: of each pixel, of the mean over the block of
+    /// 16×16 pixels around it ("block."), and of the mean over the picture ("whole."). Neighbours may err
+    /// alike, since all pixels can share the places of their samples: the errors of sums do not follow from
+    /// those of pixels. The attribute "steradian:seeds" is the number of pictures. @throws Error for fewer
+    /// than two
     image::Image errors() const;
 
 private:
@@ -26,7 +27,7 @@ private:
     };
     int width_ = 0;
     int height_ = 0;
-    std::vector<std::string> names_; // of the colours
+    std::vector<std::string> names_; // of the channels
     int count_ = 0;
     Moments pixels_;
     Moments blocks_; // means, row by row
@@ -52,16 +53,26 @@ struct NoiseScores {
     std::vector<float> errors; // standard errors of t - r, by pixel and colour
 };
 
+/// The noise images that hold errors of all these channels ("key.R"); none if one of them does not, but for
+/// numbers, which are the picture's.
+std::vector<image::Image> noise_of(const std::vector<image::Image>& noise,
+                                   const std::vector<std::string>& channels);
+
 /// Divides differences by the standard errors in `noise`. Their squares add up, and so does the rounding of a
-/// float (1e-6 of the reference). Alpha is left out: its noise is not known.
+/// float (1e-6 of the reference). Only colours have scores, not alpha.
 ///
 /// A pixel's variance is no less than the mean over the 3×3 pixels around it: a few seeds can agree by
 /// chance. A noise image without "steradian:seeds" has as many seeds as the scatter of neighbours' variances
 /// tells. One without errors of blocks has no verdict on them, and the error of the whole is the scatter of
 /// the blocks' scores around their mean. A number (1×1) is noise that is independent from pixel to pixel.
+///
+/// Where a region or a mask leaves a part of a block, the pixels left err alike as much as those of the whole
+/// block do: their sum's variance is as many times that of independent pixels.
+/// @param channels the names of the colours' errors; empty: the colours of the noise images
 /// @throws Error if a noise image is neither of the images' size nor 1×1, or has a value that is negative or
 /// not finite.
-NoiseScores score_noise(const AlignedImages& images, const std::vector<image::Image>& noise);
+NoiseScores score_noise(const AlignedImages& images, const std::vector<image::Image>& noise,
+                        const std::vector<std::string>& channels);
 
 /// The z that a standard normal variable exceeds in absolute value with the given chance.
 double two_sided_z(double chance);

@@ -42,6 +42,8 @@ struct CompareOptions {
     std::optional<std::vector<std::string>> other_layers{};
     std::optional<Exposures> exposures{}; // of HDR-FLIP; absent: exposures_for(reference)
     float pixels_per_degree = 67.02f;     // of FLIP: a 0.7 m wide 3840-pixel screen seen from 0.7 m
+    bool measures_appearance = true;      // FLIP and SSIM too, where no tolerance limits them
+    bool diagnoses = true;
 };
 
 /// The bits of the integers, 8 or 16, that the file of an image held; 0 if it held floats.

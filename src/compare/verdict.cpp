@@ -42,11 +42,10 @@ PixelValues pixel_values(Measure measure, const AlignedImages& images, const Mea
 Slack slack_of(const Tolerance& tolerance, const AlignedImages& images, const Measurements& measurements) {
     const auto limit = static_cast<float>(limit_of(tolerance, measurements));
     const auto colors = static_cast<std::size_t>(images.colors);
-    const auto floor = static_cast<float>(measurements.metrics.floor);
     switch (tolerance.measure) {
     case Measure::rel:
-        return [=](std::size_t, std::size_t c, float value) {
-            return limit * (c < colors ? std::max(std::abs(value), floor) : 1.0f);
+        return [=, &floors = measurements.floors](std::size_t, std::size_t c, float value) {
+            return limit * (c < colors ? std::max(std::abs(value), static_cast<float>(floors[c])) : 1.0f);
         };
     case Measure::z:
         return [=, &errors = measurements.noise->errors](std::size_t pixel, std::size_t c, float) {
@@ -79,10 +78,12 @@ Verdict judge_with_edges(const Tolerance& tolerance, const AlignedImages& images
         verdict.line += fmt::format(": {} pixels exceed it, {} of them at no edge that moved, largest {:.4g}",
                                     edges.failing, edges.unexplained, largest);
     else
-        verdict.line += fmt::format(
-            ": {} pixels exceed it, at edges that moved{}", edges.failing,
-            edges.is_crowded ? fmt::format(", more than {} of them in a 16x16 window", max_at_edges_nearby)
-                             : "");
+        verdict.line +=
+            fmt::format(": {} pixels exceed it, at edges that moved{}{}", edges.failing,
+                        edges.is_crowded ? fmt::format(", more than {0} of them in a {1}x{1} window",
+                                                       max_at_edges_nearby, edge_window)
+                                         : "",
+                        edges.is_in_line ? ", too many of them in one row or column" : "");
     return verdict;
 }
 
@@ -116,8 +117,8 @@ Verdict judge_by_pixel(const Tolerance& tolerance, const AlignedImages& images,
     return verdict;
 }
 
-/// Σt/Σr of the channel that is furthest from 1.
-double worst_of(const std::array<double, 3>& ratios) {
+/// The energy ratio that is furthest from 1.
+double worst_of(const std::vector<double>& ratios) {
     return *std::ranges::max_element(
         ratios, {}, [](double ratio) { return std::isnan(ratio) ? INFINITY : std::abs(ratio - 1.0); });
 }
@@ -136,7 +137,7 @@ double image_value(Measure measure, const Measurements& measurements) {
     case Measure::rel_mse: return m.rel_mse;
     case Measure::ssim: return m.ssim;
     case Measure::density: return m.density;
-    case Measure::energy: return std::abs(worst_of(measurements.even_energy_ratio) - 1.0);
+    case Measure::energy: return std::abs(worst_of(measurements.even_energy_ratios) - 1.0);
     default: require(false, "measures of pixels have no value for the image"); return 0.0;
     }
 }
@@ -183,7 +184,7 @@ Verdict judge(const Tolerance& tolerance, const AlignedImages& images, const Mea
     case Measure::energy:
         return {value <= tolerance.limit,
                 fmt::format("Σtest/Σreference within {:.4g} of 1: {:.6g}", tolerance.limit,
-                            worst_of(measurements.even_energy_ratio))};
+                            worst_of(measurements.even_energy_ratios))};
     case Measure::density:
         return {value <= tolerance.limit,
                 fmt::format("failing pixels ≤ {:.4g} % of any 16x16 window: {:.4g} %",

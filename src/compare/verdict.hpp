@@ -2,7 +2,6 @@
 // Verdicts: tolerances applied to what was measured.
 #include "compare/noise.hpp"
 
-#include <array>
 #include <optional>
 #include <span>
 
@@ -19,8 +18,8 @@ struct Measurements {
     Metrics metrics;
     PixelValues abs;
     PixelValues rel;
-    std::array<double, 3> even_energy_ratio{not_measured, not_measured,
-                                            not_measured}; // Σ t / Σ r without pixels that an edge explains
+    std::vector<double> floors;             // of relative errors, by colour
+    std::vector<double> even_energy_ratios; // by colour, without pixels that an edge explains
     std::optional<NoiseScores> noise;
     Plane flip;     // empty if no pixel could be compared
     Plane hdr_flip; // empty for display-referred images

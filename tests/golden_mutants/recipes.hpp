@@ -29,6 +29,8 @@ std::vector<Recipe> wrong_renders();
 std::vector<Recipe> wrong_photos();
 /// Mistakes of a user interface.
 std::vector<Recipe> wrong_interfaces();
+/// Dotted lines, cut strokes, damage in layers, and damage beside known noise or a mask.
+std::vector<Recipe> wrong_details();
 /// Differences that are no mistake.
 std::vector<Recipe> harmless_recipes();
 /// All of the above.

@@ -42,7 +42,9 @@ void write_files(const Mutant& mutant, const std::filesystem::path& folder, cons
 }
 
 nlohmann::ordered_json row_of(const Mutant& mutant, const std::string& name) {
-    const auto comparison = sr::compare::compare(mutant.test, mutant.reference, mutant.options);
+    sr::compare::CompareOptions options = mutant.options;
+    options.measures_appearance = false;
+    const auto comparison = sr::compare::compare(mutant.test, mutant.reference, options);
     std::string why;
     for (const auto& verdict : comparison.verdicts)
         if (!verdict.passed && why.empty()) why = verdict.line;

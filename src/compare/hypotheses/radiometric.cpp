@@ -110,19 +110,27 @@ void add_offset(const DiagnosisInput& in, Hypotheses& out) {
 } // namespace
 
 void hypotheses_blank(const DiagnosisInput& in, Hypotheses& out) {
+    constexpr double most = 0.5; // of the reference has another colour: a line that is missing leaves less
     std::array<float, 3> first{};
-    for (std::size_t c = 0; c < in.colors; ++c) first[c] = in.t(in.pixels.front(), c);
+    for (std::size_t c = 0; c < in.colors; ++c) first[c] = in.t(in.fitted.front(), c);
     bool is_black = true, is_uniform = true, reference_is_uniform = true;
-    for (const std::size_t i : in.pixels)
+    std::size_t others = 0;
+    for (const std::size_t i : in.fitted) {
+        bool is_other = false;
         for (std::size_t c = 0; c < in.colors; ++c) {
             is_black = is_black && std::abs(in.t(i, c)) <= 1e-3f * in.floor;
             is_uniform = is_uniform && in.t(i, c) == first[c];
-            reference_is_uniform = reference_is_uniform && in.r(i, c) == in.r(in.pixels.front(), c);
+            reference_is_uniform = reference_is_uniform && in.r(i, c) == in.r(in.fitted.front(), c);
+            is_other = is_other || in.distance(in.r(i, c), first[c]) > 0.01f;
         }
+        others += is_other;
+    }
+    const bool reference_is_other =
+        !reference_is_uniform && static_cast<double>(others) >= most * static_cast<double>(in.fitted.size());
     if (is_black)
         out.push_back(
             {{"black", "test is black everywhere: nothing was drawn, or no light is on", 0.0, {}}, 0});
-    else if (is_uniform && !reference_is_uniform)
+    else if (is_uniform && reference_is_other)
         out.push_back(
             {{"uniform",
               fmt::format("test is ({:.4g}, {:.4g}, {:.4g}) everywhere: a clear colour or a sentinel",
