@@ -1,4 +1,4 @@
-# cmake --install build --prefix DIR: the program, its image module, the CMake package, the schemas and a scene to try.
+# cmake --install build --prefix DIR: the program, its image module, the CMake package, the schemas and the bundled scenes.
 include(CMakePackageConfigHelpers)
 
 install(TARGETS steradian EXPORT SteradianTargets RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
@@ -15,6 +15,7 @@ install(FILES ${CMAKE_SOURCE_DIR}/cmake/SteradianConfig.cmake ${CMAKE_SOURCE_DIR
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/assets/assignments DESTINATION ${CMAKE_INSTALL_DATADIR}/steradian)
 file(GLOB schemas CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/assets/*.schema.json)
 install(FILES ${schemas} DESTINATION ${CMAKE_INSTALL_DATADIR}/steradian)
-install(FILES ${CMAKE_SOURCE_DIR}/assets/scenes/default.gltf DESTINATION ${CMAKE_INSTALL_DATADIR}/steradian/scenes)
+file(GLOB scenes CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/assets/scenes/*.gltf ${CMAKE_SOURCE_DIR}/assets/scenes/*.ies)
+install(FILES ${scenes} ${CMAKE_SOURCE_DIR}/assets/scenes/README.md DESTINATION ${CMAKE_INSTALL_DATADIR}/steradian/scenes)
 install(FILES ${CMAKE_SOURCE_DIR}/LICENSE ${CMAKE_SOURCE_DIR}/README.md ${CMAKE_SOURCE_DIR}/CHANGELOG.md
         DESTINATION ${CMAKE_INSTALL_DOCDIR})

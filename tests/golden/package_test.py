@@ -23,6 +23,9 @@ def check_install(cmake, prefix, project):
     assert re.fullmatch(r"Steradian \d+\.\d+\.\d+( \(commit [0-9a-f]+\))?\n", version), version
     for file in ("share/doc/Steradian/LICENSE", "share/steradian/extras.schema.json", "share/steradian/scenes/default.gltf"):
         assert (prefix / file).is_file(), file
+    sample = subprocess.run([prefix / "bin/steradian", "samples", "emitters"], check=True, capture_output=True, text=True).stdout.strip()
+    assert Path(sample) == (prefix / "share/steradian/scenes/emitters.gltf").resolve(), sample
+    assert Path(sample).with_name("downlight.ies").is_file(), "emitters.gltf names downlight.ies"
     listed = subprocess.run([prefix / "bin/steradian", "assignment", "list"], check=True, capture_output=True, text=True).stdout
     assert "a3-brdf" in listed, listed
     project.mkdir(parents=True)

@@ -1,0 +1,87 @@
+#!/usr/bin/env python3
+"""First contact with the program: alone on a terminal, its bundled scenes.
+
+usage: reach_test.py STERADIAN SCENES_FOLDER TEST_NAME     (TEST_NAME is a method of FirstContact below)
+"""
+import json
+import os
+import pty
+import subprocess
+import sys
+import unittest
+from pathlib import Path
+
+STERADIAN = SCENES = None
+
+
+def run(*arguments, **options):
+    return subprocess.run([STERADIAN, *map(str, arguments)], capture_output=True, text=True, timeout=100, **options)
+
+
+class FirstContact(unittest.TestCase):
+    def on_terminal(self, *arguments):
+        """Returns the exit status and what the program prints on a terminal."""
+        ours, terminal = pty.openpty()
+        program = subprocess.Popen([STERADIAN, *arguments], stdin=subprocess.DEVNULL, stdout=terminal, stderr=terminal)
+        os.close(terminal)
+        text = b""
+        try:
+            while part := os.read(ours, 4096):
+                text += part
+        except OSError:  # Linux reports the end of a terminal so
+            pass
+        os.close(ours)
+        return program.wait(timeout=20), text.decode().replace("\r\n", "\n")
+
+    def test_alone_on_a_terminal_it_says_what_it_is(self):
+        status, text = self.on_terminal()
+        self.assertEqual(status, 0, text)
+        self.assertTrue(text.startswith("Steradian "), text)
+        commands = [line.split()[1] for line in text.splitlines() if line.startswith("  steradian ")]
+        self.assertEqual(len(commands), 5, text)
+        for command in commands:
+            self.assertEqual(run(command, "--help").returncode, 0, command)
+        self.assertTrue(text.endswith(f", in {SCENES.resolve()}\n"), text)
+
+    def test_alone_in_a_script_it_is_a_usage_error(self):
+        result = run()
+        self.assertEqual((result.returncode, result.stdout), (2, ""))
+        self.assertIn("--help", result.stderr)
+        self.assertEqual(self.on_terminal("--frobnicate")[0], 2)
+
+    def test_samples_are_the_bundled_scenes(self):
+        listed = json.loads(run("samples", "--json").stdout)
+        self.assertEqual({sample["name"] for sample in listed}, {scene.stem for scene in SCENES.glob("*.gltf")})
+        text = run("samples").stdout
+        for sample in listed:
+            self.assertIn(f"{sample['name']:<9} {sample['what']}\n", text)
+            path = run("samples", sample["name"])
+            self.assertEqual((path.returncode, path.stdout), (0, f"{SCENES.resolve() / sample['name']}.gltf\n"))
+            self.assertEqual(path.stdout.strip(), sample["file"])
+
+    def test_an_unknown_sample_is_one_line(self):
+        for arguments in (["nobody"], ["--open", "nobody"]):
+            result = run("samples", *arguments)
+            self.assertEqual((result.returncode, result.stdout), (3, ""))
+            self.assertEqual(len(result.stderr.splitlines()), 1, result.stderr)
+            for word in ("'nobody'", "default", "zoo"):
+                self.assertIn(word, result.stderr)
+        self.assertEqual(run("samples", "zoo", "--open", "zoo").returncode, 2)
+
+    def test_an_opened_sample_is_what_view_shows(self):
+        nowhere = {k: v for k, v in os.environ.items() if k not in ("DISPLAY", "WAYLAND_DISPLAY")}
+        opened = run("samples", "--open", "zoo", env=nowhere)
+        viewed = run("view", SCENES / "zoo.gltf", env=nowhere)
+        self.assertEqual((opened.returncode, opened.stderr), (viewed.returncode, viewed.stderr))
+        self.assertEqual(opened.returncode, 3)  # there is no display
+
+
+def main():
+    global STERADIAN, SCENES
+    STERADIAN, SCENES, name = sys.argv[1], Path(sys.argv[2]), sys.argv[3]
+    suite = unittest.TestSuite([FirstContact(f"test_{name}")])
+    return 0 if unittest.TextTestRunner(verbosity=2).run(suite).wasSuccessful() else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
