@@ -15,6 +15,7 @@ void add_view_command(CLI::App& app);
 void add_render_command(CLI::App& app);
 void add_probe_command(CLI::App& app);
 void add_info_command(CLI::App& app);
+void add_doctor_command(CLI::App& app);
 void add_expand_command(CLI::App& app);
 void add_compare_command(CLI::App& app);
 void add_golden_command(CLI::App& app);

@@ -75,7 +75,7 @@ void declare_commands(CLI::App& app) {
                "  steradian render scene.glb -o radiance.exr       the same, as radiance in cd/m²\n"
                "  steradian probe scene.glb --pixel 640,360        the equation at a pixel, term by term\n"
                "  steradian samples                                bundled scenes to try\n"
-               "  steradian info                                   what OpenGL this machine offers\n"
+               "  steradian doctor                                 whether this machine can render\n"
                "  steradian render --help                          everything that render can do\n\n"
                + limits_help()
                + "Exit status: 0 done, 1 a difference or a failed check, 2 usage, 3 a file, shader or driver "
@@ -84,6 +84,7 @@ void declare_commands(CLI::App& app) {
     add_render_command(app);
     add_probe_command(app);
     add_info_command(app);
+    add_doctor_command(app);
     add_expand_command(app);
     add_compare_command(app);
     add_golden_command(app);

@@ -99,7 +99,7 @@ void print_welcome() {
         "  steradian render SCENE -o picture.png     make a picture of a .gltf or .glb file\n"
         "  steradian probe SCENE --pixel 640,360     print the equation at one pixel, term by term\n"
         "  steradian compare TEST REFERENCE          find out whether two pictures agree\n"
-        "  steradian assignment list                 learn or teach the equation, in GLSL\n"
+        "  steradian doctor                          find out whether this machine can render\n"
         "\n"
         "All commands: steradian --help. Bundled scenes: steradian samples",
         name_and_version());

@@ -1,13 +1,16 @@
 #!/usr/bin/env python3
-"""First contact with the program: alone on a terminal, its bundled scenes.
+"""First contact with the program: alone on a terminal, its bundled scenes, what it says of the machine.
 
 usage: reach_test.py STERADIAN SCENES_FOLDER TEST_NAME     (TEST_NAME is a method of FirstContact below)
 """
 import json
+import math
 import os
 import pty
+import shutil
 import subprocess
 import sys
+import tempfile
 import unittest
 from pathlib import Path
 
@@ -74,6 +77,57 @@ class FirstContact(unittest.TestCase):
         viewed = run("view", SCENES / "zoo.gltf", env=nowhere)
         self.assertEqual((opened.returncode, opened.stderr), (viewed.returncode, viewed.stderr))
         self.assertEqual(opened.returncode, 3)  # there is no display
+
+    def doctor_without(self, names, source=None):
+        """Runs doctor without a display where the dynamic loader finds other files under these names of libraries."""
+        environment = {k: v for k, v in os.environ.items() if k not in ("DISPLAY", "WAYLAND_DISPLAY")}
+        with tempfile.TemporaryDirectory() as folder:
+            environment["LD_LIBRARY_PATH"] = folder
+            for name in names:
+                if source:
+                    subprocess.run(["cc", "-shared", "-fPIC", "-o", Path(folder, name), "-x", "c", "-"], input=source, text=True, check=True)
+                else:
+                    Path(folder, name).write_text("no library")
+            result = run("doctor", "--json", env=environment)
+        report = json.loads(result.stdout)
+        return result, report, {backend["name"]: backend for backend in report["backends"]}
+
+    def test_doctor_renders_a_picture_with_a_closed_form(self):
+        result, report, backends = self.doctor_without([])
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        self.assertEqual(list(backends), ["egl", "osmesa", "window"])
+        self.assertEqual(report["can_render"], any(b["works"] for b in backends.values()))
+        for backend in backends.values():
+            if not backend["works"]:
+                self.assertNotIn("\n", backend["failure"])
+                continue
+            picture = backend["picture"]
+            x, z = (2 * (p + 0.5) / 32 - 1 for p in picture["pixel"])
+            closed_form = 0.5 / math.pi * 2 / (x * x + z * z + 1) ** 1.5  # ρ/π · I h/d³, h = 1 m
+            self.assertAlmostEqual(picture["expected [cd/m^2]"], closed_form, 7)
+            self.assertAlmostEqual(picture["measured [cd/m^2]"] / closed_form, 1, 5)
+            self.assertLess(picture["max_relative_error"], 1e-5)
+        self.assertIn("DISPLAY", backends["window"]["failure"])
+        self.assertTrue(report["exr"]["works"], report["exr"])
+        self.assertIn("Embree", report["libraries"])
+        for program in report["optional_programs"]:
+            self.assertEqual(bool(shutil.which(Path(program.get("file", "no such file")).name)), program["found"], program)
+
+    def test_doctor_says_what_a_machine_without_drivers_lacks(self):
+        osmesa = ["libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"]
+        result, report, backends = self.doctor_without(["libEGL.so.1", "libEGL.so", *osmesa])
+        self.assertEqual((result.returncode, report["can_render"]), (3, False))
+        self.assertEqual(len(result.stderr.splitlines()), 1, result.stderr)
+        self.assertIn("apt-get install libegl1", result.stderr)
+        self.assertIn("libEGL.so.1 is not installed: sudo apt-get install", backends["egl"]["failure"])
+        self.assertIn("libosmesa6", backends["osmesa"]["failure"])
+
+    @unittest.skipUnless(shutil.which("cc"), "needs a C compiler")
+    def test_doctor_survives_a_driver_that_crashes(self):
+        crash = "#include <signal.h>\n__attribute__((constructor)) static void crash(void) { raise(SIGSEGV); }\n"
+        result, report, backends = self.doctor_without(["libEGL.so.1"], crash)
+        self.assertIn("crashed", backends["egl"]["failure"])
+        self.assertEqual(result.returncode, 0 if backends["osmesa"]["works"] else 3)
 
 
 def main():
