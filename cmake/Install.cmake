@@ -1,4 +1,5 @@
-# cmake --install build --prefix DIR: the program, its image module, the CMake package, the schemas and the bundled scenes.
+# cmake --install build --prefix DIR: the program, its image module, the CMake package, the schemas, the bundled scenes, the
+# manual, and what desktops and shells read.
 include(CMakePackageConfigHelpers)
 
 install(TARGETS steradian EXPORT SteradianTargets RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
@@ -19,3 +20,11 @@ file(GLOB scenes CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/assets/scenes/*.gltf ${CM
 install(FILES ${scenes} ${CMAKE_SOURCE_DIR}/assets/scenes/README.md DESTINATION ${CMAKE_INSTALL_DATADIR}/steradian/scenes)
 install(FILES ${CMAKE_SOURCE_DIR}/LICENSE ${CMAKE_SOURCE_DIR}/README.md ${CMAKE_SOURCE_DIR}/CHANGELOG.md
         DESTINATION ${CMAKE_INSTALL_DOCDIR})
+
+# Desktops: an icon, and that steradian opens .gltf and .glb files.
+install(FILES ${CMAKE_SOURCE_DIR}/assets/desktop/steradian.svg DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps)
+install(FILES ${CMAKE_SOURCE_DIR}/assets/desktop/steradian.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications)
+install(FILES ${CMAKE_SOURCE_DIR}/assets/desktop/steradian.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/mime/packages)
+
+install(CODE "set(program \"$<TARGET_FILE:steradian>\")\nset(doc_folder \"${CMAKE_INSTALL_DOCDIR}\")")
+install(SCRIPT ${CMAKE_SOURCE_DIR}/cmake/InstallTexts.cmake)

@@ -25,6 +25,7 @@ void add_assignment_command(CLI::App& app);
 void add_grade_command(CLI::App& app); // of `assignment`
 void add_samples_command(CLI::App& app);
 void add_completion_command(CLI::App& app);
+void add_manual_command(CLI::App& app);
 void add_trial_command(CLI::App& app); // hidden: the process of gl::TrialCompiler
 
 /// Prints the answer to `steradian` alone: what it is, first commands, where the bundled scenes are.

@@ -93,6 +93,7 @@ void declare_commands(CLI::App& app) {
     add_assignment_command(app);
     add_samples_command(app);
     add_completion_command(app);
+    add_manual_command(app);
     add_trial_command(app);
 }
 

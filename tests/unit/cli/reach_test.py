@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""First contact with the program: alone on a terminal, its bundled scenes, what it says of the machine.
+"""First contact with the program: alone on a terminal, its bundled scenes, what it says of the machine and of itself.
 
 usage: reach_test.py STERADIAN SCENES_FOLDER TEST_NAME     (TEST_NAME is a method of FirstContact below)
 """
@@ -7,6 +7,7 @@ import json
 import math
 import os
 import pty
+import re
 import shutil
 import subprocess
 import sys
@@ -128,6 +129,77 @@ class FirstContact(unittest.TestCase):
         result, report, backends = self.doctor_without(["libEGL.so.1"], crash)
         self.assertIn("crashed", backends["egl"]["failure"])
         self.assertEqual(result.returncode, 0 if backends["osmesa"]["works"] else 3)
+
+    def commands(self, *path):
+        """Yields the words of each command that --help lists, and its help."""
+        text = run(*path, "--help").stdout
+        yield path, text
+        listed = re.search(r"^Subcommands:\n((?:  .*\n)+)", text, re.MULTILINE)
+        for line in listed.group(1).splitlines() if listed else ():
+            if line[2] != " ":
+                yield from self.commands(*path, line.split()[0])
+
+    def test_the_manual_has_every_command_and_option_of_help(self):
+        with tempfile.TemporaryDirectory() as folder:
+            self.assertEqual(run("manual", "man", folder).returncode, 0)
+            pages = {page.name: page.read_text() for page in Path(folder).iterdir()}
+        html = run("manual", "html").stdout
+        commands = list(self.commands())
+        self.assertGreater(len(commands), 25)
+        self.assertEqual(set(pages), {"-".join(["steradian", *path]) + ".1" for path, _ in commands})
+        for path, text in commands:
+            name = "-".join(["steradian", *path])
+            page = pages[name + ".1"].replace("\\-", "-")
+            section = re.search(rf'<section id="{name}">.*?</section>', html, re.DOTALL).group()
+            for option in re.findall(r"^  (-\S+)", text, re.MULTILINE):
+                self.assertRegex(page, rf"(?m)^\.TP\n\\fB{re.escape(option)}", name)
+                self.assertIn(f"<dt>{option}", section)
+        for link in re.findall(r'href="#([^"]*)"', html):
+            self.assertIn(f'<section id="{link}">', html)
+
+    def test_man_pages_are_roff_without_warnings(self):
+        with tempfile.TemporaryDirectory() as folder:
+            run("manual", "man", folder)
+            for page in sorted(Path(folder).iterdir()):
+                text = page.read_text()
+                self.assertRegex(text, r"\A\.TH \S+ 1 .*\n\.SH NAME\n\S+ \\- .+\n\.SH SYNOPSIS\n")
+                for line in text.splitlines():
+                    if line.startswith((".", "'")):
+                        self.assertRegex(line, r"^\.(TH|SH|PP|TP|nf|fi)\b", page.name)
+            if not shutil.which("man") or not shutil.which("groff"):
+                return
+            for page in ("steradian.1", "steradian-render.1"):
+                shown = subprocess.run(["man", "--warnings", "-E", "UTF-8", "-l", Path(folder, page)], capture_output=True, text=True,
+                                       env={**os.environ, "MANWIDTH": "100", "LC_ALL": "C.UTF-8"}, timeout=20)
+                self.assertEqual((shown.returncode, shown.stderr), (0, ""))
+            self.assertIn("--tone-curve", shown.stdout)
+
+    def test_completion_is_a_script_of_its_shell(self):
+        for shell, check in ("bash", ["bash", "-n"]), ("zsh", ["zsh", "-n"]), ("fish", ["fish", "--no-execute"]):
+            script = run("completion", shell).stdout
+            for word in ("render", "approve", "tone-curve", "luminance"):
+                self.assertIn(word, script, shell)
+            self.assertNotIn("compile-trial", script)
+            if shutil.which(shell):
+                with tempfile.NamedTemporaryFile("w") as file:
+                    file.write(script)
+                    file.flush()
+                    checked = subprocess.run([*check, file.name], capture_output=True, text=True, timeout=20)
+                self.assertEqual((checked.returncode, checked.stderr), (0, ""), shell)
+
+    @unittest.skipUnless(shutil.which("fish"), "needs fish")
+    def test_fish_completes_commands_options_and_values(self):
+        def completed(line):
+            result = subprocess.run(["fish", "--no-config", "-c", f"steradian completion fish | source; complete -C '{line}'"],
+                                    capture_output=True, text=True, timeout=20,
+                                    env={**os.environ, "PATH": f"{Path(STERADIAN).parent}:{os.environ['PATH']}"})
+            self.assertEqual(result.stderr, "")
+            return [line.split("\t")[0] for line in result.stdout.splitlines()]
+
+        self.assertEqual(completed("steradian rend"), ["render"])
+        self.assertEqual(completed("steradian golden app"), ["approve"])
+        self.assertEqual(completed("steradian render scene.glb --tone-c"), ["--tone-curve"])
+        self.assertEqual(completed("steradian render --estimator a"), ["analytic"])
 
 
 def main():
