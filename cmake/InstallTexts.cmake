@@ -1,5 +1,5 @@
 # Run by cmake --install: the texts of --help as man pages and as a page for browsers, and completion for shells.
-# cmake/Install.cmake sets `program` and `doc_folder`.
+# cmake/Install.cmake sets `program`, `version`, `contact` and `doc_folder`.
 set(root "$ENV{DESTDIR}${CMAKE_INSTALL_PREFIX}")
 
 # Writes what `steradian WORDS` prints to a file below the prefix.
@@ -25,4 +25,13 @@ find_program(gzip_program gzip)
 file(GLOB pages "${root}/share/man/man1/steradian*.1")
 if(gzip_program)
   execute_process(COMMAND "${gzip_program}" -9nf ${pages} COMMAND_ERROR_IS_FATAL ANY)
+endif()
+
+# A package of Debian's has a changelog in Debian's form.
+if(CMAKE_INSTALL_PREFIX MATCHES "/usr$" AND gzip_program)
+  string(TIMESTAMP date "%a, %d %b %Y %H:%M:%S +0000" UTC)
+  set(changelog "${root}/${doc_folder}/changelog")
+  file(WRITE "${changelog}" "steradian (${version}) unstable; urgency=low\n\n  * CHANGELOG.md lists the changes.\n\n"
+                            " -- ${contact}  ${date}\n")
+  execute_process(COMMAND "${gzip_program}" -9nf "${changelog}" COMMAND_ERROR_IS_FATAL ANY)
 endif()

@@ -21,8 +21,8 @@ def check_install(cmake, prefix, project):
     """The installed program knows its name, and a project without a language finds the package."""
     version = subprocess.run([prefix / "bin/steradian", "--version"], check=True, capture_output=True, text=True).stdout
     assert re.fullmatch(r"Steradian \d+\.\d+\.\d+( \(commit [0-9a-f]+\))?\n", version), version
-    for file in ("share/doc/Steradian/LICENSE", "share/steradian/extras.schema.json", "share/steradian/scenes/default.gltf",
-                 "share/doc/Steradian/manual.html", "share/bash-completion/completions/steradian", "share/zsh/site-functions/_steradian",
+    for file in ("share/doc/steradian/copyright", "share/steradian/extras.schema.json", "share/steradian/scenes/default.gltf",
+                 "share/doc/steradian/manual.html", "share/bash-completion/completions/steradian", "share/zsh/site-functions/_steradian",
                  "share/fish/vendor_completions.d/steradian.fish", "share/applications/steradian.desktop",
                  "share/icons/hicolor/scalable/apps/steradian.svg", "share/mime/packages/steradian.xml"):
         assert (prefix / file).is_file(), file
