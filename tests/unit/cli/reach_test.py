@@ -201,6 +201,22 @@ class FirstContact(unittest.TestCase):
         self.assertEqual(completed("steradian render scene.glb --tone-c"), ["--tone-curve"])
         self.assertEqual(completed("steradian render --estimator a"), ["analytic"])
 
+    def test_the_first_hour_runs(self):
+        readme = SCENES.resolve().parents[1] / "examples" / "README.md"
+        blocks = re.findall(r"^```(\w+)\n(.*?)^```$", readme.read_text(), re.DOTALL | re.MULTILINE)
+        files = {"json": "suite.json", "glsl": "my_shaders/brdf/f_r.glsl"}  # as the text names them
+        script = "set -e\n"
+        for kind, text in blocks:
+            # A window stays until somebody closes it.
+            script += re.sub(r"(?m)^steradian view .*$", "true", text) if kind == "sh" else \
+                f"mkdir -p {Path(files[kind]).parent}\ncat >{files[kind]} <<'END'\n{text}END\n"
+        with tempfile.TemporaryDirectory() as folder:
+            ran = subprocess.run(["bash", "-x", "-c", script], cwd=folder, capture_output=True, text=True, timeout=280,
+                                 env={**os.environ, "PATH": f"{Path(STERADIAN).parent}:{os.environ['PATH']}"})
+            self.assertEqual(ran.returncode, 0, ran.stderr + ran.stdout)
+            for file in ("cornell.png", "sure.exr", "golden-results/report.html", "my-a2/README.html", "lobe.svg", "mine.exr"):
+                self.assertTrue(Path(folder, file).is_file(), file)
+
 
 def main():
     global STERADIAN, SCENES
