@@ -1,4 +1,5 @@
-# cmake --install build --prefix DIR: the program, its image module, the CMake package, the schemas and a scene to try.
+# cmake --install build --prefix DIR: the program, its image module, the CMake package, the schemas, the bundled scenes, the
+# manual, and what desktops and shells read.
 include(CMakePackageConfigHelpers)
 
 install(TARGETS steradian EXPORT SteradianTargets RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
@@ -15,6 +16,18 @@ install(FILES ${CMAKE_SOURCE_DIR}/cmake/SteradianConfig.cmake ${CMAKE_SOURCE_DIR
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/assets/assignments DESTINATION ${CMAKE_INSTALL_DATADIR}/steradian)
 file(GLOB schemas CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/assets/*.schema.json)
 install(FILES ${schemas} DESTINATION ${CMAKE_INSTALL_DATADIR}/steradian)
-install(FILES ${CMAKE_SOURCE_DIR}/assets/scenes/default.gltf DESTINATION ${CMAKE_INSTALL_DATADIR}/steradian/scenes)
-install(FILES ${CMAKE_SOURCE_DIR}/LICENSE ${CMAKE_SOURCE_DIR}/README.md ${CMAKE_SOURCE_DIR}/CHANGELOG.md
-        DESTINATION ${CMAKE_INSTALL_DOCDIR})
+file(GLOB scenes CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/assets/scenes/*.gltf ${CMAKE_SOURCE_DIR}/assets/scenes/*.ies)
+install(FILES ${scenes} ${CMAKE_SOURCE_DIR}/assets/scenes/README.md DESTINATION ${CMAKE_INSTALL_DATADIR}/steradian/scenes)
+install(FILES ${CMAKE_SOURCE_DIR}/README.md ${CMAKE_SOURCE_DIR}/CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES ${CMAKE_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright) # Debian's name for it
+
+# Desktops: an icon, and that steradian opens .gltf and .glb files.
+install(FILES ${CMAKE_SOURCE_DIR}/assets/desktop/steradian.svg DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps)
+install(FILES ${CMAKE_SOURCE_DIR}/assets/desktop/steradian.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications)
+install(FILES ${CMAKE_SOURCE_DIR}/assets/desktop/steradian.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/mime/packages)
+
+install(CODE "set(program \"$<TARGET_FILE:steradian>\")
+              set(doc_folder \"${CMAKE_INSTALL_DOCDIR}\")
+              set(version \"${PROJECT_VERSION}\")
+              set(contact \"${CPACK_PACKAGE_CONTACT}\")")
+install(SCRIPT ${CMAKE_SOURCE_DIR}/cmake/InstallTexts.cmake)

@@ -15,6 +15,7 @@ void add_view_command(CLI::App& app);
 void add_render_command(CLI::App& app);
 void add_probe_command(CLI::App& app);
 void add_info_command(CLI::App& app);
+void add_doctor_command(CLI::App& app);
 void add_expand_command(CLI::App& app);
 void add_compare_command(CLI::App& app);
 void add_golden_command(CLI::App& app);
@@ -22,7 +23,12 @@ void add_export_command(CLI::App& app);
 void add_brdf_command(CLI::App& app);
 void add_assignment_command(CLI::App& app);
 void add_grade_command(CLI::App& app); // of `assignment`
+void add_samples_command(CLI::App& app);
 void add_completion_command(CLI::App& app);
+void add_manual_command(CLI::App& app);
 void add_trial_command(CLI::App& app); // hidden: the process of gl::TrialCompiler
+
+/// Prints the answer to `steradian` alone: what it is, first commands, where the bundled scenes are.
+void print_welcome();
 
 } // namespace sr::cli

@@ -11,6 +11,7 @@
 #include <new>
 #include <sstream>
 #include <system_error>
+#include <unistd.h>
 #include <vector>
 
 namespace sr::cli {
@@ -73,7 +74,8 @@ void declare_commands(CLI::App& app) {
                "  steradian render scene.glb -o picture.png        a picture with automatic exposure\n"
                "  steradian render scene.glb -o radiance.exr       the same, as radiance in cd/m²\n"
                "  steradian probe scene.glb --pixel 640,360        the equation at a pixel, term by term\n"
-               "  steradian info                                   what OpenGL this machine offers\n"
+               "  steradian samples                                bundled scenes to try\n"
+               "  steradian doctor                                 whether this machine can render\n"
                "  steradian render --help                          everything that render can do\n\n"
                + limits_help()
                + "Exit status: 0 done, 1 a difference or a failed check, 2 usage, 3 a file, shader or driver "
@@ -82,13 +84,16 @@ void declare_commands(CLI::App& app) {
     add_render_command(app);
     add_probe_command(app);
     add_info_command(app);
+    add_doctor_command(app);
     add_expand_command(app);
     add_compare_command(app);
     add_golden_command(app);
     add_export_command(app);
     add_brdf_command(app);
     add_assignment_command(app);
+    add_samples_command(app);
     add_completion_command(app);
+    add_manual_command(app);
     add_trial_command(app);
 }
 
@@ -127,7 +132,12 @@ int main(int argc, char** argv) {
     std::set_terminate(end_by_exception);
     int status = worlds_fault;
     try {
-        status = run(argc, argv);
+        if (argc == 1 && isatty(STDOUT_FILENO)) {
+            print_welcome();
+            status = done;
+        } else {
+            status = run(argc, argv);
+        }
     } catch (...) {
         report_exception();
     }

@@ -21,8 +21,16 @@ def check_install(cmake, prefix, project):
     """The installed program knows its name, and a project without a language finds the package."""
     version = subprocess.run([prefix / "bin/steradian", "--version"], check=True, capture_output=True, text=True).stdout
     assert re.fullmatch(r"Steradian \d+\.\d+\.\d+( \(commit [0-9a-f]+\))?\n", version), version
-    for file in ("share/doc/Steradian/LICENSE", "share/steradian/extras.schema.json", "share/steradian/scenes/default.gltf"):
+    for file in ("share/doc/steradian/copyright", "share/steradian/extras.schema.json", "share/steradian/scenes/default.gltf",
+                 "share/doc/steradian/manual.html", "share/bash-completion/completions/steradian", "share/zsh/site-functions/_steradian",
+                 "share/fish/vendor_completions.d/steradian.fish", "share/applications/steradian.desktop",
+                 "share/icons/hicolor/scalable/apps/steradian.svg", "share/mime/packages/steradian.xml"):
         assert (prefix / file).is_file(), file
+    pages = {page.name.removesuffix(".gz") for page in (prefix / "share/man/man1").iterdir()}
+    assert {"steradian.1", "steradian-render.1", "steradian-golden-run.1"} <= pages, pages
+    sample = subprocess.run([prefix / "bin/steradian", "samples", "emitters"], check=True, capture_output=True, text=True).stdout.strip()
+    assert Path(sample) == (prefix / "share/steradian/scenes/emitters.gltf").resolve(), sample
+    assert Path(sample).with_name("downlight.ies").is_file(), "emitters.gltf names downlight.ies"
     listed = subprocess.run([prefix / "bin/steradian", "assignment", "list"], check=True, capture_output=True, text=True).stdout
     assert "a3-brdf" in listed, listed
     project.mkdir(parents=True)
