@@ -96,7 +96,7 @@ ExitStatus approve(GoldenArguments& arguments) {
     options.output = arguments.output;
     const golden::ApprovalPlan plan = golden::plan_approval(suite, options);
     print_plan(plan, options.force);
-    if (plan.approvals.empty()) print_data("nothing to approve: every test of the last run passed\n");
+    if (plan.approvals.empty()) print_data("nothing to approve: no test of the last run was chosen\n");
     if (!plan.is_allowed(options.force)) {
         print_remark("nothing was approved: correct the refused tests, or name the others{}",
                      options.force ? "" : ", or use --force where you know better");
@@ -181,8 +181,17 @@ void add_run(CLI::App& app, const std::shared_ptr<GoldenArguments>& arguments) {
 void add_approve(CLI::App& app, const std::shared_ptr<GoldenArguments>& arguments) {
     CLI::App* command = subcommand(app, *arguments, "approve", "make candidates of the last run the goldens");
     golden::ApproveOptions& options = arguments->approve;
-    command->add_option("NAMES", options.names, "tests, by name or pattern (default: all that did not pass)");
+    CLI::Option* names = command->add_option("NAMES", options.names,
+                                             "tests, by name or pattern (default: all that did not pass)");
     add_output(*command, *arguments);
+    command->add_option("--except", options.except, "leave this test as it is (name or pattern; repeatable)")
+        ->allow_extra_args(false)
+        ->type_name("NAME");
+    command
+        ->add_option("--failed-as-reviewed", options.review,
+                     "approve what a person approved in report.html: the file that it exports")
+        ->type_name("FILE")
+        ->excludes(names);
     command
         ->add_option("--laws", options.laws,
                      "JUnit XML of law and truth tests (ctest --output-junit); a failing one refuses")
@@ -195,9 +204,10 @@ void add_approve(CLI::App& app, const std::shared_ptr<GoldenArguments>& argument
     command->add_flag("--dry-run", arguments->dry_run, "print what would be done, and write nothing");
     command->add_flag("--force", options.force,
                       "approve although laws fail, or although another renderer made the candidate");
-    command->footer("All or nothing: if one test is refused, no golden is written.\n"
+    command->footer("All or nothing: if one test is refused or the disk is full, no golden is written.\n"
                     "Examples:\n  steradian golden approve suite.json --dry-run\n  steradian golden approve "
-                    "suite.json cornell 'zoo*'");
+                    "suite.json cornell 'zoo*' --except zoo_spot\n  steradian golden approve suite.json "
+                    "--failed-as-reviewed review.json");
     command->callback([arguments] {
         if (const ExitStatus status = approve(*arguments); status != done) throw CLI::RuntimeError(status);
     });

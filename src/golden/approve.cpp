@@ -2,6 +2,7 @@
 
 #include "core/error.hpp"
 #include "core/file.hpp"
+#include "core/json.hpp"
 #include "golden/run.hpp"
 #include "image/file.hpp"
 #include "image/whole_file.hpp"
@@ -131,6 +132,37 @@ LawRecord read_law_record(const std::filesystem::path& file) {
 
 namespace {
 
+std::vector<ReviewedTest> reviewed_tests(const JsonObject& root, const char* key,
+                                         std::vector<std::string>& decided) {
+    std::vector<ReviewedTest> tests;
+    for (const JsonObject& entry : root.objects(key)) {
+        tests.push_back({entry.required_text("name"), entry.required_text("candidate_sha256")});
+        const std::string& name = tests.back().name;
+        if (std::ranges::find(decided, name) != decided.end())
+            entry.fail_at("name", fmt::format("the test \"{}\" is decided twice", name), "decide it once");
+        decided.push_back(name);
+    }
+    return tests;
+}
+
+} // namespace
+
+Review read_review(const std::filesystem::path& file) {
+    const JsonFile text(file);
+    const JsonObject root(text, JsonObject::Pointer(""));
+    if (!root.has("steradian_golden_review"))
+        root.fail("this is no review of a run", "export one from report.html");
+    root.integer("steradian_golden_review", 1, 1, 1);
+    Review review;
+    review.suite = root.required_text("suite");
+    std::vector<std::string> decided;
+    review.approved = reviewed_tests(root, "approved", decided);
+    review.rejected = reviewed_tests(root, "rejected", decided);
+    return review;
+}
+
+namespace {
+
 namespace fs = std::filesystem;
 
 /// True if a golden holds the picture with this fingerprint; a broken one holds none.
@@ -142,17 +174,41 @@ bool holds(const fs::path& golden, const std::string& picture) {
     }
 }
 
-std::vector<TestResult> choose(const RunResult& run, const std::vector<std::string>& names) {
+bool is_among(const std::vector<std::string>& patterns, const std::string& name) {
+    return std::ranges::any_of(patterns, [&](const std::string& pattern) { return matches(pattern, name); });
+}
+
+/// @throws Error for a pattern that fits no test of the run
+void require_tests(const RunResult& run, const std::vector<std::string>& patterns) {
+    for (const std::string& pattern : patterns)
+        if (std::ranges::none_of(run.tests,
+                                 [&](const TestResult& test) { return matches(pattern, test.name); }))
+            throw Error(fmt::format("the last run has no test {}", pattern),
+                        "run it with steradian golden run, then approve it");
+}
+
+/// The test as a review approved it; null if it did not.
+const ReviewedTest* approved_in(const Review& review, const std::string& name) {
+    const auto found = std::ranges::find(review.approved, name, &ReviewedTest::name);
+    return found == review.approved.end() ? nullptr : &*found;
+}
+
+std::vector<TestResult> choose(const RunResult& run, const ApproveOptions& options,
+                               const std::optional<Review>& review) {
+    require_tests(run, options.names);
+    require_tests(run, options.except);
+    if (review)
+        for (const ReviewedTest& test : review->approved)
+            if (std::ranges::find(run.tests, test.name, &TestResult::name) == run.tests.end())
+                throw Error({options.review.string()}, fmt::format("the last run has no test {}", test.name),
+                            "name the output folder of the run that was reviewed with --output");
     std::vector<TestResult> tests;
     for (const TestResult& test : run.tests) {
-        const auto fits = [&](const std::string& name) { return matches(name, test.name); };
-        if (names.empty() ? test.outcome != Outcome::passed : std::ranges::any_of(names, fits))
-            tests.push_back(test);
+        const bool is_chosen = review                  ? approved_in(*review, test.name) != nullptr
+                               : options.names.empty() ? test.outcome != Outcome::passed
+                                                       : is_among(options.names, test.name);
+        if (is_chosen && !is_among(options.except, test.name)) tests.push_back(test);
     }
-    for (const std::string& name : names)
-        if (std::ranges::none_of(run.tests, [&](const TestResult& test) { return matches(name, test.name); }))
-            throw Error(fmt::format("the last run has no test {}", name),
-                        "run it with steradian golden run, then approve it");
     return tests;
 }
 
@@ -213,7 +269,9 @@ void inspect(Approval& approval, const TestResult& result, const GoldenTest& tes
     if (const std::size_t count = nonfinite_count(image); count > 0 && !test.allow_nonfinite)
         approval.refusals.push_back({fmt::format("{} of its values are not finite", count)});
     if (result.fails_known_pixel) approval.refusals.push_back({result.message, true});
-    if (!fs::exists(approval.golden, ignored))
+    if (image::is_lfs_pointer(approval.golden))
+        approval.refusals.push_back({"its golden is a Git LFS pointer: fetch it with git lfs pull"});
+    else if (!fs::exists(approval.golden, ignored))
         approval.change = "new";
     else if (holds(approval.golden, result.candidate_sha256))
         approval.change = "equal";
@@ -237,6 +295,18 @@ std::optional<LawRecord> law_record(const Suite& suite, const ApproveOptions& op
     return read_law_record(suite.laws);
 }
 
+/// The decisions of a person, if the options name them. Rejected tests are remarks.
+std::optional<Review> review_of(const RunResult& run, const ApproveOptions& options,
+                                std::vector<std::string>& remarks) {
+    if (options.review.empty()) return std::nullopt;
+    Review review = read_review(options.review);
+    if (review.suite != run.suite)
+        throw Error({options.review.string()}, fmt::format("this is a review of the suite \"{}\"", review.suite),
+                    fmt::format("take one of \"{}\"", run.suite));
+    for (const ReviewedTest& test : review.rejected) remarks.push_back(fmt::format("rejected: {}", test.name));
+    return review;
+}
+
 } // namespace
 
 bool ApprovalPlan::is_allowed(bool force) const {
@@ -256,7 +326,8 @@ ApprovalPlan plan_approval(const Suite& suite, const ApproveOptions& options) {
     if (!options.alternate.empty()) check_label(options.alternate);
     ApprovalPlan plan;
     const auto laws = law_record(suite, options, plan.remarks);
-    for (const TestResult& result : choose(run, options.names)) {
+    const std::optional<Review> review = review_of(run, options, plan.remarks);
+    for (const TestResult& result : choose(run, options, review)) {
         Approval approval{result.name, options.output / result.candidate, {}, {}, {}, {}};
         const auto test = std::ranges::find(suite.tests, result.name, &GoldenTest::name);
         if (test == suite.tests.end()) {
@@ -268,6 +339,8 @@ ApprovalPlan plan_approval(const Suite& suite, const ApproveOptions& options) {
         approval.golden =
             is_alternate ? alternate_of(suite, *test, options.alternate) : suite.golden_of(*test);
         inspect(approval, result, *test);
+        if (review && approved_in(*review, result.name)->candidate_sha256 != result.candidate_sha256)
+            approval.refusals.push_back({"its picture is not the one that was reviewed: review it again"});
         if (laws)
             for (const std::string& law : laws->failed_among(test->guards))
                 approval.refusals.push_back({fmt::format("{} fails", law), true});
@@ -281,12 +354,15 @@ ApprovalPlan plan_approval(const Suite& suite, const ApproveOptions& options) {
 }
 
 void carry_out(const ApprovalPlan& plan) {
+    image::WholeFiles goldens;
     for (const Approval& approval : plan.approvals) {
         if (approval.change == "equal") continue;
         std::error_code failure;
         fs::create_directories(approval.golden.parent_path(), failure);
-        image::write_text(approval.golden, approval.bytes);
+        const auto* bytes = reinterpret_cast<const std::uint8_t*>(approval.bytes.data());
+        goldens.add(approval.golden, {bytes, approval.bytes.size()});
     }
+    goldens.put_in_place();
 }
 
 } // namespace sr::golden

@@ -15,6 +15,7 @@
 #include <array>
 #include <cctype>
 #include <fmt/format.h>
+#include <fstream>
 #include <string_view>
 
 namespace sr::image {
@@ -65,8 +66,18 @@ void write(const Image& image, const fs::path& file, SampleType type) {
     files.put_in_place();
 }
 
+bool is_lfs_pointer(const fs::path& file) {
+    constexpr std::string_view beginning = "version https://git-lfs.github.com/spec/"; // Git LFS, docs/spec.md
+    std::array<char, beginning.size()> head{};
+    std::ifstream stream(file, std::ios::binary);
+    return stream.read(head.data(), head.size()) && std::string_view(head.data(), head.size()) == beginning;
+}
+
 Image read(const fs::path& file) {
     require_regular_file(file); // before OpenImageIO opens it by its path
+    if (is_lfs_pointer(file))
+        throw Error({file.string()}, "this is a Git LFS pointer, not an image",
+                    "fetch the image with git lfs pull");
     return codec().read(file, limit(Limit::pixels));
 }
 
