@@ -5,6 +5,7 @@
 #include "core/json.hpp"
 #include "golden/run.hpp"
 #include "image/file.hpp"
+#include "image/header.hpp"
 #include "image/whole_file.hpp"
 
 #include <algorithm>
@@ -204,9 +205,10 @@ std::vector<TestResult> choose(const RunResult& run, const ApproveOptions& optio
                             "name the output folder of the run that was reviewed with --output");
     std::vector<TestResult> tests;
     for (const TestResult& test : run.tests) {
-        const bool is_chosen = review                  ? approved_in(*review, test.name) != nullptr
-                               : options.names.empty() ? test.outcome != Outcome::passed
-                                                       : is_among(options.names, test.name);
+        const bool is_chosen = review ? approved_in(*review, test.name) != nullptr
+                               : options.names.empty()
+                                   ? test.outcome != Outcome::passed && test.outcome != Outcome::flaky
+                                   : is_among(options.names, test.name);
         if (is_chosen && !is_among(options.except, test.name)) tests.push_back(test);
     }
     return tests;
@@ -218,10 +220,12 @@ std::size_t nonfinite_count(const image::Image& image) {
 }
 
 /// Refuses a renderer that may not make goldens here.
-std::optional<Refusal> renderer_refusal(const Suite& suite, const TestResult& test, bool is_scene) {
+std::optional<Refusal> renderer_refusal(const Suite& suite, const TestResult& test,
+                                        const GoldenTest& golden) {
     const std::string& found = test.candidate_renderer;
-    if (!is_scene && found.empty())
+    if (golden.scene.empty() && found.empty())
         return std::nullopt; // an external command's image need not say who made it
+    if (!golden.renderer.empty() && found.starts_with(golden.renderer)) return std::nullopt;
     if (suite.renderer) {
         const auto comma = found.rfind(", ");
         const std::string version = comma == std::string::npos ? "" : found.substr(comma + 2);
@@ -269,6 +273,9 @@ void inspect(Approval& approval, const TestResult& result, const GoldenTest& tes
     if (const std::size_t count = nonfinite_count(image); count > 0 && !test.allow_nonfinite)
         approval.refusals.push_back({fmt::format("{} of its values are not finite", count)});
     if (result.fails_known_pixel) approval.refusals.push_back({result.message, true});
+    if (const std::string& renderer = result.candidate_renderer;
+        !renderer.empty() && renderer_of(image).empty())
+        approval.sidecar = nlohmann::ordered_json{{"renderer", renderer}}.dump(1) + "\n";
     if (image::is_lfs_pointer(approval.golden))
         approval.refusals.push_back({"its golden is a Git LFS pointer: fetch it with git lfs pull"});
     else if (!fs::exists(approval.golden, ignored))
@@ -301,10 +308,16 @@ std::optional<Review> review_of(const RunResult& run, const ApproveOptions& opti
     if (options.review.empty()) return std::nullopt;
     Review review = read_review(options.review);
     if (review.suite != run.suite)
-        throw Error({options.review.string()}, fmt::format("this is a review of the suite \"{}\"", review.suite),
+        throw Error({options.review.string()},
+                    fmt::format("this is a review of the suite \"{}\"", review.suite),
                     fmt::format("take one of \"{}\"", run.suite));
-    for (const ReviewedTest& test : review.rejected) remarks.push_back(fmt::format("rejected: {}", test.name));
+    for (const ReviewedTest& test : review.rejected)
+        remarks.push_back(fmt::format("rejected: {}", test.name));
     return review;
+}
+
+std::span<const std::uint8_t> bytes_of(const std::string& text) {
+    return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
 }
 
 } // namespace
@@ -328,7 +341,7 @@ ApprovalPlan plan_approval(const Suite& suite, const ApproveOptions& options) {
     const auto laws = law_record(suite, options, plan.remarks);
     const std::optional<Review> review = review_of(run, options, plan.remarks);
     for (const TestResult& result : choose(run, options, review)) {
-        Approval approval{result.name, options.output / result.candidate, {}, {}, {}, {}};
+        Approval approval{result.name, options.output / result.candidate, {}, {}, {}, {}, {}};
         const auto test = std::ranges::find(suite.tests, result.name, &GoldenTest::name);
         if (test == suite.tests.end()) {
             approval.refusals.push_back({"the suite has no such test any more"});
@@ -346,7 +359,7 @@ ApprovalPlan plan_approval(const Suite& suite, const ApproveOptions& options) {
                 approval.refusals.push_back({fmt::format("{} fails", law), true});
         if (!approval.bytes.empty())
             if (auto refusal = is_alternate ? alternate_refusal(suite, result, *test)
-                                            : renderer_refusal(suite, result, !test->scene.empty()))
+                                            : renderer_refusal(suite, result, *test))
                 approval.refusals.push_back(std::move(*refusal));
         plan.approvals.push_back(std::move(approval));
     }
@@ -359,10 +372,15 @@ void carry_out(const ApprovalPlan& plan) {
         if (approval.change == "equal") continue;
         std::error_code failure;
         fs::create_directories(approval.golden.parent_path(), failure);
-        const auto* bytes = reinterpret_cast<const std::uint8_t*>(approval.bytes.data());
-        goldens.add(approval.golden, {bytes, approval.bytes.size()});
+        goldens.add(approval.golden, bytes_of(approval.bytes));
+        if (!approval.sidecar.empty()) goldens.add(sidecar_of(approval.golden), bytes_of(approval.sidecar));
     }
     goldens.put_in_place();
+    for (const Approval& approval : plan.approvals) // of the golden before
+        if (approval.change != "equal" && approval.sidecar.empty()) {
+            std::error_code ignored;
+            fs::remove(sidecar_of(approval.golden), ignored);
+        }
 }
 
 } // namespace sr::golden

@@ -9,13 +9,13 @@
 namespace sr::golden {
 
 struct ApproveOptions {
-    std::filesystem::path output;   // of the run
+    std::filesystem::path output;    // of the run
     std::vector<std::string> names;  // patterns of tests; empty: every test that did not pass
     std::vector<std::string> except; // patterns of tests that are left as they are
     std::filesystem::path review;    // what a person decided in the report (read_review()); empty: none
-    std::filesystem::path laws;     // JUnit XML of law and truth tests; empty: the suite's, if it names one
-    bool force = false;             // overcomes the refusals that are marked so
-    std::string alternate;          // label: they become alternates, beside the goldens (suite.hpp)
+    std::filesystem::path laws;      // JUnit XML of law and truth tests; empty: the suite's, if it names one
+    bool force = false;              // overcomes the refusals that are marked so
+    std::string alternate;           // label: they become alternates, beside the goldens (suite.hpp)
 };
 
 /// Why a candidate is not to become a golden.
@@ -31,7 +31,8 @@ struct Approval {
     std::filesystem::path golden;
     std::string change; // "new", "equal", or what differs from the golden that it replaces
     std::vector<Refusal> refusals;
-    std::string bytes; // of the candidate; empty if there is none
+    std::string bytes;   // of the candidate; empty if there is none
+    std::string sidecar; // JSON of who rendered it (sidecar_of()); empty where the picture itself says so
 };
 
 struct ApprovalPlan {

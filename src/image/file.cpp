@@ -15,7 +15,6 @@
 #include <array>
 #include <cctype>
 #include <fmt/format.h>
-#include <fstream>
 #include <string_view>
 
 namespace sr::image {
@@ -64,13 +63,6 @@ void write(const Image& image, const fs::path& file, SampleType type) {
     WholeFiles files;
     files.add(image, file, type);
     files.put_in_place();
-}
-
-bool is_lfs_pointer(const fs::path& file) {
-    constexpr std::string_view beginning = "version https://git-lfs.github.com/spec/"; // Git LFS, docs/spec.md
-    std::array<char, beginning.size()> head{};
-    std::ifstream stream(file, std::ios::binary);
-    return stream.read(head.data(), head.size()) && std::string_view(head.data(), head.size()) == beginning;
 }
 
 Image read(const fs::path& file) {

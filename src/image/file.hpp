@@ -39,12 +39,9 @@ bool is_png(const std::filesystem::path& file);
 /// @throws Error for an extension that is not one of .exr .hdr .png .jpg .jpeg.
 bool is_scene_referred(const std::filesystem::path& file);
 
-/// Returns whether a file is a pointer of Git LFS: the text that stands for an image which was not fetched.
-bool is_lfs_pointer(const std::filesystem::path& file);
-
 /// Reads any image OpenImageIO knows as floats, unconverted (integers become 0..1), with channel names and
 /// those attributes that are text.
-/// @throws Error if there is no such file, or it is broken, of no known format or a pointer of Git LFS.
+/// @throws Error if there is no such file, or it is broken or of no known format.
 Image read(const std::filesystem::path& file);
 
 /// A texture decoded from memory: RGBA, rows from top to bottom, values as stored (no colour conversion).

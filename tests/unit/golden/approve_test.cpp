@@ -127,6 +127,38 @@ const Test record("unit.golden.laws.reads_junit_of_any_program", [] {
         error_of([&] { golden::read_law_record(written(folder / "t.xml", std::string(laws_xml, length))); });
 });
 
+const Test sidecar("unit.golden.approve.a_png_has_alternates_by_the_file_beside_it", [] {
+    const auto folder = scratch_folder("approve_sidecar");
+    const auto show = [&](float value, const std::string& driver) {
+        image::Image picture = plain(value);
+        picture.attributes.clear();
+        image::write(picture, folder / "s.png", image::SampleType::integer8);
+        written(folder / "s.json", R"({"renderer": ")" + driver + R"(", "version": "1"})");
+    };
+    const auto suite =
+        golden::load_suite(written(folder / "suite.json", R"({"tests": [{"name": "a", "format": "png",
+        "command": ["sh", "-c", "cp s.png $0; cp s.json $0.json", "{out}"]}]})"));
+    const auto run = [&] { return run_and_keep(suite, folder / "out").tests.at(0); };
+    show(0.5f, "one");
+    EXPECT_EQ(run().candidate_renderer, "one, 1");
+    golden::carry_out(plan(suite, folder / "out"));
+    EXPECT_EQ(run().golden_renderer, "one, 1");
+    EXPECT_TRUE(golden::orphans_of(suite).empty());
+    show(0.7f, "two");
+    EXPECT_EQ(run().outcome, Outcome::differs);
+    golden::ApproveOptions options;
+    options.output = folder / "out";
+    options.alternate = "two";
+    const auto alternate = golden::plan_approval(suite, options);
+    EXPECT_TRUE(alternate.is_allowed(false)) << refusals(alternate);
+    golden::carry_out(alternate);
+    EXPECT_EQ(run().alternate, "two");
+    show(0.7f, "one"); // the golden's own renderer has no alternate
+    EXPECT_EQ(run().outcome, Outcome::differs);
+    written(folder / "s.json", "{\"GPU\": 1}");
+    EXPECT_NE(run().message.find("GPU"), std::string::npos) << run().message;
+});
+
 const Test all_or_nothing("unit.golden.approve.writes_all_goldens_or_none", [] {
     const auto folder = scratch_folder("approve_all");
     const auto suite = copying_suite(folder, {"a", "b"});
@@ -195,8 +227,9 @@ const Test reviewed("unit.golden.approve.takes_what_was_reviewed", [] {
     EXPECT_TRUE(found.is_allowed(false)) << refusals(found);
     EXPECT_EQ(found.remarks, std::vector<std::string>{"rejected: b"});
     EXPECT_NE(error_of([&] { plan_review(entry(0), entry(0)); }).find("decided twice"), std::string::npos);
-    EXPECT_NE(error_of([&] { plan_review(R"({"name": "d", "candidate_sha256": "0"})", ""); }).find("no test d"),
-              std::string::npos);
+    EXPECT_NE(
+        error_of([&] { plan_review(R"({"name": "d", "candidate_sha256": "0"})", ""); }).find("no test d"),
+        std::string::npos);
     image::write(plain(0.6f), folder / "a-source.exr", image::SampleType::floating);
     run_and_keep(suite, folder / "out"); // another picture than the reviewed one
     const auto changed = plan_review(entry(0), "");

@@ -1,7 +1,7 @@
 // The page: the list of tests, the chosen one, the keyboard.
 const data = JSON.parse(document.getElementById("data").textContent);
 
-const outcome_words = { passed: "passed", differs: "differs", missing: "no golden", broken: "broken" };
+const outcome_words = { passed: "passed", differs: "differs", missing: "no golden", broken: "broken", flaky: "flaky" };
 
 const page = {
   chosen: -1,
