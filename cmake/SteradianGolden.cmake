@@ -3,14 +3,14 @@
 #   find_package(Steradian REQUIRED)
 #   steradian_add_golden_test(NAME golden.models SUITE ${CMAKE_CURRENT_SOURCE_DIR}/golden/suite.json JOBS 2)
 #
-# steradian_add_golden_test(NAME name SUITE file.json [OUTPUT folder] [JOBS n] [TIMEOUT seconds]
+# steradian_add_golden_test(NAME name SUITE file.json [OUTPUT folder] [JOBS n] [TIMEOUT seconds] [RETRIES n]
 #                           [FILTER pattern...] [TAGS tag...] [SHADERS folder...] [LABELS label...])
 #
-# Adds one test, which runs the suite; a test that differs, has no golden or makes no image fails it. Results, junit.xml
+# Adds one test, which runs the suite; a test that differs, has no golden, makes no image or is flaky fails it. Results, junit.xml
 # and report.html go to OUTPUT (default: golden/NAME in the build folder). Nothing is ever approved here: that is
 # `steradian golden approve file.json -o OUTPUT`, and a person's decision.
 function(steradian_add_golden_test)
-  cmake_parse_arguments(arg "" "NAME;SUITE;OUTPUT;JOBS;TIMEOUT" "FILTER;TAGS;SHADERS;LABELS" ${ARGN})
+  cmake_parse_arguments(arg "" "NAME;SUITE;OUTPUT;JOBS;TIMEOUT;RETRIES" "FILTER;TAGS;SHADERS;LABELS" ${ARGN})
   if(arg_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "steradian_add_golden_test: unknown argument ${arg_UNPARSED_ARGUMENTS}")
   endif()
@@ -32,7 +32,10 @@ function(steradian_add_golden_test)
   if(NOT arg_TIMEOUT)
     set(arg_TIMEOUT 600)
   endif()
-  set(options --output "${arg_OUTPUT}" --jobs ${arg_JOBS})
+  if(NOT arg_RETRIES)
+    set(arg_RETRIES 0)
+  endif()
+  set(options --output "${arg_OUTPUT}" --jobs ${arg_JOBS} --retries ${arg_RETRIES})
   foreach(pattern IN LISTS arg_FILTER)
     list(APPEND options --filter "${pattern}")
   endforeach()

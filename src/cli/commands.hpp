@@ -8,8 +8,15 @@ class App;
 namespace sr::cli {
 
 /// Exit status of a command: 0 done, 1 a difference or a failed check, 2 usage, 3 a file, shader or driver is
-/// at fault (an Error).
-enum ExitStatus : int { done = 0, failed_check = 1, usage = 2, worlds_fault = 3, interrupted = 130 };
+/// at fault (an Error), 4 a test passed, but only when it was tried again.
+enum ExitStatus : int {
+    done = 0,
+    failed_check = 1,
+    usage = 2,
+    worlds_fault = 3,
+    flaky = 4,
+    interrupted = 130
+};
 
 void add_view_command(CLI::App& app);
 void add_render_command(CLI::App& app);

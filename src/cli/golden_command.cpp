@@ -5,6 +5,8 @@
 #include "core/output.hpp"
 #include "core/text.hpp"
 #include "golden/approve.hpp"
+#include "golden/init.hpp"
+#include "golden/merge.hpp"
 #include "golden/noise.hpp"
 #include "golden/report.hpp"
 #include "golden/run.hpp"
@@ -29,6 +31,11 @@ struct GoldenArguments {
     std::string output = "golden-results";
     golden::RunOptions run;
     golden::ApproveOptions approve;
+    golden::InitOptions init;
+    std::vector<fs::path> folders; // of shards or of past runs
+    bool allows_flaky = false;
+    bool lists_orphans = false;
+    bool json = false;
     bool dry_run = false;
     int seeds = 12;
 };
@@ -40,18 +47,28 @@ void print_line(const golden::TestResult& test) {
     flush_output();
 }
 
-std::string summary(const golden::RunResult& result) {
-    using golden::Outcome;
-    std::string text = fmt::format("{} of {} passed", result.count(Outcome::passed), result.tests.size());
-    if (const int n = result.passed_by_alternates()) text += fmt::format(" ({} as an alternate)", n);
-    if (const int n = result.count(Outcome::differs)) text += fmt::format(", {} differ", n);
-    if (const int n = result.count(Outcome::missing)) text += fmt::format(", {} without a golden", n);
-    if (const int n = result.count(Outcome::broken)) text += fmt::format(", {} broken", n);
-    return text;
-}
-
 void write_report(const golden::RunResult& result, const golden::Suite& suite, const fs::path& output) {
     image::write_text(golden::report_file(output), golden::report_html(result, suite, output));
+}
+
+/// Writes the files of a run, prints its counts and returns its exit status. Results that an earlier run left
+/// do not count.
+ExitStatus conclude(const golden::RunResult& result, const golden::RunRecord& record,
+                    const golden::Suite& suite, const GoldenArguments& arguments, double seconds) {
+    const fs::path& output = arguments.run.output;
+    const golden::RunResult ran = result.of_this_run();
+    golden::write_results(result, output);
+    golden::write_record(record, output);
+    image::write_text(golden::junit_file(output), golden::junit_xml(ran));
+    image::write_text(golden::summary_file(output), golden::summary_markdown(ran, record));
+    write_report(result, suite, output);
+    print_data("{} in {:.1f} s; {}\n", golden::count_text(ran), seconds,
+               shown(golden::report_file(output).string()));
+    if (std::ranges::any_of(ran.tests, &golden::TestResult::has_unreadable_file)) return worlds_fault;
+    if (ran.passed()) return done;
+    const auto good = ran.count(golden::Outcome::passed) + ran.count(golden::Outcome::flaky);
+    if (good < static_cast<int>(ran.tests.size())) return failed_check;
+    return arguments.allows_flaky ? done : flaky;
 }
 
 ExitStatus run_suite(GoldenArguments& arguments) {
@@ -63,19 +80,30 @@ ExitStatus run_suite(GoldenArguments& arguments) {
     options.on_result = print_line;
     options.stop = interruption.token();
     const auto begin = std::chrono::steady_clock::now();
+    golden::RunRecord record = golden::begun_record(suite.folder, options.output);
     const auto result = golden::run(suite, options);
     if (!result) {
         print_remark("interrupted: no results were written");
         return interrupted;
     }
-    golden::write_results(*result, options.output);
-    image::write_text(golden::junit_file(options.output), golden::junit_xml(*result));
-    write_report(*result, suite, options.output);
+    for (const golden::TestResult& test : result->tests)
+        if (!test.is_earlier) record.seconds[test.name] = test.seconds;
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    print_data("{} in {:.1f} s; {}\n", summary(*result), seconds,
-               shown(golden::report_file(options.output).string()));
-    if (std::ranges::any_of(result->tests, &golden::TestResult::has_unreadable_file)) return worlds_fault;
-    return result->passed() ? done : failed_check;
+    return conclude(*result, record, suite, arguments, seconds);
+}
+
+ExitStatus merge(GoldenArguments& arguments) {
+    const golden::Suite suite = golden::load_suite(arguments.suite);
+    golden::RunOptions& options = arguments.run;
+    options.output = arguments.output;
+    golden::MergedRun merged = golden::merge_shards(suite, arguments.folders, options);
+    for (const std::string& remark : merged.remarks) write_remark(remark);
+    for (golden::TestResult& test : merged.result.tests) {
+        const auto seconds = merged.record.seconds.find(test.name);
+        if (seconds != merged.record.seconds.end()) test.seconds = seconds->second;
+        if (test.outcome != golden::Outcome::passed) print_line(test);
+    }
+    return conclude(merged.result, merged.record, suite, arguments, merged.record.total_seconds());
 }
 
 void print_plan(const golden::ApprovalPlan& plan, bool force) {
@@ -96,7 +124,7 @@ ExitStatus approve(GoldenArguments& arguments) {
     options.output = arguments.output;
     const golden::ApprovalPlan plan = golden::plan_approval(suite, options);
     print_plan(plan, options.force);
-    if (plan.approvals.empty()) print_data("nothing to approve: every test of the last run passed\n");
+    if (plan.approvals.empty()) print_data("nothing to approve: no test of the last run was chosen\n");
     if (!plan.is_allowed(options.force)) {
         print_remark("nothing was approved: correct the refused tests, or name the others{}",
                      options.force ? "" : ", or use --force where you know better");
@@ -123,11 +151,53 @@ ExitStatus make_noise(GoldenArguments& arguments) {
     return done;
 }
 
+/// The tests as JSON, with where their goldens lie and which files no test names.
+nlohmann::ordered_json listing_json(const golden::Suite& suite,
+                                    const std::vector<golden::GoldenTest>& tests) {
+    nlohmann::ordered_json json{{"suite", suite.name}, {"tests", nlohmann::ordered_json::array()}};
+    std::error_code ignored;
+    for (const golden::GoldenTest& test : tests)
+        json["tests"].push_back({{"name", test.name},
+                                 {"description", test.description},
+                                 {"tags", test.tags},
+                                 {"scene", test.scene},
+                                 {"command", test.command},
+                                 {"golden", suite.golden_of(test).generic_string()},
+                                 {"has_golden", fs::exists(suite.golden_of(test), ignored)},
+                                 {"alternates", golden::alternates_of(suite, test)}});
+    json["orphans"] = nlohmann::ordered_json::array();
+    for (const fs::path& orphan : golden::orphans_of(suite))
+        json["orphans"].push_back(orphan.generic_string());
+    return json;
+}
+
 void list(const GoldenArguments& arguments) {
     const golden::Suite suite = golden::load_suite(arguments.suite);
-    for (const golden::GoldenTest& test : golden::chosen_tests(suite, arguments.run))
+    if (arguments.lists_orphans) {
+        for (const fs::path& orphan : golden::orphans_of(suite)) print_data("{}\n", shown(orphan.string()));
+        return;
+    }
+    const std::vector<golden::GoldenTest> tests = golden::chosen_tests(suite, arguments.run);
+    if (arguments.json) {
+        write_json(listing_json(suite, tests).dump(1));
+        return;
+    }
+    for (const golden::GoldenTest& test : tests)
         print_data("{}{}{}\n", test.name, test.tags.empty() ? "" : "  ",
                    shown(fmt::format("{}", fmt::join(test.tags, " "))));
+}
+
+void init(const golden::InitOptions& options) {
+    const golden::InitResult made = golden::write_first_suite(options);
+    const std::string suite = made.suite.string(), folder = made.suite.parent_path().string();
+    print_data("{}: {} tests\n", shown(suite), made.tests);
+    if (made.is_of_pictures)
+        print_data("run your program before the suite: it takes the pictures as they are then\n");
+    print_data(
+        "next:\n  steradian golden run {0}\n  look at golden-results/report.html\n"
+        "  steradian golden approve {0}\n  put {1}/github-actions.yml into .github/workflows/, or include "
+        "{1}/gitlab-ci.yml in .gitlab-ci.yml\n",
+        shown(suite), shown(folder));
 }
 
 CLI::App* subcommand(CLI::App& app, GoldenArguments& arguments, const char* name, const char* help) {
@@ -156,6 +226,11 @@ void add_choice(CLI::App& command, golden::RunOptions& run) {
         ->type_name("TAG");
 }
 
+void add_allow_flaky(CLI::App& command, GoldenArguments& arguments) {
+    command.add_flag("--allow-flaky", arguments.allows_flaky,
+                     "exit status 0 instead of 4 if all tests passed, some only when tried again");
+}
+
 void add_run(CLI::App& app, const std::shared_ptr<GoldenArguments>& arguments) {
     CLI::App* command = subcommand(app, *arguments, "run", "make each image and compare it with its golden");
     add_output(*command, *arguments);
@@ -168,11 +243,31 @@ void add_run(CLI::App& app, const std::shared_ptr<GoldenArguments>& arguments) {
                      "look for shaders in this folder first (repeatable)")
         ->allow_extra_args(false)
         ->type_name("DIR");
+    command
+        ->add_option("--retries", arguments->run.retries,
+                     "try a test that fails again, so often at most; if it passes then, it is flaky")
+        ->check(CLI::Range(0, 10))
+        ->capture_default_str();
+    add_allow_flaky(*command, *arguments);
+    command
+        ->add_option_function<std::string>(
+            "--shard",
+            [arguments](const std::string& text) {
+                arguments->run.shard = golden::parsed_shard(text);
+                if (!arguments->run.shard)
+                    throw CLI::ValidationError("--shard", "write K/N, such as 2/8, with K from 1 to N");
+            },
+            "only part K of N of the tests; golden merge puts the parts together")
+        ->type_name("K/N");
     command->footer(
-        "Writes results.json, junit.xml and report.html. Exit status 0 if every test passed,\n"
-        "1 if one did not, 3 if a candidate or golden is no image that can be read.\n"
+        "Writes results.json, run.json, junit.xml, summary.md and report.html. With --filter or --tag, the\n"
+        "results of other tests that an earlier run left in DIR stay in results.json and report.html, "
+        "marked.\n"
+        "Exit status 0 if every test passed, 1 if one did not, 3 if a candidate or golden is no image that "
+        "can\n"
+        "be read, 4 if every test passed, but some only when they were tried again.\n"
         "Examples:\n  steradian golden run suite.json\n  steradian golden run suite.json -j 4 --filter "
-        "'cornell*' -o out");
+        "'cornell*' -o out\n  steradian golden run suite.json --shard 2/8 --retries 1 -o shard-2");
     command->callback([arguments] {
         if (const ExitStatus status = run_suite(*arguments); status != done) throw CLI::RuntimeError(status);
     });
@@ -181,8 +276,17 @@ void add_run(CLI::App& app, const std::shared_ptr<GoldenArguments>& arguments) {
 void add_approve(CLI::App& app, const std::shared_ptr<GoldenArguments>& arguments) {
     CLI::App* command = subcommand(app, *arguments, "approve", "make candidates of the last run the goldens");
     golden::ApproveOptions& options = arguments->approve;
-    command->add_option("NAMES", options.names, "tests, by name or pattern (default: all that did not pass)");
+    CLI::Option* names = command->add_option("NAMES", options.names,
+                                             "tests, by name or pattern (default: all that did not pass)");
     add_output(*command, *arguments);
+    command->add_option("--except", options.except, "leave this test as it is (name or pattern; repeatable)")
+        ->allow_extra_args(false)
+        ->type_name("NAME");
+    command
+        ->add_option("--failed-as-reviewed", options.review,
+                     "approve what a person approved in report.html: the file that it exports")
+        ->type_name("FILE")
+        ->excludes(names);
     command
         ->add_option("--laws", options.laws,
                      "JUnit XML of law and truth tests (ctest --output-junit); a failing one refuses")
@@ -195,9 +299,10 @@ void add_approve(CLI::App& app, const std::shared_ptr<GoldenArguments>& argument
     command->add_flag("--dry-run", arguments->dry_run, "print what would be done, and write nothing");
     command->add_flag("--force", options.force,
                       "approve although laws fail, or although another renderer made the candidate");
-    command->footer("All or nothing: if one test is refused, no golden is written.\n"
+    command->footer("All or nothing: if one test is refused or the disk is full, no golden is written.\n"
                     "Examples:\n  steradian golden approve suite.json --dry-run\n  steradian golden approve "
-                    "suite.json cornell 'zoo*'");
+                    "suite.json cornell 'zoo*' --except zoo_spot\n  steradian golden approve suite.json "
+                    "--failed-as-reviewed review.json");
     command->callback([arguments] {
         if (const ExitStatus status = approve(*arguments); status != done) throw CLI::RuntimeError(status);
     });
@@ -219,12 +324,69 @@ void add_noise(CLI::App& app, const std::shared_ptr<GoldenArguments>& arguments)
     });
 }
 
+void add_merge(CLI::App& app, const std::shared_ptr<GoldenArguments>& arguments) {
+    CLI::App* command = subcommand(app, *arguments, "merge", "make one run of the runs of shards");
+    command->add_option("DIRS", arguments->folders, "output folders of golden run --shard")->required();
+    add_output(*command, *arguments);
+    add_choice(*command, arguments->run);
+    add_allow_flaky(*command, *arguments);
+    command->footer(
+        "Writes what golden run writes, and returns its exit status. A test that no shard has run is "
+        "broken.\n"
+        "Example:\n  steradian golden merge suite.json shard-1 shard-2 -o merged");
+    command->callback([arguments] {
+        if (const ExitStatus status = merge(*arguments); status != done) throw CLI::RuntimeError(status);
+    });
+}
+
+void add_history(CLI::App& app, const std::shared_ptr<GoldenArguments>& arguments) {
+    CLI::App* command = app.add_subcommand("history", "print the outcomes of each test in several runs");
+    command->add_option("DIRS", arguments->folders, "output folders of golden run and golden merge")
+        ->required();
+    command->add_flag("--json", arguments->json, "print JSON");
+    command->footer(
+        "The earliest run comes first: . passed, F differs, M missing, B broken, ~ flaky, - not run.\n"
+        "Example:\n  steradian golden history artifacts/*");
+    command->callback([arguments] {
+        const auto runs = golden::read_history(arguments->folders);
+        if (arguments->json)
+            write_json(golden::history_json(runs).dump(1));
+        else
+            print_data("{}", golden::history_text(runs));
+    });
+}
+
+void add_init(CLI::App& app, const std::shared_ptr<GoldenArguments>& arguments) {
+    CLI::App* command =
+        app.add_subcommand("init", "write a first suite, and files for GitHub Actions and GitLab CI");
+    command->add_option("SOURCES", arguments->init.sources, "scenes or pictures, or folders of them")
+        ->required();
+    command->add_option("-o,--output", arguments->init.output, "folder of the suite")
+        ->type_name("DIR")
+        ->capture_default_str();
+    command->footer(
+        "Each scene becomes a test that renders it. Where there are only pictures, each becomes a test that\n"
+        "takes the picture as your own program writes it. Nothing that is there is overwritten.\n"
+        "Examples:\n  steradian golden init scenes\n  steradian golden init build/pictures -o tests/golden");
+    command->callback([arguments] { init(arguments->init); });
+}
+
+void add_list(CLI::App& app, const std::shared_ptr<GoldenArguments>& arguments) {
+    CLI::App* command = subcommand(app, *arguments, "list", "print the names and tags of the tests");
+    add_choice(*command, arguments->run);
+    command->add_flag("--json", arguments->json, "print the tests and the orphans as JSON");
+    command->add_flag("--orphans", arguments->lists_orphans,
+                      "print the files in the folder of the goldens that no test of the suite names");
+    command->callback([arguments] { list(*arguments); });
+}
+
 } // namespace
 
 void add_golden_command(CLI::App& app) {
     const auto arguments = std::make_shared<GoldenArguments>();
-    CLI::App* command = app.add_subcommand("golden", "golden-image tests: run, approve, report");
+    CLI::App* command = app.add_subcommand("golden", "golden-image tests: init, run, approve, report");
     command->require_subcommand(1);
+    add_init(*command, arguments);
     add_run(*command, arguments);
     add_approve(*command, arguments);
     add_noise(*command, arguments);
@@ -234,9 +396,9 @@ void add_golden_command(CLI::App& app) {
         const golden::Suite suite = golden::load_suite(arguments->suite);
         write_report(golden::read_results(arguments->output), suite, arguments->output);
     });
-    CLI::App* listing = subcommand(*command, *arguments, "list", "print the names and tags of the tests");
-    add_choice(*listing, arguments->run);
-    listing->callback([arguments] { list(*arguments); });
+    add_list(*command, arguments);
+    add_merge(*command, arguments);
+    add_history(*command, arguments);
     command->footer("Examples:\n  steradian golden run suite.json --jobs 2\n  steradian golden approve "
                     "suite.json cornell");
 }

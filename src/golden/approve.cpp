@@ -2,8 +2,10 @@
 
 #include "core/error.hpp"
 #include "core/file.hpp"
+#include "core/json.hpp"
 #include "golden/run.hpp"
 #include "image/file.hpp"
+#include "image/header.hpp"
 #include "image/whole_file.hpp"
 
 #include <algorithm>
@@ -131,6 +133,37 @@ LawRecord read_law_record(const std::filesystem::path& file) {
 
 namespace {
 
+std::vector<ReviewedTest> reviewed_tests(const JsonObject& root, const char* key,
+                                         std::vector<std::string>& decided) {
+    std::vector<ReviewedTest> tests;
+    for (const JsonObject& entry : root.objects(key)) {
+        tests.push_back({entry.required_text("name"), entry.required_text("candidate_sha256")});
+        const std::string& name = tests.back().name;
+        if (std::ranges::find(decided, name) != decided.end())
+            entry.fail_at("name", fmt::format("the test \"{}\" is decided twice", name), "decide it once");
+        decided.push_back(name);
+    }
+    return tests;
+}
+
+} // namespace
+
+Review read_review(const std::filesystem::path& file) {
+    const JsonFile text(file);
+    const JsonObject root(text, JsonObject::Pointer(""));
+    if (!root.has("steradian_golden_review"))
+        root.fail("this is no review of a run", "export one from report.html");
+    root.integer("steradian_golden_review", 1, 1, 1);
+    Review review;
+    review.suite = root.required_text("suite");
+    std::vector<std::string> decided;
+    review.approved = reviewed_tests(root, "approved", decided);
+    review.rejected = reviewed_tests(root, "rejected", decided);
+    return review;
+}
+
+namespace {
+
 namespace fs = std::filesystem;
 
 /// True if a golden holds the picture with this fingerprint; a broken one holds none.
@@ -142,17 +175,42 @@ bool holds(const fs::path& golden, const std::string& picture) {
     }
 }
 
-std::vector<TestResult> choose(const RunResult& run, const std::vector<std::string>& names) {
+bool is_among(const std::vector<std::string>& patterns, const std::string& name) {
+    return std::ranges::any_of(patterns, [&](const std::string& pattern) { return matches(pattern, name); });
+}
+
+/// @throws Error for a pattern that fits no test of the run
+void require_tests(const RunResult& run, const std::vector<std::string>& patterns) {
+    for (const std::string& pattern : patterns)
+        if (std::ranges::none_of(run.tests,
+                                 [&](const TestResult& test) { return matches(pattern, test.name); }))
+            throw Error(fmt::format("the last run has no test {}", pattern),
+                        "run it with steradian golden run, then approve it");
+}
+
+/// The test as a review approved it; null if it did not.
+const ReviewedTest* approved_in(const Review& review, const std::string& name) {
+    const auto found = std::ranges::find(review.approved, name, &ReviewedTest::name);
+    return found == review.approved.end() ? nullptr : &*found;
+}
+
+std::vector<TestResult> choose(const RunResult& run, const ApproveOptions& options,
+                               const std::optional<Review>& review) {
+    require_tests(run, options.names);
+    require_tests(run, options.except);
+    if (review)
+        for (const ReviewedTest& test : review->approved)
+            if (std::ranges::find(run.tests, test.name, &TestResult::name) == run.tests.end())
+                throw Error({options.review.string()}, fmt::format("the last run has no test {}", test.name),
+                            "name the output folder of the run that was reviewed with --output");
     std::vector<TestResult> tests;
     for (const TestResult& test : run.tests) {
-        const auto fits = [&](const std::string& name) { return matches(name, test.name); };
-        if (names.empty() ? test.outcome != Outcome::passed : std::ranges::any_of(names, fits))
-            tests.push_back(test);
+        const bool is_chosen = review ? approved_in(*review, test.name) != nullptr
+                               : options.names.empty()
+                                   ? test.outcome != Outcome::passed && test.outcome != Outcome::flaky
+                                   : is_among(options.names, test.name);
+        if (is_chosen && !is_among(options.except, test.name)) tests.push_back(test);
     }
-    for (const std::string& name : names)
-        if (std::ranges::none_of(run.tests, [&](const TestResult& test) { return matches(name, test.name); }))
-            throw Error(fmt::format("the last run has no test {}", name),
-                        "run it with steradian golden run, then approve it");
     return tests;
 }
 
@@ -162,10 +220,12 @@ std::size_t nonfinite_count(const image::Image& image) {
 }
 
 /// Refuses a renderer that may not make goldens here.
-std::optional<Refusal> renderer_refusal(const Suite& suite, const TestResult& test, bool is_scene) {
+std::optional<Refusal> renderer_refusal(const Suite& suite, const TestResult& test,
+                                        const GoldenTest& golden) {
     const std::string& found = test.candidate_renderer;
-    if (!is_scene && found.empty())
+    if (golden.scene.empty() && found.empty())
         return std::nullopt; // an external command's image need not say who made it
+    if (!golden.renderer.empty() && found.starts_with(golden.renderer)) return std::nullopt;
     if (suite.renderer) {
         const auto comma = found.rfind(", ");
         const std::string version = comma == std::string::npos ? "" : found.substr(comma + 2);
@@ -213,7 +273,12 @@ void inspect(Approval& approval, const TestResult& result, const GoldenTest& tes
     if (const std::size_t count = nonfinite_count(image); count > 0 && !test.allow_nonfinite)
         approval.refusals.push_back({fmt::format("{} of its values are not finite", count)});
     if (result.fails_known_pixel) approval.refusals.push_back({result.message, true});
-    if (!fs::exists(approval.golden, ignored))
+    if (const std::string& renderer = result.candidate_renderer;
+        !renderer.empty() && renderer_of(image).empty())
+        approval.sidecar = nlohmann::ordered_json{{"renderer", renderer}}.dump(1) + "\n";
+    if (image::is_lfs_pointer(approval.golden))
+        approval.refusals.push_back({"its golden is a Git LFS pointer: fetch it with git lfs pull"});
+    else if (!fs::exists(approval.golden, ignored))
         approval.change = "new";
     else if (holds(approval.golden, result.candidate_sha256))
         approval.change = "equal";
@@ -237,6 +302,24 @@ std::optional<LawRecord> law_record(const Suite& suite, const ApproveOptions& op
     return read_law_record(suite.laws);
 }
 
+/// The decisions of a person, if the options name them. Rejected tests are remarks.
+std::optional<Review> review_of(const RunResult& run, const ApproveOptions& options,
+                                std::vector<std::string>& remarks) {
+    if (options.review.empty()) return std::nullopt;
+    Review review = read_review(options.review);
+    if (review.suite != run.suite)
+        throw Error({options.review.string()},
+                    fmt::format("this is a review of the suite \"{}\"", review.suite),
+                    fmt::format("take one of \"{}\"", run.suite));
+    for (const ReviewedTest& test : review.rejected)
+        remarks.push_back(fmt::format("rejected: {}", test.name));
+    return review;
+}
+
+std::span<const std::uint8_t> bytes_of(const std::string& text) {
+    return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
+}
+
 } // namespace
 
 bool ApprovalPlan::is_allowed(bool force) const {
@@ -256,8 +339,9 @@ ApprovalPlan plan_approval(const Suite& suite, const ApproveOptions& options) {
     if (!options.alternate.empty()) check_label(options.alternate);
     ApprovalPlan plan;
     const auto laws = law_record(suite, options, plan.remarks);
-    for (const TestResult& result : choose(run, options.names)) {
-        Approval approval{result.name, options.output / result.candidate, {}, {}, {}, {}};
+    const std::optional<Review> review = review_of(run, options, plan.remarks);
+    for (const TestResult& result : choose(run, options, review)) {
+        Approval approval{result.name, options.output / result.candidate, {}, {}, {}, {}, {}};
         const auto test = std::ranges::find(suite.tests, result.name, &GoldenTest::name);
         if (test == suite.tests.end()) {
             approval.refusals.push_back({"the suite has no such test any more"});
@@ -268,12 +352,14 @@ ApprovalPlan plan_approval(const Suite& suite, const ApproveOptions& options) {
         approval.golden =
             is_alternate ? alternate_of(suite, *test, options.alternate) : suite.golden_of(*test);
         inspect(approval, result, *test);
+        if (review && approved_in(*review, result.name)->candidate_sha256 != result.candidate_sha256)
+            approval.refusals.push_back({"its picture is not the one that was reviewed: review it again"});
         if (laws)
             for (const std::string& law : laws->failed_among(test->guards))
                 approval.refusals.push_back({fmt::format("{} fails", law), true});
         if (!approval.bytes.empty())
             if (auto refusal = is_alternate ? alternate_refusal(suite, result, *test)
-                                            : renderer_refusal(suite, result, !test->scene.empty()))
+                                            : renderer_refusal(suite, result, *test))
                 approval.refusals.push_back(std::move(*refusal));
         plan.approvals.push_back(std::move(approval));
     }
@@ -281,12 +367,20 @@ ApprovalPlan plan_approval(const Suite& suite, const ApproveOptions& options) {
 }
 
 void carry_out(const ApprovalPlan& plan) {
+    image::WholeFiles goldens;
     for (const Approval& approval : plan.approvals) {
         if (approval.change == "equal") continue;
         std::error_code failure;
         fs::create_directories(approval.golden.parent_path(), failure);
-        image::write_text(approval.golden, approval.bytes);
+        goldens.add(approval.golden, bytes_of(approval.bytes));
+        if (!approval.sidecar.empty()) goldens.add(sidecar_of(approval.golden), bytes_of(approval.sidecar));
     }
+    goldens.put_in_place();
+    for (const Approval& approval : plan.approvals) // of the golden before
+        if (approval.change != "equal" && approval.sidecar.empty()) {
+            std::error_code ignored;
+            fs::remove(sidecar_of(approval.golden), ignored);
+        }
 }
 
 } // namespace sr::golden

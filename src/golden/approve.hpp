@@ -9,11 +9,13 @@
 namespace sr::golden {
 
 struct ApproveOptions {
-    std::filesystem::path output;   // of the run
-    std::vector<std::string> names; // patterns of tests; empty: every test that did not pass
-    std::filesystem::path laws;     // JUnit XML of law and truth tests; empty: the suite's, if it names one
-    bool force = false;             // overcomes the refusals that are marked so
-    std::string alternate;          // label: they become alternates, beside the goldens (suite.hpp)
+    std::filesystem::path output;    // of the run
+    std::vector<std::string> names;  // patterns of tests; empty: every test that did not pass
+    std::vector<std::string> except; // patterns of tests that are left as they are
+    std::filesystem::path review;    // what a person decided in the report (read_review()); empty: none
+    std::filesystem::path laws;      // JUnit XML of law and truth tests; empty: the suite's, if it names one
+    bool force = false;              // overcomes the refusals that are marked so
+    std::string alternate;           // label: they become alternates, beside the goldens (suite.hpp)
 };
 
 /// Why a candidate is not to become a golden.
@@ -29,7 +31,8 @@ struct Approval {
     std::filesystem::path golden;
     std::string change; // "new", "equal", or what differs from the golden that it replaces
     std::vector<Refusal> refusals;
-    std::string bytes; // of the candidate; empty if there is none
+    std::string bytes;   // of the candidate; empty if there is none
+    std::string sidecar; // JSON of who rendered it (sidecar_of()); empty where the picture itself says so
 };
 
 struct ApprovalPlan {
@@ -54,16 +57,33 @@ struct LawRecord {
 /// has no <testcase>.
 LawRecord read_law_record(const std::filesystem::path& file);
 
+/// A test whose picture a person has looked at.
+struct ReviewedTest {
+    std::string name;
+    std::string candidate_sha256; // fingerprint of that picture
+};
+
+/// The decisions that the report exports.
+struct Review {
+    std::string suite; // its name
+    std::vector<ReviewedTest> approved;
+    std::vector<ReviewedTest> rejected;
+};
+
+/// Reads a file that the report exported. @throws Error with its place if it is none, or decides a test twice
+Review read_review(const std::filesystem::path& file);
+
 /// Plans an approval; writes nothing. Refused without regard to force: a test that the last run did not
 /// have, a candidate that is missing or is not the one that was compared (by its fingerprint), one with
-/// pixels that are not finite where the test does not allow them. Refused unless forced: a failing pixel
+/// pixels that are not finite where the test does not allow them, a picture other than the reviewed one, a
+/// golden that is a Git LFS pointer. Refused unless forced: a failing pixel
 /// known in closed form, a failing law or truth test, a renderer that is not the suite's reference (or, where
 /// the suite names none, not the one that made the golden). An alternate is refused without regard to force
 /// where there is no golden yet, or it does not say who rendered it, or the golden's renderer did.
-/// @throws Error if there are no results, or they are another suite's, or no test fits the names.
+/// @throws Error if there are no results, or they or the review are another suite's, or no test fits a name.
 ApprovalPlan plan_approval(const Suite& suite, const ApproveOptions& options);
 
-/// Writes the goldens of a plan, each whole or not at all. @throws Error.
+/// Writes the goldens of a plan, all or none: each is written beside its golden first. @throws Error.
 void carry_out(const ApprovalPlan& plan);
 
 } // namespace sr::golden

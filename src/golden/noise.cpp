@@ -41,14 +41,15 @@ std::vector<std::string> words_with_seed(const GoldenTest& test, const Suite& su
 /// Renders one seed. @return absent if it was interrupted
 std::optional<image::Image> picture_of(const GoldenTest& test, const Suite& suite, const RunOptions& options,
                                        int seed) {
-    const fs::path out = fs::absolute(options.output / "candidates"
-                                      / fmt::format("{}.seed{}{}", test.name, seed, test.extension));
+    const fs::path out =
+        fs::absolute(options.output / "candidates"
+                     / fmt::format("{}.seed{}{}", file_name_of(test.name), seed, test.extension));
     ProcessOptions process;
     process.words =
         words_with_seed(test, suite, command_words(test, options, options.program.string(), out.string()),
                         std::to_string(seed));
     process.folder = fs::absolute(suite.folder);
-    process.log = fs::absolute(options.output / "logs" / (test.name + ".noise.txt"));
+    process.log = fs::absolute(options.output / "logs" / (file_name_of(test.name) + ".noise.txt"));
     process.time_limit = test.time_limit;
     process.stop = options.stop;
     const ProcessEnd end = run_process(process);

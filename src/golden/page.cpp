@@ -87,12 +87,24 @@ float scale_of(const image::Image& image) {
     return largest > 0.0f ? std::ldexp(1.0f, std::clamp(14 - std::ilogb(largest), -120, 120)) : 1.0f;
 }
 
-std::string byte_planes(const image::Image& image, float scale) {
+/// R, G, B and A if it is there; the one channel of an image that has but one.
+std::vector<std::size_t> packed_channels(const image::Image& image) {
+    if (image.channels == 1) return {0};
+    const auto colors = compare::color_channels(image);
+    std::vector<std::size_t> channels(colors.begin(), colors.end());
+    const auto alpha = std::ranges::find(image.channel_names, "A");
+    if (alpha != image.channel_names.end())
+        channels.push_back(static_cast<std::size_t>(alpha - image.channel_names.begin()));
+    else if (image.channel_names.empty() && image.channels == 4)
+        channels.push_back(3);
+    return channels;
+}
+
+std::string byte_planes(const image::Image& image, const std::vector<std::size_t>& channels, float scale) {
     const std::size_t count = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
     const auto stride = static_cast<std::size_t>(image.channels);
-    const auto channels = compare::color_channels(image);
-    std::string planes(6 * count, '\0');
-    for (std::size_t c = 0; c < 3; ++c)
+    std::string planes(2 * channels.size() * count, '\0');
+    for (std::size_t c = 0; c < channels.size(); ++c)
         for (std::size_t i = 0; i < count; ++i) {
             const std::uint16_t half = glm::packHalf1x16(image.pixels[i * stride + channels[c]] * scale);
             planes[2 * c * count + i] = static_cast<char>(half >> 8);
@@ -116,10 +128,12 @@ std::string deflated(const std::string& bytes) {
 
 nlohmann::ordered_json pack_pixels(const image::Image& image) {
     const float scale = scale_of(image);
+    const std::vector<std::size_t> channels = packed_channels(image);
     return {{"width", image.width},
             {"height", image.height},
+            {"channels", channels.size()},
             {"scale", scale},
-            {"data", base64(deflated(byte_planes(image, scale)))}};
+            {"data", base64(deflated(byte_planes(image, channels, scale)))}};
 }
 
 std::string base64(std::string_view bytes) {

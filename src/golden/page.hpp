@@ -19,9 +19,10 @@ std::string escape_script_json(std::string_view json);
 /// A command as one line that a POSIX shell reads back as these words.
 std::string shell_line(const std::vector<std::string>& words);
 
-/// Packs R, G and B of an image: {"width", "height", "scale", "data"}. The values times `scale` (a power of
-/// two that uses the range of half floats well) are halves, for each channel all high bytes and then all low
-/// bytes, deflated (RFC 1950), base64. A half has 11 significant bits: the error is within 0.05 %.
+/// Packs R, G, B and, where there is one, A of an image; of an image of one channel that channel: {"width",
+/// "height", "channels", "scale", "data"}. The values times `scale` (a power of two that uses the range of
+/// half floats well) are halves, for each channel all high bytes and then all low bytes, deflated (RFC 1950),
+/// base64. A half has 11 significant bits: the error is within 0.05 %.
 nlohmann::ordered_json pack_pixels(const image::Image& image);
 
 /// RFC 4648 section 4.

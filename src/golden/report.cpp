@@ -1,6 +1,9 @@
 #include "golden/report.hpp"
 
+#include "compare/compare.hpp"
+#include "core/text.hpp"
 #include "golden/page.hpp"
+#include "golden/run.hpp"
 #include "image/file.hpp"
 
 #include <algorithm>
@@ -17,7 +20,8 @@ std::vector<const TestResult*> failures_first(const RunResult& result) {
     std::vector<const TestResult*> tests;
     for (const TestResult& test : result.tests) tests.push_back(&test);
     const auto rank = [](const TestResult* test) {
-        return test->outcome == Outcome::passed    ? 3
+        return test->outcome == Outcome::passed    ? 4
+               : test->outcome == Outcome::flaky   ? 3
                : test->outcome == Outcome::missing ? 2
                : test->outcome == Outcome::broken  ? 1
                                                    : 0;
@@ -34,7 +38,7 @@ ordered_json commands_of(const TestResult& test, const RunResult& result, const 
         {"reproduce", fmt::format("cd {} && {}", shell_line({suite.folder.string()}), test.command)},
         {"run again", shell_line({"steradian", "golden", "run", file, "--output", output.string(), "--filter",
                                   test.name})}};
-    if (!test.candidate.empty() && test.outcome != Outcome::passed)
+    if (!test.candidate.empty() && test.outcome != Outcome::passed && test.outcome != Outcome::flaky)
         commands["approve"] =
             shell_line({"steradian", "golden", "approve", file, test.name, "--output", output.string()});
     return commands;
@@ -45,28 +49,59 @@ class Pictures {
 public:
     Pictures(const Suite& suite, const fs::path& output) : suite_(suite), output_(output) {}
 
+    /// Adds {"test", "golden", "errors"}: of a test that differs, the errors of its pixels over their limits.
     void add(ordered_json& json, const TestResult& test) {
         json["images_left_out"] = room_ == 0;
-        json["is_display_referred"] = test.candidate.ends_with(".png");
+        json["is_display_referred"] = false;
         if (test.candidate.empty() || room_ == 0) return;
-        json["test"] = pack_pixels(image::read(output_ / test.candidate));
+        const image::Image candidate = image::read(output_ / test.candidate);
+        json["is_display_referred"] = compare::integer_bits(candidate) > 0;
+        json["test"] = pack_pixels(candidate);
         if (test.comparison.is_object()) {
-            auto golden = pack_pixels(image::read(suite_.folder / test.golden));
-            json["golden"] = golden == json["test"] ? ordered_json("equal") : std::move(golden);
+            const image::Image golden = image::read(suite_.folder / test.golden);
+            ordered_json packed = pack_pixels(golden);
+            json["golden"] = packed == json["test"] ? ordered_json("equal") : std::move(packed);
+            if (test.outcome == Outcome::differs) add_errors(json, test.name, candidate, golden);
         }
-        for (const char* key : {"test", "golden"})
+        for (const char* key : {"test", "golden", "errors"})
             if (json.contains(key) && json[key].is_object())
                 room_ -= std::min(room_, json[key]["data"].get_ref<const std::string&>().size());
     }
 
 private:
+    void add_errors(ordered_json& json, const std::string& name, const image::Image& candidate,
+                    const image::Image& golden) {
+        const auto test = std::ranges::find(suite_.tests, name, &GoldenTest::name);
+        if (test == suite_.tests.end()) return;
+        compare::Comparison comparison =
+            compare::compare(candidate, golden, compare_options(*test, candidate, golden));
+        constexpr float max_error = 1000.0f; // a page of half floats shows the limit and this at once
+        for (float& error : comparison.error.pixels)
+            error = error > max_error ? max_error : error; // NaN stays
+        const bool is_whole =
+            comparison.error.width == golden.width && comparison.error.height == golden.height;
+        if (is_whole && !comparison.error.pixels.empty()) json["errors"] = pack_pixels(comparison.error);
+    }
+
     const Suite& suite_;
     const fs::path& output_;
     std::size_t room_ = max_pixel_text;
 };
 
+ordered_json json_of(const RunRecord& record) {
+    return {{"began", record.began},   {"host", record.host}, {"commit", record.commit},
+            {"branch", record.branch}, {"link", record.link}, {"seconds", record.total_seconds()}};
+}
+
+ordered_json orphans_json(const Suite& suite) {
+    ordered_json orphans = ordered_json::array();
+    for (const fs::path& orphan : orphans_of(suite)) orphans.push_back(orphan.generic_string());
+    return orphans;
+}
+
 ordered_json page_data(const RunResult& result, const Suite& suite, const fs::path& output) {
     ordered_json tests = ordered_json::array();
+    const std::optional<RunRecord> record = read_record(output);
     Pictures pictures(suite, output);
     for (const TestResult* test : failures_first(result)) {
         ordered_json json{
@@ -75,16 +110,29 @@ ordered_json page_data(const RunResult& result, const Suite& suite, const fs::pa
             {"message", test->message},
             {"description", test->description},
             {"tags", test->tags},
+            {"candidate_sha256", test->candidate_sha256},
+            {"largest_error_over_limit", test->largest_error},
+            {"is_earlier", test->is_earlier},
+            {"attempts", ordered_json::array()},
             {"renderer", {{"test", test->candidate_renderer}, {"golden", test->golden_renderer}}},
             {"commands", commands_of(*test, result, suite, output)},
             {"comparison", test->comparison},
             {"log", test->log}};
+        for (const Attempt& attempt : test->attempts)
+            json["attempts"].push_back(fmt::format("{}: {}", name_of(attempt.outcome), attempt.message));
+        if (record)
+            if (const auto seconds = record->seconds.find(test->name); seconds != record->seconds.end())
+                json["seconds"] = seconds->second;
         pictures.add(json, *test);
         tests.push_back(std::move(json));
     }
     return {{"suite", result.suite},
             {"file", result.suite_file},
             {"version", STERADIAN_VERSION},
+            {"run", record ? json_of(*record) : ordered_json()},
+            {"orphans", orphans_json(suite)},
+            {"approve", shell_line({"steradian", "golden", "approve", result.suite_file, "--output",
+                                    output.string(), "--failed-as-reviewed"})},
             {"tests", std::move(tests)}};
 }
 
@@ -124,11 +172,16 @@ std::string case_xml(const RunResult& result, const TestResult& test) {
     std::string xml = fmt::format("  <testcase classname=\"golden.{}\" name=\"{}\" time=\"{:.3f}\"",
                                   escape_markup(result.suite), escape_markup(test.name), test.seconds);
     if (test.outcome == Outcome::passed) return xml + "/>\n";
-    const char* element = test.outcome == Outcome::broken ? "error" : "failure";
-    return xml
-           + fmt::format(">\n    <{0} type=\"{1}\" message=\"{2}\">{3}</{0}>\n  </testcase>\n", element,
-                         name_of(test.outcome), escape_markup(test.message),
-                         escape_markup(verdict_text(test)));
+    xml += ">\n";
+    if (test.outcome != Outcome::flaky)
+        xml += fmt::format("    <{0} type=\"{1}\" message=\"{2}\">{3}</{0}>\n",
+                           test.outcome == Outcome::broken ? "error" : "failure", name_of(test.outcome),
+                           escape_markup(test.message), escape_markup(verdict_text(test)));
+    const char* element = test.outcome == Outcome::flaky ? "flakyFailure" : "rerunFailure";
+    for (const Attempt& attempt : test.attempts)
+        xml += fmt::format("    <{} type=\"{}\" message=\"{}\"/>\n", element, name_of(attempt.outcome),
+                           escape_markup(attempt.message));
+    return xml + "  </testcase>\n";
 }
 
 } // namespace
@@ -143,6 +196,52 @@ std::string junit_xml(const RunResult& result) {
                        escape_markup(result.suite), result.tests.size(), failures, errors, seconds);
     for (const TestResult& test : result.tests) xml += case_xml(result, test);
     return xml + "</testsuite>\n";
+}
+
+std::string count_text(const RunResult& result) {
+    std::string text = fmt::format("{} of {} passed", result.count(Outcome::passed), result.tests.size());
+    if (const int n = result.passed_by_alternates()) text += fmt::format(" ({} as an alternate)", n);
+    if (const int n = result.count(Outcome::differs)) text += fmt::format(", {} differ", n);
+    if (const int n = result.count(Outcome::missing)) text += fmt::format(", {} without a golden", n);
+    if (const int n = result.count(Outcome::broken)) text += fmt::format(", {} broken", n);
+    if (const int n = result.count(Outcome::flaky)) text += fmt::format(", {} flaky", n);
+    return text;
+}
+
+namespace {
+
+/// Text as Markdown shows it in a cell of a table.
+std::string cell(std::string_view text) {
+    std::string result;
+    for (const char c : escape_markup(text)) {
+        if (c == '\n' || c == '\r') {
+            result += ' ';
+            continue;
+        }
+        if (std::string_view("\\|`*_[]~").find(c) != std::string_view::npos) result += '\\';
+        result += c;
+    }
+    return result;
+}
+
+} // namespace
+
+std::string summary_markdown(const RunResult& result, const std::optional<RunRecord>& record) {
+    constexpr std::size_t max_size = 60000, max_message = 300;
+    std::string text = fmt::format("### Golden images of {}: {}\n\n", cell(result.suite), count_text(result));
+    if (record && !record->commit.empty())
+        text +=
+            fmt::format("Commit {}, {:.1f} s.{}\n\n", record->commit.substr(0, 12), record->total_seconds(),
+                        record->link.empty() ? "" : fmt::format(" [Job]({})", record->link));
+    const auto tests = failures_first(result);
+    if (result.passed()) return text;
+    text += "| outcome | test | what |\n|---|---|---|\n";
+    for (std::size_t i = 0; i < tests.size() && tests[i]->outcome != Outcome::passed; ++i) {
+        if (text.size() > max_size - 2000) return text + "\n… and further tests: see the report.\n";
+        text += fmt::format("| {} | {} | {} |\n", name_of(tests[i]->outcome), cell(tests[i]->name),
+                            cell(shortened(tests[i]->message, max_message)));
+    }
+    return text;
 }
 
 } // namespace sr::golden

@@ -2,11 +2,17 @@
 
 #include "core/error.hpp"
 #include "core/file.hpp"
+#include "golden/process.hpp"
 #include "image/whole_file.hpp"
 
 #include <algorithm>
 #include <array>
+#include <chrono>
+#include <cstdlib>
+#include <fmt/chrono.h>
 #include <fmt/format.h>
+#include <functional>
+#include <unistd.h>
 
 namespace sr::golden {
 namespace {
@@ -14,10 +20,21 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
-constexpr int format_version = 2;
-constexpr std::array<std::string_view, 4> outcome_names{"passed", "differs", "missing", "broken"};
+constexpr int format_version = 3;
+constexpr std::array<std::string_view, 5> outcome_names{"passed", "differs", "missing", "broken", "flaky"};
+
+Outcome outcome_of(const ordered_json& json) {
+    const auto found = std::ranges::find(outcome_names, json.get<std::string>());
+    if (found == outcome_names.end()) throw Error(json.dump(), "no outcome of a test");
+    return static_cast<Outcome>(found - outcome_names.begin());
+}
 
 ordered_json json_of(const TestResult& test) {
+    ordered_json attempts = ordered_json::array();
+    for (const Attempt& attempt : test.attempts)
+        attempts.push_back({{"outcome", name_of(attempt.outcome)},
+                            {"message", attempt.message},
+                            {"candidate", attempt.candidate}});
     return {{"name", test.name},
             {"outcome", name_of(test.outcome)},
             {"message", test.message},
@@ -31,15 +48,16 @@ ordered_json json_of(const TestResult& test) {
             {"candidate_renderer", test.candidate_renderer},
             {"golden_renderer", test.golden_renderer},
             {"command", test.command},
+            {"largest_error_over_limit", test.largest_error},
             {"comparison", test.comparison},
-            {"log", test.log}};
+            {"log", test.log},
+            {"attempts", std::move(attempts)},
+            {"is_earlier", test.is_earlier}};
 }
 
 TestResult test_of(const ordered_json& json) {
     TestResult test;
-    const auto found = std::ranges::find(outcome_names, json.at("outcome").get<std::string>());
-    test.outcome = static_cast<Outcome>(found - outcome_names.begin()); // an unknown one is caught below
-    if (found == outcome_names.end()) throw Error(json.at("outcome").dump(), "no outcome of a test");
+    test.outcome = outcome_of(json.at("outcome"));
     json.at("name").get_to(test.name);
     json.at("message").get_to(test.message);
     json.at("description").get_to(test.description);
@@ -53,7 +71,12 @@ TestResult test_of(const ordered_json& json) {
     json.at("golden_renderer").get_to(test.golden_renderer);
     json.at("command").get_to(test.command);
     json.at("log").get_to(test.log);
+    json.at("largest_error_over_limit").get_to(test.largest_error);
     test.comparison = json.at("comparison");
+    for (const ordered_json& attempt : json.at("attempts"))
+        test.attempts.push_back(
+            {outcome_of(attempt.at("outcome")), attempt.at("message"), attempt.at("candidate")});
+    json.at("is_earlier").get_to(test.is_earlier);
     return test;
 }
 
@@ -71,9 +94,23 @@ int RunResult::passed_by_alternates() const {
     }));
 }
 
+RunResult RunResult::of_this_run() const {
+    RunResult result{suite, suite_file, {}};
+    std::ranges::copy_if(tests, std::back_inserter(result.tests), std::not_fn(&TestResult::is_earlier));
+    return result;
+}
+
+double RunRecord::total_seconds() const {
+    double sum = 0.0;
+    for (const auto& [test, duration] : seconds) sum += duration;
+    return sum;
+}
+
 fs::path results_file(const fs::path& output) { return output / "results.json"; }
 fs::path junit_file(const fs::path& output) { return output / "junit.xml"; }
 fs::path report_file(const fs::path& output) { return output / "report.html"; }
+fs::path summary_file(const fs::path& output) { return output / "summary.md"; }
+fs::path record_file(const fs::path& output) { return output / "run.json"; }
 
 void write_results(const RunResult& result, const fs::path& output) {
     ordered_json tests = ordered_json::array();
@@ -102,6 +139,76 @@ RunResult read_results(const fs::path& output) {
     } catch (const std::exception&) {
         throw Error({file.string()}, "not the results of a run of this version",
                     "run steradian golden run again");
+    }
+}
+
+namespace {
+
+/// The value of the first of these environment variables that is set.
+std::string environment(std::initializer_list<const char*> names) {
+    for (const char* name : names)
+        if (const char* value = std::getenv(name); value != nullptr && *value != '\0') return value;
+    return {};
+}
+
+std::string host_name() {
+    std::array<char, 256> name{};
+    return gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "";
+}
+
+/// The commit that Git has checked out in a folder; empty if there is none.
+std::string git_commit(const fs::path& folder, const fs::path& scratch) {
+    ProcessOptions git{{"git", "rev-parse", "HEAD"}, fs::absolute(folder), fs::absolute(scratch), 5.0};
+    std::string commit = run_process(git).is_success() ? read_text(scratch) : "";
+    std::error_code ignored;
+    fs::remove(scratch, ignored);
+    return commit.substr(0, commit.find('\n'));
+}
+
+std::string job_link() {
+    const std::string github = environment({"GITHUB_RUN_ID"});
+    std::string link = github.empty()
+                           ? environment({"CI_JOB_URL", "BUILD_URL"})
+                           : fmt::format("{}/{}/actions/runs/{}", environment({"GITHUB_SERVER_URL"}),
+                                         environment({"GITHUB_REPOSITORY"}), github);
+    return link.starts_with("http://") || link.starts_with("https://") ? link : "";
+}
+
+} // namespace
+
+RunRecord begun_record(const fs::path& folder, const fs::path& output) {
+    RunRecord record;
+    const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+    record.began = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(now));
+    record.host = host_name();
+    record.commit = environment({"GITHUB_SHA", "CI_COMMIT_SHA", "GIT_COMMIT"});
+    std::error_code ignored;
+    fs::create_directories(output, ignored);
+    if (record.commit.empty()) record.commit = git_commit(folder, output / ".commit");
+    record.branch = environment({"GITHUB_HEAD_REF", "GITHUB_REF_NAME", "CI_COMMIT_REF_NAME", "BRANCH_NAME"});
+    record.link = job_link();
+    return record;
+}
+
+void write_record(const RunRecord& record, const fs::path& output) {
+    const ordered_json json{{"steradian_golden_run", 1}, {"began", record.began},   {"host", record.host},
+                            {"commit", record.commit},   {"branch", record.branch}, {"link", record.link},
+                            {"seconds", record.seconds}};
+    image::write_text(record_file(output),
+                      json.dump(1, ' ', false, ordered_json::error_handler_t::replace) + "\n");
+}
+
+std::optional<RunRecord> read_record(const fs::path& output) {
+    std::error_code ignored;
+    if (!fs::exists(record_file(output), ignored)) return std::nullopt;
+    try {
+        const auto json = ordered_json::parse(read_text(record_file(output)));
+        RunRecord record{json.at("began"),  json.at("host"), json.at("commit"),
+                         json.at("branch"), json.at("link"), json.at("seconds")};
+        if (!record.link.starts_with("http://") && !record.link.starts_with("https://")) record.link.clear();
+        return record;
+    } catch (const std::exception&) { // times are worth having, and no reason to fail
+        return std::nullopt;
     }
 }
 

@@ -3,6 +3,7 @@
 #include "golden/suite.hpp"
 
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -13,10 +14,18 @@ enum class Outcome {
     passed,
     differs, // from its golden, or from a pixel known in closed form
     missing, // no golden to compare with
-    broken   // no image: the command failed, hung or wrote none that can be read
+    broken,  // no image: the command failed, hung or wrote none that can be read
+    flaky    // it passed, but only when it was tried again
 };
 
 std::string_view name_of(Outcome outcome);
+
+/// An attempt that failed before the last one.
+struct Attempt {
+    Outcome outcome = Outcome::broken;
+    std::string message;
+    std::string candidate; // file in the output folder; empty if there is none
+};
 
 struct TestResult {
     std::string name;
@@ -32,9 +41,12 @@ struct TestResult {
     std::string alternate; // label of the alternate that it agrees with in the golden's stead; mostly empty
     std::string candidate_renderer; // "GL_RENDERER, GL_VERSION" as its file says; empty if it does not
     std::string golden_renderer;
-    std::string command;               // one line for a shell in the suite's folder
+    std::string command;        // one line for a shell in the suite's folder
+    double largest_error = 0.0; // of a pixel, over its limit: 1 is at the limit; a forgiven one is above
     nlohmann::ordered_json comparison; // json_of(Comparison); null if nothing was compared
     std::string log;                   // the end of what the command wrote
+    std::vector<Attempt> attempts;     // that failed before it was tried again
+    bool is_earlier = false;           // an earlier run's: this one left the test out
     double seconds = 0.0;              // not kept in results.json, which is the same for equal runs
 };
 
@@ -46,17 +58,44 @@ struct RunResult {
     int count(Outcome outcome) const;
     int passed_by_alternates() const;
     bool passed() const { return count(Outcome::passed) == static_cast<int>(tests.size()); }
+    /// Without the results that are an earlier run's.
+    RunResult of_this_run() const;
+};
+
+/// Time and place of a run, in the file run.json: all that differs between equal runs. A text is empty where it is
+/// unknown.
+struct RunRecord {
+    std::string began; // UTC, as 2024-02-29T12:00:00Z
+    std::string host;
+    std::string commit;
+    std::string branch;
+    std::string link;                      // to the job of a CI system; begins with http:// or https://
+    std::map<std::string, double> seconds; // by test
+
+    double total_seconds() const;
 };
 
 /// The files of an output folder.
 std::filesystem::path results_file(const std::filesystem::path& output);
 std::filesystem::path junit_file(const std::filesystem::path& output);
 std::filesystem::path report_file(const std::filesystem::path& output);
+std::filesystem::path summary_file(const std::filesystem::path& output);
+std::filesystem::path record_file(const std::filesystem::path& output);
 
 /// Writes results.json whole or not at all. Equal runs give equal bytes. @throws Error.
 void write_results(const RunResult& result, const std::filesystem::path& output);
 
 /// @throws Error if the last run left none there, or it is not one of ours.
 RunResult read_results(const std::filesystem::path& output);
+
+/// Describes a run that begins now in `folder`: the host, and the commit as the variables of GitHub, GitLab
+/// and Jenkins or else Git have it.
+RunRecord begun_record(const std::filesystem::path& folder, const std::filesystem::path& output);
+
+/// @throws Error.
+void write_record(const RunRecord& record, const std::filesystem::path& output);
+
+/// Absent if there is none that can be read.
+std::optional<RunRecord> read_record(const std::filesystem::path& output);
 
 } // namespace sr::golden

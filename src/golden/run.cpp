@@ -4,6 +4,7 @@
 #include "compare/compare.hpp"
 #include "core/error.hpp"
 #include "core/file.hpp"
+#include "core/json.hpp"
 #include "core/parallel.hpp"
 #include "golden/page.hpp"
 #include "golden/process.hpp"
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <charconv>
 #include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -87,28 +89,6 @@ std::string last_line(std::string_view text) {
     return last;
 }
 
-std::string renderer_of(const image::Image& image) {
-    std::string text;
-    for (const char* key : {"steradian:GL_RENDERER", "steradian:GL_VERSION"}) {
-        const auto found = std::ranges::find(image.attributes, key, &image::Attribute::name);
-        if (found == image.attributes.end()) continue;
-        text += fmt::format("{}{}", text.empty() ? "" : ", ", found->value);
-    }
-    return text;
-}
-
-compare::CompareOptions compare_options(const GoldenTest& test, const image::Image& candidate,
-                                        const image::Image& reference) {
-    compare::CompareOptions options;
-    compare::set_encoding(options, candidate, reference);
-    options.tolerances = test.tolerances;
-    options.allow_nonfinite = test.allow_nonfinite;
-    options.region = test.region;
-    if (!test.mask.empty()) options.mask = image::read(test.mask);
-    for (const fs::path& file : test.noise) options.noise.push_back(image::read(file));
-    return options;
-}
-
 /// The first failure, and the diagnosis if there is one.
 std::string summary(const compare::Comparison& comparison) {
     const auto failed = std::ranges::find(comparison.verdicts, false, &compare::Verdict::passed);
@@ -116,6 +96,14 @@ std::string summary(const compare::Comparison& comparison) {
     if (comparison.diagnosis)
         text += fmt::format(" [{}: {}]", comparison.diagnosis->name, comparison.diagnosis->statement);
     return text;
+}
+
+/// The largest finite error over its limit of a pixel.
+double largest_error(const compare::Comparison& comparison) {
+    float largest = 0.0f;
+    for (const float error : comparison.error.pixels)
+        if (std::isfinite(error)) largest = std::max(largest, error);
+    return largest;
 }
 
 /// GL_RENDERER of what renderer_of() says.
@@ -127,7 +115,7 @@ bool passes_alternate(TestResult& result, const image::Image& candidate, const S
     for (const std::string& label : alternates_of(suite, test)) {
         const fs::path file = alternate_of(suite, test, label);
         const image::Image reference = image::read(file);
-        const std::string renderer = renderer_of(reference);
+        const std::string renderer = renderer_of(reference, file);
         if (renderer.empty() || driver_of(renderer) != driver_of(result.candidate_renderer)) continue;
         const compare::Comparison comparison =
             compare::compare(candidate, reference, compare_options(test, candidate, reference));
@@ -135,6 +123,7 @@ bool passes_alternate(TestResult& result, const image::Image& candidate, const S
         result.alternate = label;
         result.golden = seen_from(suite, file);
         result.golden_renderer = renderer;
+        result.largest_error = largest_error(comparison);
         result.comparison = compare::json_of(comparison);
         return true;
     }
@@ -154,9 +143,10 @@ void judge(TestResult& result, const image::Image& candidate, const Suite& suite
         return;
     }
     const image::Image reference = image::read(golden);
-    result.golden_renderer = renderer_of(reference);
+    result.golden_renderer = renderer_of(reference, golden);
     const compare::Comparison comparison =
         compare::compare(candidate, reference, compare_options(test, candidate, reference));
+    result.largest_error = largest_error(comparison);
     result.comparison = compare::json_of(comparison);
     const bool agrees = comparison.passed || passes_alternate(result, candidate, suite, test);
     result.outcome = agrees && wrong.empty() ? Outcome::passed : Outcome::differs;
@@ -168,9 +158,10 @@ void judge(TestResult& result, const image::Image& candidate, const Suite& suite
 /// Runs the command. @return whether there is an image to judge.
 bool make_image(TestResult& result, const Suite& suite, const GoldenTest& test, const RunOptions& options,
                 const fs::path& candidate) {
-    const fs::path log = fs::absolute(options.output / "logs" / (test.name + ".txt"));
+    const fs::path log = fs::absolute(options.output / "logs" / (file_name_of(test.name) + ".txt"));
     std::error_code ignored;
     fs::remove(candidate, ignored);
+    fs::remove(sidecar_of(candidate), ignored);
     fs::remove(log, ignored); // whatever it is: a FIFO would not open
     ProcessOptions process;
     process.words = command_words(test, options, options.program.string(), fs::absolute(candidate).string());
@@ -198,13 +189,14 @@ TestResult run_test(const Suite& suite, const GoldenTest& test, const RunOptions
     result.golden = seen_from(suite, suite.golden_of(test));
     result.command = shell_line(command_words(test, options, "steradian", test.name + test.extension));
     try {
-        const std::string file = "candidates/" + test.name + test.extension;
+        const std::string file = "candidates/" + file_name_of(test.name) + test.extension;
         const fs::path candidate = options.output / file;
         if (!make_image(result, suite, test, options, candidate)) return result;
         const image::Image image = image::read(candidate);
         result.candidate = file;
         result.candidate_sha256 = fingerprint(image);
-        result.candidate_renderer = renderer_of(image);
+        result.candidate_renderer = renderer_of(image, candidate);
+        if (result.candidate_renderer.empty()) result.candidate_renderer = test.renderer;
         judge(result, image, suite, test);
     } catch (const std::exception& error) { // an Error, or what memory and the file system refuse
         result.outcome = Outcome::broken;
@@ -212,6 +204,43 @@ TestResult run_test(const Suite& suite, const GoldenTest& test, const RunOptions
         result.message = error.what();
     }
     return result;
+}
+
+/// Keeps the picture of an attempt that failed. @return its file in the output folder; empty if there is none
+std::string kept_candidate(const TestResult& result, const GoldenTest& test, std::size_t attempt,
+                           const fs::path& output) {
+    if (result.candidate.empty()) return {};
+    const std::string file =
+        fmt::format("attempts/{}.{}{}", file_name_of(test.name), attempt, test.extension);
+    std::error_code failure;
+    fs::rename(output / result.candidate, output / file, failure);
+    return failure ? std::string() : file;
+}
+
+/// Runs a test, again if it fails and retries are left.
+TestResult run_with_retries(const Suite& suite, const GoldenTest& test, const RunOptions& options) {
+    std::vector<Attempt> attempts;
+    double seconds = 0.0;
+    while (true) {
+        TestResult result = run_test(suite, test, options);
+        seconds += result.seconds;
+        const bool has_failed = result.outcome == Outcome::differs || result.outcome == Outcome::broken;
+        const bool is_last =
+            static_cast<int>(attempts.size()) >= options.retries || options.stop.stop_requested();
+        if (has_failed && !is_last) {
+            const std::string file = kept_candidate(result, test, attempts.size() + 1, options.output);
+            attempts.push_back({result.outcome, result.message, file});
+            continue;
+        }
+        if (!attempts.empty() && result.outcome == Outcome::passed) {
+            result.outcome = Outcome::flaky;
+            result.message = fmt::format("passed at attempt {}; the first: {}", attempts.size() + 1,
+                                         attempts.front().message);
+        }
+        result.attempts = std::move(attempts);
+        result.seconds = seconds;
+        return result;
+    }
 }
 
 bool is_chosen(const GoldenTest& test, const RunOptions& options) {
@@ -223,16 +252,35 @@ bool is_chosen(const GoldenTest& test, const RunOptions& options) {
            && (options.tags.empty() || std::ranges::any_of(options.tags, has));
 }
 
-void prepare(const fs::path& output) {
-    std::error_code failure;
-    for (const char* folder : {"candidates", "logs"}) {
-        fs::create_directories(output / folder, failure);
-        if (failure)
-            throw Error({output.string()}, "cannot be made: " + failure.message(),
-                        "choose another folder with --output");
+/// The results of an earlier run of the tests that this one leaves out; none if it is of the whole suite or
+/// of a shard.
+std::vector<TestResult> earlier_results(const Suite& suite, const RunOptions& options,
+                                        const std::vector<GoldenTest>& chosen) {
+    if (options.shard || (options.filters.empty() && options.tags.empty())) return {};
+    std::vector<TestResult> kept;
+    try {
+        for (TestResult& test : read_results(options.output).tests) {
+            const bool is_of_suite =
+                std::ranges::find(suite.tests, test.name, &GoldenTest::name) != suite.tests.end();
+            const bool is_run = std::ranges::find(chosen, test.name, &GoldenTest::name) != chosen.end();
+            if (!is_of_suite || is_run) continue;
+            test.is_earlier = true;
+            kept.push_back(std::move(test));
+        }
+    } catch (const Error&) { // no earlier run, or one of another version
+        return {};
     }
-    for (const fs::path& file : {results_file(output), junit_file(output), report_file(output)})
-        fs::remove(file, failure);
+    return kept;
+}
+
+/// The results of both, in the suite's order.
+std::vector<TestResult> in_order_of(const Suite& suite, std::vector<TestResult> results,
+                                    std::vector<TestResult> earlier) {
+    std::ranges::move(earlier, std::back_inserter(results));
+    std::ranges::stable_sort(results, {}, [&](const TestResult& result) {
+        return std::ranges::find(suite.tests, result.name, &GoldenTest::name) - suite.tests.begin();
+    });
+    return results;
 }
 
 /// Passes results on in the suite's order, in whatever order they arrive.
@@ -274,6 +322,27 @@ std::vector<std::string> command_words(const GoldenTest& test, const RunOptions&
     return words;
 }
 
+std::string renderer_of(const image::Image& image) {
+    std::string text;
+    for (const char* key : {"steradian:GL_RENDERER", "steradian:GL_VERSION"}) {
+        const auto found = std::ranges::find(image.attributes, key, &image::Attribute::name);
+        if (found == image.attributes.end()) continue;
+        text += fmt::format("{}{}", text.empty() ? "" : ", ", found->value);
+    }
+    return text;
+}
+
+std::string renderer_of(const image::Image& image, const fs::path& file) {
+    std::string text = renderer_of(image);
+    std::error_code ignored;
+    if (!text.empty() || !fs::exists(sidecar_of(file), ignored)) return text;
+    const JsonFile json(sidecar_of(file));
+    const JsonObject root(json, JsonObject::Pointer(""));
+    root.allow_only({"renderer", "version"});
+    const std::string version = root.text("version", "");
+    return root.required_text("renderer") + (version.empty() ? "" : ", " + version);
+}
+
 std::string fingerprint(const image::Image& image) {
     const std::string header = fmt::format("{}x{}x{} {}\n", image.width, image.height, image.channels,
                                            fmt::join(image.channel_names, "\n"));
@@ -281,6 +350,45 @@ std::string fingerprint(const image::Image& image) {
     const auto* begin = reinterpret_cast<const std::uint8_t*>(image.pixels.data());
     bytes.insert(bytes.end(), begin, begin + image.pixels.size() * sizeof(float));
     return hexadecimal(sha256(bytes));
+}
+
+std::optional<Shard> parsed_shard(std::string_view text) {
+    constexpr int max_count = 10000;
+    const auto number = [](std::string_view digits) {
+        int value = 0;
+        const auto [end, failure] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+        return failure == std::errc() && end == digits.data() + digits.size() ? value : 0;
+    };
+    const auto slash = text.find('/');
+    if (slash == std::string_view::npos) return std::nullopt;
+    const Shard shard{number(text.substr(0, slash)), number(text.substr(slash + 1))};
+    if (shard.index < 1 || shard.index > shard.count || shard.count > max_count) return std::nullopt;
+    return shard;
+}
+
+void prepare_output(const fs::path& output) {
+    std::error_code failure;
+    for (const char* folder : {"candidates", "logs"}) {
+        fs::create_directories(output / folder, failure);
+        if (failure)
+            throw Error({output.string()}, "cannot be made: " + failure.message(),
+                        "choose another folder with --output");
+    }
+    for (const fs::path& file : {results_file(output), junit_file(output), report_file(output),
+                                 summary_file(output), record_file(output)})
+        fs::remove(file, failure);
+}
+
+compare::CompareOptions compare_options(const GoldenTest& test, const image::Image& candidate,
+                                        const image::Image& reference) {
+    compare::CompareOptions options;
+    compare::set_encoding(options, candidate, reference);
+    options.tolerances = test.tolerances;
+    options.allow_nonfinite = test.allow_nonfinite;
+    options.region = test.region;
+    if (!test.mask.empty()) options.mask = image::read(test.mask);
+    for (const fs::path& file : test.noise) options.noise.push_back(image::read(file));
+    return options;
 }
 
 bool matches(const std::string& pattern, const std::string& name) {
@@ -294,23 +402,31 @@ std::vector<GoldenTest> chosen_tests(const Suite& suite, const RunOptions& optio
     if (tests.empty())
         throw Error({suite.file.string()}, "no test fits the filter",
                     "see the names with steradian golden list");
-    return tests;
+    if (!options.shard) return tests;
+    std::vector<GoldenTest> part;
+    const auto count = static_cast<std::size_t>(options.shard->count);
+    for (auto i = static_cast<std::size_t>(options.shard->index) - 1; i < tests.size(); i += count)
+        part.push_back(tests[i]);
+    return part;
 }
 
 std::optional<RunResult> run(const Suite& suite, const RunOptions& options) {
     const std::vector<GoldenTest> tests = chosen_tests(suite, options);
-    prepare(options.output);
+    std::vector<TestResult> earlier = earlier_results(suite, options, tests);
+    prepare_output(options.output);
+    if (options.retries > 0) fs::create_directories(options.output / "attempts");
+    if (!earlier.empty()) write_results({suite.name, suite.file.string(), earlier}, options.output);
     InOrder results(tests.size(), options.on_result);
     std::atomic<std::size_t> next{0};
     const auto work = [&] {
         for (std::size_t i = next++; i < tests.size() && !options.stop.stop_requested(); i = next++) {
-            TestResult result = run_test(suite, tests[i], options);
+            TestResult result = run_with_retries(suite, tests[i], options);
             if (!options.stop.stop_requested()) results.put(i, std::move(result));
         }
     };
-    on_threads(std::clamp(options.jobs, 1, static_cast<int>(tests.size())), work);
+    on_threads(std::clamp(options.jobs, 1, std::max(1, static_cast<int>(tests.size()))), work);
     if (options.stop.stop_requested()) return std::nullopt;
-    return RunResult{suite.name, suite.file.string(), results.take()};
+    return RunResult{suite.name, suite.file.string(), in_order_of(suite, results.take(), std::move(earlier))};
 }
 
 } // namespace sr::golden

@@ -2,11 +2,15 @@
 
 #include "core/error.hpp"
 #include "core/json.hpp"
+#include "golden/sha256.hpp"
 #include "settings/options.hpp"
 
 #include <algorithm>
+#include <array>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <set>
+#include <sstream>
 
 namespace sr::golden {
 namespace {
@@ -15,9 +19,9 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 void allow_test_keys(const JsonObject& entry) {
-    std::vector<const char*> keys{"name",   "description", "tags",       "scene",     "command",
-                                  "format", "arguments",   "time_limit", "tolerance", "allow_nonfinite",
-                                  "region", "mask",        "noise",      "pixels",    "guards"};
+    std::vector<const char*> keys{
+        "name",      "description",     "tags",   "scene", "command", "format", "arguments", "time_limit",
+        "tolerance", "allow_nonfinite", "region", "mask",  "noise",   "pixels", "guards",    "renderer"};
     for (const settings::Option& option : settings::all_options())
         if (option.takers & settings::by_suites) keys.push_back(option.key);
     entry.allow_only(keys);
@@ -116,6 +120,31 @@ std::vector<std::string> default_guards(const std::string& scene) {
     return {"law.", "truth." + stem, "analytic." + stem};
 }
 
+/// The words of a command, one of which has {out}.
+std::vector<std::string> external_command(const JsonObject& entry) {
+    const json& value = entry.value().at("command");
+    if (value.is_string()) {
+        std::istringstream text(value.get<std::string>());
+        json words = json::array();
+        for (std::string word; text >> word;) words.push_back(word);
+        entry.fail_at("command", "a command is a list of words, not one text",
+                      fmt::format("write \"command\": {}", words.dump()));
+    }
+    std::vector<std::string> words = entry.texts("command");
+    if (std::ranges::none_of(words, [](const std::string& word) { return word.find("{out}") != word.npos; }))
+        entry.fail_at("command", "the command has no {out}", "put {out} where the image's file name belongs");
+    return words;
+}
+
+std::string extension_of(const JsonObject& place) {
+    constexpr std::array formats{"exr", "hdr", "png", "jpg", "jpeg", "tif", "tiff"};
+    const std::string format = place.text("format", "exr");
+    if (std::ranges::find(formats, format) == formats.end())
+        place.fail_at("format", fmt::format("unknown format \"{}\"", format),
+                      fmt::format("write one of {}", fmt::join(formats, ", ")));
+    return "." + format;
+}
+
 GoldenTest read_test(const JsonObject& entry, const JsonObject& defaults, const fs::path& folder,
                      std::set<std::string>& used) {
     allow_test_keys(entry);
@@ -129,18 +158,12 @@ GoldenTest read_test(const JsonObject& entry, const JsonObject& defaults, const 
         test.scene = entry.required_text("scene");
         test.command = render_command(entry, defaults);
     } else {
-        test.command = entry.texts("command");
-        bool has_output = false;
-        for (const std::string& word : test.command) has_output |= word.find("{out}") != std::string::npos;
-        if (!has_output)
-            entry.fail_at("command", "the command has no {out}",
-                          "put {out} where the image's file name belongs");
+        test.command = external_command(entry);
     }
-    const std::string format = holder(entry, defaults, "format").text("format", "exr");
-    if (format != "exr" && format != "hdr" && format != "png")
-        holder(entry, defaults, "format")
-            .fail_at("format", fmt::format("unknown format \"{}\"", format), "write exr, hdr or png");
-    test.extension = "." + format;
+    test.extension = extension_of(holder(entry, defaults, "format"));
+    // Without "defaults" they are the suite itself, whose "renderer" is its reference renderer.
+    if (entry.has("renderer") || !defaults.has("tests"))
+        test.renderer = holder(entry, defaults, "renderer").text("renderer", "");
     test.time_limit = holder(entry, defaults, "time_limit").number("time_limit", 60.0, 0.001, 86400.0);
     read_comparison(test, entry, defaults, folder);
     const JsonObject& guards = holder(entry, defaults, "guards");
@@ -203,6 +226,46 @@ std::vector<std::string> alternates_of(const Suite& suite, const GoldenTest& tes
     std::ranges::sort(labels);
     return labels;
 }
+
+std::string file_name_of(const std::string& test) {
+    constexpr std::size_t max_size = 200; // a file's name has at most 255 bytes
+    std::string name;
+    for (const char c : test)
+        if (std::string_view("\":<>|*?%").find(c) == std::string_view::npos)
+            name += c;
+        else
+            name += fmt::format("%{:02X}", static_cast<unsigned char>(c));
+    if (name.size() <= max_size) return name;
+    const std::string fingerprint =
+        hexadecimal(sha256({reinterpret_cast<const std::uint8_t*>(test.data()), test.size()}));
+    return fmt::format("{}%{}", name.substr(0, name.find('%')), fingerprint.substr(0, 32));
+}
+
+std::vector<fs::path> orphans_of(const Suite& suite) {
+    std::set<fs::path> known;
+    for (const GoldenTest& test : suite.tests) {
+        std::vector<fs::path> pictures{suite.golden_of(test)};
+        for (const std::string& label : alternates_of(suite, test))
+            pictures.push_back(alternate_of(suite, test, label));
+        for (const fs::path& picture : pictures) {
+            known.insert(picture.lexically_normal());
+            known.insert(sidecar_of(picture).lexically_normal());
+        }
+        known.insert(test.mask.lexically_normal());
+        for (const fs::path& noise : test.noise) known.insert(noise.lexically_normal());
+    }
+    std::vector<fs::path> orphans;
+    std::error_code ignored;
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(suite.goldens, ignored)) {
+        const bool is_hidden = entry.path().filename().string().starts_with('.');
+        if (entry.is_regular_file(ignored) && !is_hidden && !known.contains(entry.path().lexically_normal()))
+            orphans.push_back(entry.path());
+    }
+    std::ranges::sort(orphans);
+    return orphans;
+}
+
+fs::path sidecar_of(const fs::path& picture) { return picture.string() + ".json"; }
 
 void check_label(const std::string& label) {
     const auto is_plain = [](char c) {

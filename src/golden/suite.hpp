@@ -34,6 +34,8 @@ struct GoldenTest {
     std::filesystem::path mask;               // empty: none
     std::vector<std::filesystem::path> noise; // standard errors; empty: none
     std::vector<KnownPixel> pixels;
+    std::string
+        renderer; // who renders it, where neither the picture nor a file beside it says so; may be empty
     /// Beginnings of the names of law and truth tests that must not have failed when its golden is approved.
     std::vector<std::string> guards;
 };
@@ -65,8 +67,19 @@ std::filesystem::path alternate_of(const Suite& suite, const GoldenTest& test, s
 /// The labels of the test's alternates, in order.
 std::vector<std::string> alternates_of(const Suite& suite, const GoldenTest& test);
 
+/// The file beside a picture that says who rendered it: PICTURE.json, {"renderer": "…", "version": "…"}.
+std::filesystem::path sidecar_of(const std::filesystem::path& picture);
+
 /// @throws Error for a label that cannot be a folder's name.
 void check_label(const std::string& label);
+
+/// The name of the files of a test in an output folder, without extension: the test's name, in which each
+/// byte that artifact stores refuse (\" : < > | * ?) and % stand as %XX. A long one ends with a fingerprint.
+std::string file_name_of(const std::string& test);
+
+/// The files in the folder of the goldens that no test of the suite names, in order. Hidden files do not
+/// count.
+std::vector<std::filesystem::path> orphans_of(const Suite& suite);
 
 /// Reads a suite. @throws Error with file:line:column for broken JSON, an unknown or missing key, a value of
 /// a wrong kind, a name that is used twice or cannot be a file's, a tolerance that does not parse.

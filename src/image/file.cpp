@@ -65,6 +65,9 @@ void write(const Image& image, const fs::path& file, SampleType type) {
 
 Image read(const fs::path& file) {
     require_regular_file(file); // before OpenImageIO opens it by its path
+    if (is_lfs_pointer(file))
+        throw Error({file.string()}, "this is a Git LFS pointer, not an image",
+                    "fetch the image with git lfs pull");
     return codec().read(file, limit(Limit::pixels));
 }
 

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <fmt/format.h>
+#include <fstream>
 #include <optional>
+#include <string_view>
 
 namespace sr::image {
 namespace {
@@ -111,6 +113,14 @@ void check_size(std::uint32_t width, std::uint32_t height, const std::string& na
         throw Error({name}, fmt::format("{} x {} texels are too many", width, height),
                     fmt::format("scale it to at most {} texels along an edge and {} in all", max_texture_size,
                                 max_texture_texels));
+}
+
+bool is_lfs_pointer(const std::filesystem::path& file) {
+    constexpr std::string_view beginning =
+        "version https://git-lfs.github.com/spec/"; // Git LFS, docs/spec.md
+    std::array<char, beginning.size()> head{};
+    std::ifstream stream(file, std::ios::binary);
+    return stream.read(head.data(), head.size()) && std::string_view(head.data(), head.size()) == beginning;
 }
 
 } // namespace sr::image

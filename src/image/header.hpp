@@ -1,6 +1,7 @@
 #pragma once
-// Headers of textures, read before any decoder allocates memory for what they claim.
+// Headers of images, read before any decoder allocates memory for what they claim.
 #include <cstdint>
+#include <filesystem>
 #include <span>
 #include <string>
 
@@ -20,6 +21,9 @@ Header read_header(std::span<const std::uint8_t> bytes, const std::string& name)
 
 /// @throws Error in the file `name` if so many texels are too many
 void check_size(std::uint32_t width, std::uint32_t height, const std::string& name);
+
+/// Returns whether a file is a pointer of Git LFS: the text that stands for an image which was not fetched.
+bool is_lfs_pointer(const std::filesystem::path& file);
 
 inline constexpr std::uint32_t max_texture_size = 16384; // [texels] along an edge: what OpenGL drivers take
 inline constexpr std::uint64_t max_texture_texels = 1ull << 26; // 256 MiB of 8-bit RGBA

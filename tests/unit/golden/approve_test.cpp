@@ -127,12 +127,124 @@ const Test record("unit.golden.laws.reads_junit_of_any_program", [] {
         error_of([&] { golden::read_law_record(written(folder / "t.xml", std::string(laws_xml, length))); });
 });
 
+const Test sidecar("unit.golden.approve.a_png_has_alternates_by_the_file_beside_it", [] {
+    const auto folder = scratch_folder("approve_sidecar");
+    const auto show = [&](float value, const std::string& driver) {
+        image::Image picture = plain(value);
+        picture.attributes.clear();
+        image::write(picture, folder / "s.png", image::SampleType::integer8);
+        written(folder / "s.json", R"({"renderer": ")" + driver + R"(", "version": "1"})");
+    };
+    const auto suite =
+        golden::load_suite(written(folder / "suite.json", R"({"tests": [{"name": "a", "format": "png",
+        "command": ["sh", "-c", "cp s.png $0; cp s.json $0.json", "{out}"]}]})"));
+    const auto run = [&] { return run_and_keep(suite, folder / "out").tests.at(0); };
+    show(0.5f, "one");
+    EXPECT_EQ(run().candidate_renderer, "one, 1");
+    golden::carry_out(plan(suite, folder / "out"));
+    EXPECT_EQ(run().golden_renderer, "one, 1");
+    EXPECT_TRUE(golden::orphans_of(suite).empty());
+    show(0.7f, "two");
+    EXPECT_EQ(run().outcome, Outcome::differs);
+    golden::ApproveOptions options;
+    options.output = folder / "out";
+    options.alternate = "two";
+    const auto alternate = golden::plan_approval(suite, options);
+    EXPECT_TRUE(alternate.is_allowed(false)) << refusals(alternate);
+    golden::carry_out(alternate);
+    EXPECT_EQ(run().alternate, "two");
+    show(0.7f, "one"); // the golden's own renderer has no alternate
+    EXPECT_EQ(run().outcome, Outcome::differs);
+    written(folder / "s.json", "{\"GPU\": 1}");
+    EXPECT_NE(run().message.find("GPU"), std::string::npos) << run().message;
+});
+
+const Test all_or_nothing("unit.golden.approve.writes_all_goldens_or_none", [] {
+    const auto folder = scratch_folder("approve_all");
+    const auto suite = copying_suite(folder, {"a", "b"});
+    run_and_keep(suite, folder / "out");
+    fs::create_directories(suite.golden_of(suite.tests[1])); // a folder in the place of the second golden
+    EXPECT_NE(error_of([&] { golden::carry_out(plan(suite, folder / "out")); }).find("this is a folder"),
+              std::string::npos);
+    EXPECT_EQ(std::distance(fs::directory_iterator(suite.goldens), fs::directory_iterator()), 1)
+        << "the first golden, or a temporary file, was left";
+});
+
+const Test lfs("unit.golden.approve.refuses_a_git_lfs_pointer", [] {
+    const char* pointer = "version https://git-lfs.github.com/spec/v1\noid sha256:4d7a\nsize 12345\n";
+    const auto folder = scratch_folder("approve_lfs");
+    const auto suite = copying_suite(folder, {"a"});
+    run_and_keep(suite, folder / "out");
+    fs::create_directories(suite.goldens);
+    written(suite.golden_of(suite.tests[0]), pointer);
+    const auto with_golden = plan(suite, folder / "out");
+    EXPECT_NE(refusals(with_golden).find("git lfs pull"), std::string::npos) << refusals(with_golden);
+    EXPECT_FALSE(with_golden.is_allowed(true));
+    const auto result = run_and_keep(suite, folder / "out").tests.at(0);
+    EXPECT_NE(result.message.find("git lfs pull"), std::string::npos) << result.message;
+    fs::remove(suite.golden_of(suite.tests[0]));
+    written(folder / "a-source.exr", pointer); // the candidate is one
+    run_and_keep(suite, folder / "out");
+    const auto with_candidate = plan(suite, folder / "out");
+    EXPECT_NE(refusals(with_candidate).find("git lfs pull"), std::string::npos) << refusals(with_candidate);
+});
+
+const Test except("unit.golden.approve.leaves_the_excepted_tests", [] {
+    const auto folder = scratch_folder("approve_except");
+    const auto suite = copying_suite(folder, {"a", "b", "c"});
+    run_and_keep(suite, folder / "out");
+    golden::ApproveOptions options;
+    options.output = folder / "out";
+    options.except = {"b"};
+    const auto found = golden::plan_approval(suite, options);
+    ASSERT_EQ(found.approvals.size(), 2u);
+    EXPECT_EQ(found.approvals[1].name, "c");
+    options.except = {"d"};
+    EXPECT_NE(error_of([&] { golden::plan_approval(suite, options); }).find("no test d"), std::string::npos);
+});
+
+const Test reviewed("unit.golden.approve.takes_what_was_reviewed", [] {
+    const auto folder = scratch_folder("approve_review");
+    const auto suite = copying_suite(folder, {"a", "b", "c"});
+    const auto run = run_and_keep(suite, folder / "out");
+    const auto entry = [&](std::size_t i) {
+        return fmt::format(R"({{"name": "{}", "candidate_sha256": "{}"}})", run.tests.at(i).name,
+                           run.tests.at(i).candidate_sha256);
+    };
+    golden::ApproveOptions options;
+    options.output = folder / "out";
+    const auto plan_review = [&](const std::string& approved, const std::string& rejected) {
+        options.review = written(
+            folder / "review.json",
+            fmt::format(
+                R"({{"steradian_golden_review": 1, "suite": "suite", "approved": [{}], "rejected": [{}]}})",
+                approved, rejected));
+        return golden::plan_approval(suite, options);
+    };
+    const auto found = plan_review(entry(0), entry(1));
+    ASSERT_EQ(found.approvals.size(), 1u);
+    EXPECT_EQ(found.approvals[0].name, "a");
+    EXPECT_TRUE(found.is_allowed(false)) << refusals(found);
+    EXPECT_EQ(found.remarks, std::vector<std::string>{"rejected: b"});
+    EXPECT_NE(error_of([&] { plan_review(entry(0), entry(0)); }).find("decided twice"), std::string::npos);
+    EXPECT_NE(
+        error_of([&] { plan_review(R"({"name": "d", "candidate_sha256": "0"})", ""); }).find("no test d"),
+        std::string::npos);
+    image::write(plain(0.6f), folder / "a-source.exr", image::SampleType::floating);
+    run_and_keep(suite, folder / "out"); // another picture than the reviewed one
+    const auto changed = plan_review(entry(0), "");
+    EXPECT_NE(refusals(changed).find("not the one that was reviewed"), std::string::npos);
+    EXPECT_FALSE(changed.is_allowed(true));
+});
+
 const Test alternate("unit.golden.approve.an_alternate_holds_for_its_driver_alone", [] {
     const auto folder = scratch_folder("approve_alternate");
     const auto suite = copying_suite(folder, {"a"});
     const auto source = folder / "a-source.exr";
     const auto plan_alternate = [&](const std::string& label) {
-        golden::ApproveOptions options{folder / "out", {}, {}, false, label};
+        golden::ApproveOptions options;
+        options.output = folder / "out";
+        options.alternate = label;
         return golden::plan_approval(suite, options);
     };
     run_and_keep(suite, folder / "out");

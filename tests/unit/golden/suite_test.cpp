@@ -71,6 +71,7 @@ const Test impossible("unit.golden.suite.refuses_what_cannot_work", [] {
     has(R"({"name": "a"})", "either a \"scene\" or a \"command\"");
     has(R"({"name": "a", "scene": "b", "command": ["c", "{out}"]})", "either a \"scene\" or a \"command\"");
     has(R"({"name": "a", "command": ["c"]})", "no {out}");
+    has(R"({"name": "a", "command": "c  --x {out}"})", R"(write "command": ["c","--x","{out}"])");
     has(R"({"name": "a", "scene": "b", "tolerance": "nonsense"})", "tolerance");
     has(R"({"name": "a", "scene": "b", "format": "bmp"})", "unknown format");
     has(R"({"name": "a", "scene": 5})", "\"scene\" is a number");
