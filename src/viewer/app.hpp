@@ -31,6 +31,7 @@ private:
     Changes dispatch(const Event& event);
     Changes dispatch_to_tools(const Event& event);
     Changes dispatch_key(const KeyEvent& key);
+    Changes cancel_innermost();
     bool belongs_to_panel(const Event& event) const;
     Changes execute(Command command);
     void apply(Changes changes);
@@ -49,7 +50,6 @@ private:
     Presenter presenter_;
     std::vector<std::unique_ptr<Tool>> tools_; // in the order in which they get events and draw
     int frames_to_draw_ = 0;
-    bool is_closing_ = false;
     bool has_panels_ = true;
     bool has_help_ = false;
     std::string title_;

@@ -5,6 +5,7 @@
 #include "viewer/document/playback.hpp"
 #include "viewer/input.hpp"
 #include "viewer/messages.hpp"
+#include "viewer/panels/question.hpp"
 #include "viewer/statistics.hpp"
 #include "viewer/ui.hpp"
 #include "viewer/view/camera_controller.hpp"
@@ -34,6 +35,9 @@ private:
     gl::Texture texture_;
 };
 
+/// What ends the scene that is shown, and the edits of it.
+enum class Departure { quit, open, reload };
+
 struct Workspace {
     Options options;
     gl::Window& window;
@@ -57,11 +61,26 @@ struct Workspace {
     bool keeps_edits = false;   // of lights, once `loading` is done
     bool has_new_files = false; // a file has loaded, and is not watched yet
 
+    std::optional<Question> question{}; // takes all keys until it is answered
+    Changes answered{};                 // by the answer to a question
+    bool is_closing = false;
+    std::vector<std::string> written{}; // scene files that this run has saved, the last one last
+
     /// Size of the window, in the unit of the pointer.
     vec2 window_size() const { return input.window_size(); }
     float aspect_ratio() const { return static_cast<float>(width) / static_cast<float>(height); }
     Projection projection() const { return {camera->camera(), camera->aspect_ratio(), window_size()}; }
     render::RenderOptions render_options() const { return viewer::render_options(options, width, height); }
+
+    void ask(Question asked);
+    void answer(const Answer& given);
+    /// Quits, opens a file or reloads the current one. Asks first if there are unsaved edits.
+    void leave(Departure departure, const std::string& file = {});
+    /// Saves lights and, if the camera is free, the view. Reports errors. Asks before it replaces a file that
+    /// this run has not written. @return true if the file is written
+    bool save(const std::string& file);
+    /// The file that was saved last, if it is of the current scene, or else a new name beside it.
+    std::string name_to_save() const;
 
     /// Begins to load a file. Another file drops the options that belong to the current one.
     void open(const std::string& file);
@@ -76,6 +95,8 @@ struct Workspace {
     std::string time_arguments() const;
 
 private:
+    void depart(Departure departure, const std::string& file);
+    bool write(const std::string& file);
     void show(LoadedScene loaded);
     void restart_playback(bool is_same_file);
 };

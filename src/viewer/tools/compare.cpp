@@ -107,6 +107,7 @@ public:
     Changes draw(const Overlay& overlay) override;
     Changes draw_section() override;
     FilmSum reference_film() const override;
+    bool holds_keyboard() const override { return dialog_.is_open(); }
     Activity activity() const override { return flipping_ ? Activity::waiting : Activity::idle; }
 
 private:
@@ -131,7 +132,11 @@ std::optional<Changes> Compare::handle(const Event& event) {
     const auto command = command_in(event);
     if (command == Command::compare) return next_mode();
     if (command != Command::cancel) return std::nullopt;
-    dialog_.close();
+    if (dialog_.is_open()) {
+        dialog_.close();
+        return Change::redraw;
+    }
+    if (ws_.display.comparison == ComparisonMode::none) return std::nullopt;
     ws_.display.comparison = ComparisonMode::none;
     return Change::display;
 }
@@ -154,8 +159,10 @@ Changes Compare::load(const std::string& file) {
         if (ws_.display.comparison == ComparisonMode::none) ws_.display.comparison = ComparisonMode::wipe;
         ws_.messages.clear_error();
         ws_.messages.notify(fmt::format("Comparing with {}. {}", ws_.reference->name(), how_to_compare));
+        dialog_.close();
     } catch (const Error& error) {
         ws_.messages.fail("Cannot compare with this file.", error.what());
+        dialog_.retry();
     }
     return Change::display;
 }

@@ -35,7 +35,7 @@ std::optional<Changes> Probe::handle(const Event& event) {
     if (const auto* click = std::get_if<ClickEvent>(&event)) return request(click->at);
     const auto command = command_in(event);
     if (command == Command::probe_pixel) return request(ws_.input.pointer());
-    if (command != Command::cancel) return std::nullopt;
+    if (command != Command::cancel || !panel_.result) return std::nullopt;
     panel_.result.reset();
     return Change::redraw;
 }
