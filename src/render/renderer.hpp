@@ -106,6 +106,9 @@ public:
     /// have one. Reads the film back. Only with RenderOptions::estimates_error.
     std::optional<ErrorEstimate> error_estimate() const;
 
+    /// One pixel of film(). @throws LoopError likewise
+    std::array<float, 4> film_at(int column, int row) const;
+
     /// The mean of the first sequence's samples, of which a pixel has one more if their number is odd. Only
     /// with RenderOptions::estimates_error.
     image::Image first_half() const;
