@@ -2,6 +2,7 @@
 
 #include "core/error.hpp"
 #include "core/math.hpp"
+#include "image/file.hpp"
 #include "viewer/config.hpp"
 #include "viewer/panels/help.hpp"
 
@@ -9,10 +10,12 @@
 #include <GLFW/glfw3.h>
 #include <algorithm>
 #include <chrono>
+#include <cstdint>
 #include <filesystem>
 #include <fmt/format.h>
 #include <imgui.h>
 #include <utility>
+#include <vector>
 
 namespace sr::viewer {
 namespace {
@@ -78,6 +81,7 @@ void App::run(const std::stop_token& stop) {
         wait();
         const double seconds =
             std::chrono::duration<double>(Clock::now() - std::exchange(last, Clock::now())).count();
+        if (is_hidden() && !input_.has_cancel()) continue; // all waits until it is seen again, or closed
         resize();
         apply(std::exchange(drawn, {}) | workspace_.take_loaded());
         apply(update(seconds));
@@ -112,6 +116,12 @@ Activity App::activity() const {
     return activity;
 }
 
+/// True if nobody can see the window: it is minimised.
+bool App::is_hidden() const {
+    return glfwGetWindowAttrib(window_.handle(), GLFW_ICONIFIED)
+           || !glfwGetWindowAttrib(window_.handle(), GLFW_VISIBLE);
+}
+
 bool App::draws_again() const {
     return frames_to_draw_ > 0 || activity() == Activity::active
            || (workspace_.scene && !workspace_.scene->render().is_converged());
@@ -119,7 +129,7 @@ bool App::draws_again() const {
 
 /// Sleeps while there is nothing to do: neither processor nor GPU is used.
 void App::wait() const {
-    if (draws_again())
+    if (draws_again() && !is_hidden())
         glfwPollEvents();
     else
         glfwWaitEventsTimeout(activity() == Activity::waiting ? wait_interval : poll_interval);
@@ -201,6 +211,7 @@ Changes App::execute(Command command) {
     switch (command) {
     case Command::help: has_help_ = !has_help_; break;
     case Command::panels: has_panels_ = !has_panels_; break;
+    case Command::messages: has_history_ = !has_history_; break;
     case Command::quit: workspace_.leave(Departure::quit); break;
     case Command::fullscreen: toggle_fullscreen(); break;
     case Command::cancel: return cancel_innermost();
@@ -213,7 +224,7 @@ Changes App::execute(Command command) {
 
 /// Cancels one thing: the help, a dialog, an error, or what a tool has begun, the last tool first.
 Changes App::cancel_innermost() {
-    if (std::exchange(has_help_, false)) return Change::redraw;
+    if (std::exchange(has_help_, false) || std::exchange(has_history_, false)) return Change::redraw;
     const auto cancel = [this](bool is_dialog) {
         std::optional<Changes> changes;
         for (auto tool = tools_.rbegin(); tool != tools_.rend() && !changes; ++tool)
@@ -268,6 +279,26 @@ void App::present() {
     workspace_.display.ev100 = workspace_.exposure.ev100();
     presenter_.draw(workspace_.scene->render().shown(), reference, workspace_.display, workspace_.width,
                     workspace_.height);
+    if (!workspace_.seen_file.empty()) write_seen();
+}
+
+/// Writes the frame as a PNG, before panels are drawn over it.
+void App::write_seen() {
+    const std::string file = std::exchange(workspace_.seen_file, {});
+    image::Image picture(workspace_.width, workspace_.height, 3);
+    std::vector<std::uint8_t> codes(picture.pixels.size());
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glReadPixels(0, 0, picture.width, picture.height, GL_RGB, GL_UNSIGNED_BYTE, codes.data());
+    glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    const std::size_t row = 3 * static_cast<std::size_t>(picture.width);
+    for (std::size_t i = 0; i < codes.size(); ++i) // GL's first row is the lowest
+        picture.pixels[codes.size() - row - i / row * row + i % row] = static_cast<float>(codes[i]) / 255.0f;
+    try {
+        image::write(picture, file, image::SampleType::integer8);
+        workspace_.messages.notify(fmt::format("Wrote {}.", file));
+    } catch (const Error& error) {
+        workspace_.messages.fail("Cannot write the picture.", error.what());
+    }
 }
 
 Changes App::draw_panels() {
@@ -277,14 +308,15 @@ Changes App::draw_panels() {
     if (workspace_.question)
         if (const Answer* answer = draw_question(*workspace_.question)) workspace_.answer(*answer);
     if (!workspace_.scene) {
-        status_line({fmt::format("loading {} ...", workspace_.options.scene), {}, {}});
+        message_area({fmt::format("loading {} ...", workspace_.options.scene), {}, {}});
         return {};
     }
     if (!has_panels_) return {};
     Changes changes;
     const Overlay overlay{workspace_.projection(), ui_.scale()};
     for (const auto& tool : tools_) changes |= tool->draw(overlay);
-    status_line({progress_of(workspace_.scene->render()), under_pointer(), messages.status()});
+    message_area({progress_of(workspace_.scene->render()), under_pointer(), messages.status()});
+    history_panel(has_history_, messages.history());
     return changes | draw_main_panel();
 }
 

@@ -37,6 +37,8 @@ private:
     void apply(Changes changes);
     void advance(double seconds);
     void present();
+    void write_seen();
+    bool is_hidden() const;
     Changes draw_panels();
     Changes draw_main_panel();
     std::string under_pointer() const;
@@ -52,6 +54,7 @@ private:
     int frames_to_draw_ = 0;
     bool has_panels_ = true;
     bool has_help_ = false;
+    bool has_history_ = false; // of messages
     std::string title_;
     std::array<int, 4> windowed_{40, 40, 1280,
                                  720}; // place and size of the window before it became fullscreen

@@ -37,9 +37,10 @@ std::string file_name(const std::string& file) { return std::filesystem::path(fi
 
 } // namespace
 
-Reference::Reference(std::string name, image::Image film, bool is_display_referred)
+Reference::Reference(std::string name, image::Image film, std::string camera, bool is_display_referred)
     : name_(std::move(name)),
       film_(std::move(film)),
+      camera_(std::move(camera)),
       is_display_referred_(is_display_referred),
       texture_(reference_texture(film_)) {}
 

@@ -21,16 +21,19 @@ namespace sr::viewer {
 class Reference {
 public:
     /// Uploads `film`, which has at least three channels.
-    Reference(std::string name, image::Image film, bool is_display_referred = false);
+    /// `camera`: as `render --camera` takes it; empty if unknown.
+    Reference(std::string name, image::Image film, std::string camera = {}, bool is_display_referred = false);
 
     const std::string& name() const { return name_; }
     const image::Image& film() const { return film_; }
+    const std::string& camera() const { return camera_; }
     bool is_display_referred() const { return is_display_referred_; }
     FilmSum sum() const { return {&texture_, 1, film_.width, film_.height, nullptr, is_display_referred_}; }
 
 private:
     std::string name_;
     image::Image film_;
+    std::string camera_;
     bool is_display_referred_; // linear light of a screen, 0 to 1
     gl::Texture texture_;
 };
@@ -64,6 +67,7 @@ struct Workspace {
     std::optional<Question> question{}; // takes all keys until it is answered
     Changes answered{};                 // by the answer to a question
     bool is_closing = false;
+    std::string seen_file{}; // the next frame is written there, as it is seen without panels; empty: it is not
     std::vector<std::string> written{}; // scene files that this run has saved, the last one last
 
     /// Size of the window, in the unit of the pointer.

@@ -25,12 +25,14 @@ public:
 
 private:
     Changes reload();
+    Changes shoot(const std::string& extension);
     Changes write(const std::string& extension);
 
     FileDialog dialog_;
     Watch scene_watch_;
     Watch shader_watch_;
     std::string watched_; // the scene that scene_watch_ watches
+    std::string awaited_; // extension of a screenshot that waits for the render; empty: none
 };
 
 Files::Files(Workspace& workspace) : Tool(workspace) {
@@ -54,10 +56,15 @@ std::optional<Changes> Files::handle(const Event& event) {
         dialog_.show(FileDialog::Purpose::save, ws_.name_to_save());
         return Change::redraw;
     case Command::reload: return reload();
-    case Command::screenshot_png: return write(".png");
-    case Command::screenshot_exr: return write(".exr");
+    case Command::screenshot_png: return shoot(".png");
+    case Command::screenshot_exr: return shoot(".exr");
+    case Command::screenshot_seen:
+        ws_.seen_file = free_name(ws_.scene->loaded().file, ".png");
+        return Change::redraw;
     case Command::cancel:
-        if (!dialog_.is_open()) return std::nullopt;
+        if (!dialog_.is_open() && awaited_.empty()) return std::nullopt;
+        if (!dialog_.is_open()) ws_.messages.notify("Screenshot cancelled.");
+        if (!dialog_.is_open()) awaited_.clear();
         dialog_.close();
         return Change::redraw;
     default: return std::nullopt;
@@ -81,6 +88,7 @@ Changes Files::update(double /*seconds*/) {
         ws_.has_new_files = false;
     }
     Changes changes;
+    if (!awaited_.empty() && ws_.scene->render().is_converged()) changes |= write(awaited_);
     if (ws_.options.submission.empty() && shader_watch_.has_changed()) changes |= ws_.reload_shaders();
     if (!ws_.loading && scene_watch_.has_changed()) changes |= reload();
     const bool is_refused = dialog_.is_waiting() && !ws_.loading && !ws_.question;
@@ -89,8 +97,20 @@ Changes Files::update(double /*seconds*/) {
     return changes | Change::redraw;
 }
 
+/// Writes the render once it has converged; at once if this is asked for twice, and it has the window's size.
+Changes Files::shoot(const std::string& extension) {
+    const ProgressiveRender& render = ws_.scene->render();
+    ws_.playback.is_playing = false;
+    const bool is_enough = awaited_ == extension && !render.is_interactive() && render.complete_samples() > 0;
+    if (render.is_converged() || is_enough) return write(extension);
+    awaited_ = extension;
+    ws_.messages.notify("The screenshot waits for the render to converge. F12 again: as it is. Esc: cancel.");
+    return Change::redraw;
+}
+
 /// Writes the render with its provenance.
 Changes Files::write(const std::string& extension) {
+    awaited_.clear();
     const ProgressiveRender& render = ws_.scene->render();
     const int samples = render.sample_count();
     const output::Variable* const view = ws_.display.view;
