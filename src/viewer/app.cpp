@@ -169,11 +169,12 @@ Changes App::dispatch_key(const KeyEvent& key) {
         if (const Answer* answer = workspace_.question->answer_of(key.key)) workspace_.answer(*answer);
         return Change::redraw;
     }
-    for (const auto& tool : tools_)
-        if (const auto changes = workspace_.scene ? tool->handle(key) : std::nullopt) return *changes;
-    const auto command = command_of(key.key, key.modifiers);
     const bool has_dialog =
         std::ranges::any_of(tools_, [](const auto& tool) { return tool->holds_keyboard(); });
+    for (const auto& tool : tools_)
+        if (const auto changes = workspace_.scene && !has_dialog ? tool->handle(key) : std::nullopt)
+            return *changes;
+    const auto command = command_of(key.key, key.modifiers);
     if (command == Command::cancel && ui_.has_keyboard() && !has_dialog) return {}; // leaves the field
     const bool is_typed = (ui_.has_keyboard() || has_dialog) && command && !works_in_text_fields(*command);
     return command && !is_typed ? execute(*command) : Changes();
