@@ -8,13 +8,12 @@
 #include <utility>
 
 namespace sr::render {
-namespace {
 
 /// One pixel of a picture, by any of the shaders that draw surfaces.
-class Pixel {
+class ProbedPixel {
 public:
-    Pixel(const GpuScene& scene, const scene::Camera& camera, RenderOptions options, std::string shader,
-          int column, int row)
+    ProbedPixel(const GpuScene& scene, const scene::Camera& camera, RenderOptions options, std::string shader,
+                int column, int row)
         : column_(column),
           row_(row),
           renderer_(scene, camera, windowed(options, std::move(shader), column, row)) {}
@@ -39,6 +38,8 @@ private:
     int row_;
     Renderer renderer_;
 };
+
+namespace {
 
 vec3 quotient(vec3 a, vec3 b) {
     return {b.x > 0.0f ? a.x / b.x : 0.0f, b.y > 0.0f ? a.y / b.y : 0.0f, b.z > 0.0f ? a.z / b.z : 0.0f};
@@ -87,7 +88,7 @@ struct Probing::Run {
     int first_samples;             // of the first round; 0: there is only one round
     std::size_t next = 0;          // step of the round; 0: the pixel without its lights
     PixelTerms terms{};
-    std::optional<Pixel> pixel{};  // one at a time: each renderer has targets of its own
+    std::optional<ProbedPixel> pixel{}; // one at a time: each renderer has targets of its own
 
     bool is_tinted() const {
         return scene.visibility_backend() && scene.visibility_backend()->casters().is_tinted();
@@ -109,12 +110,12 @@ void Probing::Run::take_pixel() {
     centre.samples = 1;
     centre.background = vec3(0.0f);
     const auto at_centre = [&](const char* shader) {
-        return vec3(Pixel(scene, camera, centre, shader, column, row).mean(1, 0, 0));
+        return vec3(ProbedPixel(scene, camera, centre, shader, column, row).mean(1, 0, 0));
     };
     terms.x = at_centre("views/position.frag");
     terms.n = at_centre("views/normal.frag");
     terms.wo = at_centre("views/to_viewer.frag");
-    Pixel beauty(scene, camera, options, "forward.frag", column, row);
+    ProbedPixel beauty(scene, camera, options, "forward.frag", column, row);
     const vec4 L_o = beauty.mean(samples(), 0, scene.light_count());
     terms.L_o = vec3(L_o);
     terms.coverage = L_o.w;

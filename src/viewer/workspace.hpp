@@ -38,7 +38,7 @@ private:
     gl::Texture texture_;
 };
 
-/// What ends the scene that is shown, and the edits of it.
+/// Reason why the scene that is shown, and its edits, end.
 enum class Departure { quit, open, reload };
 
 struct Workspace {

@@ -97,7 +97,7 @@ Changes Files::update(double /*seconds*/) {
     return changes | Change::redraw;
 }
 
-/// Writes the render once it has converged; at once if this is asked for twice, and it has the window's size.
+/// Writes the render once it has converged; at once if this is requested twice, and it has the window's size.
 Changes Files::shoot(const std::string& extension) {
     const ProgressiveRender& render = ws_.scene->render();
     ws_.playback.is_playing = false;

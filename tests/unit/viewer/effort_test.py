@@ -47,7 +47,6 @@ def hiding(viewer: Viewer):
     viewer.pause()
     spent = viewer.processor_time() - before
     assert spent < 0.1, f"{spent} s of processor time in 0.6 s while nobody sees the window"
-    before = viewer.title()
     viewer.display.do("windowmap", "--sync", viewer.window)
     viewer.display.do("windowfocus", viewer.window)
     viewer.key("M")
