@@ -69,4 +69,11 @@ image::Image RenderTarget::read() const {
     return image;
 }
 
+std::array<float, 4> RenderTarget::read(int column, int row) const {
+    bind();
+    std::array<float, 4> texel{};
+    glReadPixels(column, height_ - 1 - row, 1, 1, GL_RGBA, GL_FLOAT, texel.data());
+    return texel;
+}
+
 } // namespace sr::render

@@ -4,6 +4,7 @@
 #include "image/image.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace sr::render {
 
@@ -22,6 +23,8 @@ public:
 
     /// The texels with the picture's first row on top; RGBA.
     image::Image read() const;
+    /// One texel; `row` counts from the picture's first row.
+    std::array<float, 4> read(int column, int row) const;
 
 private:
     int width_;

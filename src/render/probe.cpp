@@ -3,14 +3,17 @@
 #include "core/error.hpp"
 #include "render/passes.hpp"
 
+#include <algorithm>
+#include <array>
+#include <utility>
+
 namespace sr::render {
-namespace {
 
 /// One pixel of a picture, by any of the shaders that draw surfaces.
-class Pixel {
+class ProbedPixel {
 public:
-    Pixel(const GpuScene& scene, const scene::Camera& camera, RenderOptions options, std::string shader,
-          int column, int row)
+    ProbedPixel(const GpuScene& scene, const scene::Camera& camera, RenderOptions options, std::string shader,
+                int column, int row)
         : column_(column),
           row_(row),
           renderer_(scene, camera, windowed(options, std::move(shader), column, row)) {}
@@ -20,8 +23,7 @@ public:
         renderer_.clear();
         renderer_.use_lights(first, end);
         for (int i = 0; i < samples; ++i) renderer_.add_sample();
-        const image::Image film = renderer_.read_film();
-        const auto texel = film.at(column_, row_);
+        const auto texel = renderer_.read_pixel(column_, row_);
         return {texel[0], texel[1], texel[2], texel[3]};
     }
 
@@ -37,66 +39,133 @@ private:
     Renderer renderer_;
 };
 
+namespace {
+
 vec3 quotient(vec3 a, vec3 b) {
     return {b.x > 0.0f ? a.x / b.x : 0.0f, b.y > 0.0f ? a.y / b.y : 0.0f, b.z > 0.0f ? a.z / b.z : 0.0f};
 }
 
+/// Terms of lights that a shader renders.
+struct TermKind {
+    const char* shader;
+    void (*take)(const PixelTerms& pixel, LightTerms& light, vec4 film);
+};
+
+/// In the order of Probing::Kind. The last one is for scenes with tinted shadows.
+constexpr std::array<TermKind, 5> term_kinds{{
+    {"forward.frag",
+     [](const PixelTerms& pixel, LightTerms& t, vec4 film) { t.L_r = vec3(film) - pixel.L_e; }},
+    {"views/irradiance.frag",
+     [](const PixelTerms&, LightTerms& t, vec4 film) {
+         t.E = vec3(film);
+         t.f_r = quotient(t.L_r, t.E);
+     }},
+    {"views/arrival.frag",
+     [](const PixelTerms& pixel, LightTerms& t, vec4 film) {
+         t.wi = film.w > 0.0f ? vec3(film) / film.w : vec3(0.0f);
+         t.cos_i = glm::dot(t.wi, pixel.n);
+     }},
+    {"views/solid_angle.frag",
+     [](const PixelTerms&, LightTerms& t, vec4 film) {
+         t.solid_angle = film.x;
+         t.V = film.z > 0.0f ? film.y / film.z : 1.0f;
+         t.V_color = vec3(t.V);
+     }},
+    {"views/unshadowed.frag",
+     [](const PixelTerms&, LightTerms& t, vec4 film) {
+         for (int c = 0; c < 3; ++c) t.V_color[c] = film[c] > 0.0f ? t.E[c] / film[c] : 1.0f;
+     }},
+}};
+
 } // namespace
 
-std::optional<PixelTerms> probe(const GpuScene& scene, const scene::Camera& camera,
-                                const RenderOptions& options, int column, int row,
-                                const std::stop_token& stop, const std::function<void()>& between_steps) {
-    require(column >= 0 && column < options.width && row >= 0 && row < options.height,
-            "the pixel is in the picture");
-    const auto lights = static_cast<std::size_t>(scene.light_count());
-    PixelTerms terms;
+struct Probing::Run {
+    const GpuScene& scene;
+    scene::Camera camera;
+    RenderOptions options;
+    int column;
+    int row;
+    int first_samples;             // of the first round; 0: there is only one round
+    std::size_t next = 0;          // step of the round; 0: the pixel without its lights
+    PixelTerms terms{};
+    std::optional<ProbedPixel> pixel{}; // one at a time: each renderer has targets of its own
 
+    bool is_tinted() const {
+        return scene.visibility_backend() && scene.visibility_backend()->casters().is_tinted();
+    }
+    std::size_t kind_count() const { return is_tinted() ? term_kinds.size() : term_kinds.size() - 1; }
+    std::size_t end() const { return 1 + kind_count() * terms.lights.size(); }
+    int samples() const { return first_samples > 0 ? std::min(first_samples, options.samples) : options.samples; }
+
+    void step();
+
+private:
+    void take_pixel();
+    void take_term(const TermKind& kind, std::size_t light);
+};
+
+/// x, n and wo at the centre, and the whole pixel with and without lights.
+void Probing::Run::take_pixel() {
     RenderOptions centre = options;
     centre.samples = 1;
     centre.background = vec3(0.0f);
     const auto at_centre = [&](const char* shader) {
-        return vec3(Pixel(scene, camera, centre, shader, column, row).mean(1, 0, 0));
+        return vec3(ProbedPixel(scene, camera, centre, shader, column, row).mean(1, 0, 0));
     };
     terms.x = at_centre("views/position.frag");
     terms.n = at_centre("views/normal.frag");
     terms.wo = at_centre("views/to_viewer.frag");
+    ProbedPixel beauty(scene, camera, options, "forward.frag", column, row);
+    const vec4 L_o = beauty.mean(samples(), 0, scene.light_count());
+    terms.L_o = vec3(L_o);
+    terms.coverage = L_o.w;
+    terms.L_e = vec3(beauty.mean(samples(), 0, 0));
+}
 
-    // One shader after the other: each renderer has targets of its own.
-    const auto for_each_light = [&](const char* shader, auto take) {
-        Pixel pixel(scene, camera, options, shader, column, row);
-        for (std::size_t k = 0; k < lights && !stop.stop_requested(); ++k) {
-            take(terms.lights[k], pixel.mean(options.samples, static_cast<int>(k), static_cast<int>(k) + 1));
-            if (between_steps) between_steps();
-        }
-    };
-    terms.lights.resize(lights);
-    {
-        Pixel beauty(scene, camera, options, "forward.frag", column, row);
-        const vec4 L_o = beauty.mean(options.samples, 0, scene.light_count());
-        terms.L_o = vec3(L_o);
-        terms.coverage = L_o.w;
-        terms.L_e = vec3(beauty.mean(options.samples, 0, 0));
+void Probing::Run::take_term(const TermKind& kind, std::size_t light) {
+    if (light == 0) {
+        pixel.reset();
+        pixel.emplace(scene, camera, options, kind.shader, column, row);
     }
-    for_each_light("forward.frag", [&](LightTerms& t, vec4 film) { t.L_r = vec3(film) - terms.L_e; });
-    for_each_light("views/irradiance.frag", [](LightTerms& t, vec4 film) {
-        t.E = vec3(film);
-        t.f_r = quotient(t.L_r, t.E);
-    });
-    for_each_light("views/arrival.frag", [&](LightTerms& t, vec4 film) {
-        if (film.w > 0.0f) t.wi = vec3(film) / film.w;
-        t.cos_i = glm::dot(t.wi, terms.n);
-    });
-    for_each_light("views/solid_angle.frag", [](LightTerms& t, vec4 film) {
-        t.solid_angle = film.x;
-        t.V = film.z > 0.0f ? film.y / film.z : 1.0f;
-    });
-    for (LightTerms& t : terms.lights) t.V_color = vec3(t.V);
-    if (scene.visibility_backend() && scene.visibility_backend()->casters().is_tinted())
-        for_each_light("views/unshadowed.frag", [](LightTerms& t, vec4 film) {
-            for (int c = 0; c < 3; ++c) t.V_color[c] = film[c] > 0.0f ? t.E[c] / film[c] : 1.0f;
-        });
-    if (stop.stop_requested()) return std::nullopt;
-    return terms;
+    const int k = static_cast<int>(light);
+    kind.take(terms, terms.lights[light], pixel->mean(samples(), k, k + 1));
+}
+
+void Probing::Run::step() {
+    const std::size_t lights = terms.lights.size();
+    if (next == 0)
+        take_pixel();
+    else
+        take_term(term_kinds[(next - 1) / lights], (next - 1) % lights);
+    if (++next < end()) return;
+    pixel.reset();
+    if (std::exchange(first_samples, 0) > 0) next = 0;
+}
+
+Probing::Probing(const GpuScene& scene, const scene::Camera& camera, const RenderOptions& options, int column,
+                 int row, int first_samples)
+    : run_(new Run{scene, camera, options, column, row, first_samples}) {
+    require(column >= 0 && column < options.width && row >= 0 && row < options.height,
+            "the pixel is in the picture");
+    run_->terms.lights.resize(static_cast<std::size_t>(scene.light_count()));
+}
+
+Probing::~Probing() = default;
+
+void Probing::step() { run_->step(); }
+bool Probing::is_done() const { return run_->first_samples == 0 && run_->next == run_->end(); }
+bool Probing::is_first_round() const { return run_->first_samples > 0; }
+bool Probing::has(Kind kind) const {
+    return !is_first_round() || run_->next > (static_cast<std::size_t>(kind) + 1) * run_->terms.lights.size();
+}
+const PixelTerms& Probing::terms() const { return run_->terms; }
+
+std::optional<PixelTerms> probe(const GpuScene& scene, const scene::Camera& camera,
+                                const RenderOptions& options, int column, int row,
+                                const std::stop_token& stop) {
+    Probing probing(scene, camera, options, column, row);
+    while (!probing.is_done() && !stop.stop_requested()) probing.step();
+    return stop.stop_requested() ? std::nullopt : std::optional(probing.terms());
 }
 
 namespace {

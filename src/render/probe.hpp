@@ -2,7 +2,7 @@
 // The equation at one pixel, term by term.
 #include "render/renderer.hpp"
 
-#include <functional>
+#include <memory>
 #include <span>
 #include <stop_token>
 
@@ -31,14 +31,36 @@ struct PixelTerms {
     vec3 L_o{0.0f}; // the pixel as rendered [cd/m²]; L_e + Σ L_r, but for rounding
 };
 
-/// Renders the pixel (column, row), counted from the picture's upper left corner, once for each term and
-/// light, with the samples that the whole picture would have. Calls `between_steps`, unless it is empty; it
-/// may request the stop.
-/// @return absent if it was stopped
+/// Probe of the pixel (column, row), counted from the picture's upper left corner, in steps between which
+/// others can work: one render for each term and light, with the samples that the whole picture would have.
+/// The order: x, n, wo, L_o and L_e at once, then one kind of term after the other, for all lights.
+class Probing {
+public:
+    /// Kinds of terms of lights, in the order in which they are rendered.
+    enum Kind { radiance, irradiance, direction, solid_angle_and_V };
+
+    /// `scene` outlives it. `first_samples`: if above 0, a first round takes at most so many samples.
+    Probing(const GpuScene& scene, const scene::Camera& camera, const RenderOptions& options, int column,
+            int row, int first_samples = 0);
+    ~Probing();
+
+    /// Renders the next term. Only before is_done(). @throws ShaderError, LoopError, Error
+    void step();
+    bool is_done() const;
+    bool is_first_round() const;
+    /// True if all lights have terms of this kind, by the first round at least.
+    bool has(Kind kind) const;
+    const PixelTerms& terms() const;
+
+private:
+    struct Run;
+    std::unique_ptr<Run> run_;
+};
+
+/// Probes in one go. @return absent if it was stopped
 std::optional<PixelTerms> probe(const GpuScene& scene, const scene::Camera& camera,
                                 const RenderOptions& options, int column, int row,
-                                const std::stop_token& stop = {},
-                                const std::function<void()>& between_steps = {});
+                                const std::stop_token& stop = {});
 
 // The BRDF of the surface at a pixel, direction by direction.
 

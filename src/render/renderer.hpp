@@ -105,6 +105,9 @@ public:
     /// have one. Reads the film back. Only with RenderOptions::estimates_error.
     std::optional<ErrorEstimate> estimate_error() const;
 
+    /// Reads back one pixel of read_film(). @throws LoopError likewise
+    std::array<float, 4> read_pixel(int column, int row) const;
+
     /// Reads back the mean of the first sequence's samples, of which a pixel has one more if their number is
     /// odd. Only with RenderOptions::estimates_error.
     image::Image read_first_half() const;

@@ -2,6 +2,7 @@
 
 #include "core/error.hpp"
 #include "core/math.hpp"
+#include "image/file.hpp"
 #include "viewer/config.hpp"
 #include "viewer/panels/help.hpp"
 
@@ -9,10 +10,12 @@
 #include <GLFW/glfw3.h>
 #include <algorithm>
 #include <chrono>
+#include <cstdint>
 #include <filesystem>
 #include <fmt/format.h>
 #include <imgui.h>
 #include <utility>
+#include <vector>
 
 namespace sr::viewer {
 namespace {
@@ -39,7 +42,7 @@ std::vector<std::unique_ptr<Tool>> make_tools(Workspace& workspace) {
     std::vector<std::unique_ptr<Tool>> tools;
     for (const auto make :
          {make_transform, make_navigate, make_edit_lights, make_animate, make_adjust_display, make_compare,
-          make_assignment, make_probe, make_files, make_turntable})
+          make_assignment, make_probe, make_files, make_turntable, make_keep_edits})
         if (auto tool = make(workspace)) tools.push_back(std::move(tool));
     return tools;
 }
@@ -74,13 +77,15 @@ App::~App() {
 void App::run(const std::stop_token& stop) {
     auto last = Clock::now();
     Changes drawn; // by panels of the frame before
-    while (!is_closing_ && !stop.stop_requested()) {
+    while (!workspace_.is_closing && !stop.stop_requested()) {
         wait();
         const double seconds =
             std::chrono::duration<double>(Clock::now() - std::exchange(last, Clock::now())).count();
+        if (is_hidden() && !input_.has_cancel()) continue; // all waits until it is seen again, or closed
         resize();
         apply(std::exchange(drawn, {}) | workspace_.take_loaded());
         apply(update(seconds));
+        apply(std::exchange(workspace_.answered, {}));
         std::vector<Event> events = input_.take();
         if (input_.take_damage() || !events.empty()) apply(Change::redraw);
         if (!draws_again()) continue;
@@ -111,6 +116,12 @@ Activity App::activity() const {
     return activity;
 }
 
+/// True if nobody can see the window: it is minimised.
+bool App::is_hidden() const {
+    return glfwGetWindowAttrib(window_.handle(), GLFW_ICONIFIED)
+           || !glfwGetWindowAttrib(window_.handle(), GLFW_VISIBLE);
+}
+
 bool App::draws_again() const {
     return frames_to_draw_ > 0 || activity() == Activity::active
            || (workspace_.scene && !workspace_.scene->render().is_converged());
@@ -118,7 +129,7 @@ bool App::draws_again() const {
 
 /// Sleeps while there is nothing to do: neither processor nor GPU is used.
 void App::wait() const {
-    if (draws_again())
+    if (draws_again() && !is_hidden())
         glfwPollEvents();
     else
         glfwWaitEventsTimeout(activity() == Activity::waiting ? wait_interval : poll_interval);
@@ -146,22 +157,31 @@ Changes App::update(double seconds) {
 bool App::belongs_to_panel(const Event& event) const {
     if (!std::holds_alternative<ButtonEvent>(event) && !std::holds_alternative<ScrollEvent>(event))
         return false;
+    if (workspace_.question) return true;
     return ui_.has_pointer()
            && std::ranges::none_of(tools_, [](const auto& tool) { return tool->holds_pointer(); });
 }
 
-/// A key goes to the tools first. If none handles it, its command does.
+/// A key goes to a question, or else to the tools. If none handles it, its command does.
 Changes App::dispatch_key(const KeyEvent& key) {
     if (!key.is_down) return {};
+    if (workspace_.question) {
+        if (const Answer* answer = workspace_.question->answer_of(key.key)) workspace_.answer(*answer);
+        return Change::redraw;
+    }
+    const bool has_dialog =
+        std::ranges::any_of(tools_, [](const auto& tool) { return tool->holds_keyboard(); });
     for (const auto& tool : tools_)
-        if (const auto changes = workspace_.scene ? tool->handle(key) : std::nullopt) return *changes;
+        if (const auto changes = workspace_.scene && !has_dialog ? tool->handle(key) : std::nullopt)
+            return *changes;
     const auto command = command_of(key.key, key.modifiers);
-    const bool is_typed = ui_.has_keyboard() && command && !works_in_text_fields(*command);
+    if (command == Command::cancel && ui_.has_keyboard() && !has_dialog) return {}; // leaves the field
+    const bool is_typed = (ui_.has_keyboard() || has_dialog) && command && !works_in_text_fields(*command);
     return command && !is_typed ? execute(*command) : Changes();
 }
 
 Changes App::dispatch(const Event& event) {
-    if (std::holds_alternative<CloseEvent>(event)) is_closing_ = true;
+    if (std::holds_alternative<CloseEvent>(event)) workspace_.leave(Departure::quit);
     if (const auto* drop = std::get_if<DropEvent>(&event))
         for (const std::string& file : drop->files) input_.put(FileEvent{file});
     if (const auto* key = std::get_if<KeyEvent>(&event)) return dispatch_key(*key);
@@ -170,8 +190,7 @@ Changes App::dispatch(const Event& event) {
 
 Changes App::dispatch_to_tools(const Event& event) {
     if (!workspace_.scene) return {};
-    const bool is_for_all =
-        std::holds_alternative<MotionEvent>(event) || command_in(event) == Command::cancel;
+    const bool is_for_all = std::holds_alternative<MotionEvent>(event);
     Changes changes;
     bool is_handled = false;
     for (const auto& tool : tools_) {
@@ -193,15 +212,33 @@ Changes App::execute(Command command) {
     switch (command) {
     case Command::help: has_help_ = !has_help_; break;
     case Command::panels: has_panels_ = !has_panels_; break;
-    case Command::quit: is_closing_ = true; break;
+    case Command::messages: has_history_ = !has_history_; break;
+    case Command::quit: workspace_.leave(Departure::quit); break;
     case Command::fullscreen: toggle_fullscreen(); break;
-    case Command::cancel:
-        has_help_ = false;
-        workspace_.messages.clear_error();
-        return dispatch_to_tools(CommandEvent{command});
+    case Command::cancel: return cancel_innermost();
+    case Command::open_file:
+    case Command::save_as: has_panels_ = true; [[fallthrough]]; // their dialog is a panel
     default: return dispatch_to_tools(CommandEvent{command});
     }
     return Change::redraw;
+}
+
+/// Cancels one thing: the help, a dialog, an error, or what a tool has begun, the last tool first.
+Changes App::cancel_innermost() {
+    if (std::exchange(has_help_, false) || std::exchange(has_history_, false)) return Change::redraw;
+    const auto cancel = [this](bool is_dialog) {
+        std::optional<Changes> changes;
+        for (auto tool = tools_.rbegin(); tool != tools_.rend() && !changes; ++tool)
+            if (workspace_.scene && (!is_dialog || (*tool)->holds_keyboard()))
+                changes = (*tool)->handle(CommandEvent{Command::cancel});
+        return changes;
+    };
+    if (const auto closed = cancel(true)) return *closed;
+    if (workspace_.messages.has_error()) {
+        workspace_.messages.clear_error();
+        return Change::redraw;
+    }
+    return cancel(false).value_or(Changes());
 }
 
 /// Brings changes into the picture, and tells the tools.
@@ -243,21 +280,44 @@ void App::present() {
     workspace_.display.ev100 = workspace_.exposure.ev100();
     presenter_.draw(workspace_.scene->render().shown(), reference, workspace_.display, workspace_.width,
                     workspace_.height);
+    if (!workspace_.seen_file.empty()) write_seen();
+}
+
+/// Writes the frame as a PNG, before panels are drawn over it.
+void App::write_seen() {
+    const std::string file = std::exchange(workspace_.seen_file, {});
+    image::Image picture(workspace_.width, workspace_.height, 3);
+    std::vector<std::uint8_t> codes(picture.pixels.size());
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glReadPixels(0, 0, picture.width, picture.height, GL_RGB, GL_UNSIGNED_BYTE, codes.data());
+    glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    const std::size_t row = 3 * static_cast<std::size_t>(picture.width);
+    for (std::size_t i = 0; i < codes.size(); ++i) // GL's first row is the lowest
+        picture.pixels[codes.size() - row - i / row * row + i % row] = static_cast<float>(codes[i]) / 255.0f;
+    try {
+        image::write(picture, file, image::SampleType::integer8);
+        workspace_.messages.notify(fmt::format("Wrote {}.", file));
+    } catch (const Error& error) {
+        workspace_.messages.fail("Cannot write the picture.", error.what());
+    }
 }
 
 Changes App::draw_panels() {
     help_panel(has_help_);
     const Messages& messages = workspace_.messages;
     if (messages.has_error()) error_panel(messages.error_title(), messages.error_text());
+    if (workspace_.question)
+        if (const Answer* answer = draw_question(*workspace_.question)) workspace_.answer(*answer);
     if (!workspace_.scene) {
-        status_line({fmt::format("loading {} ...", workspace_.options.scene), {}, {}});
+        message_area({fmt::format("loading {} ...", workspace_.options.scene), {}, {}});
         return {};
     }
     if (!has_panels_) return {};
     Changes changes;
     const Overlay overlay{workspace_.projection(), ui_.scale()};
     for (const auto& tool : tools_) changes |= tool->draw(overlay);
-    status_line({progress_of(workspace_.scene->render()), under_pointer(), messages.status()});
+    message_area({progress_of(workspace_.scene->render()), under_pointer(), messages.status()});
+    history_panel(has_history_, messages.history());
     return changes | draw_main_panel();
 }
 
@@ -301,6 +361,7 @@ void App::update_title() {
         const std::string file = std::filesystem::path(workspace_.scene->loaded().file).filename().string();
         title = render.is_converged() ? fmt::format("{} - {} - Steradian", file, progress_of(render))
                                       : fmt::format("{} - Steradian", file);
+        if (workspace_.scene->lights().is_unsaved()) title = "*" + title;
     }
     if (title == title_) return;
     title_ = title;

@@ -31,11 +31,14 @@ private:
     Changes dispatch(const Event& event);
     Changes dispatch_to_tools(const Event& event);
     Changes dispatch_key(const KeyEvent& key);
+    Changes cancel_innermost();
     bool belongs_to_panel(const Event& event) const;
     Changes execute(Command command);
     void apply(Changes changes);
     void advance(double seconds);
     void present();
+    void write_seen();
+    bool is_hidden() const;
     Changes draw_panels();
     Changes draw_main_panel();
     std::string under_pointer() const;
@@ -49,9 +52,9 @@ private:
     Presenter presenter_;
     std::vector<std::unique_ptr<Tool>> tools_; // in the order in which they get events and draw
     int frames_to_draw_ = 0;
-    bool is_closing_ = false;
     bool has_panels_ = true;
     bool has_help_ = false;
+    bool has_history_ = false; // of messages
     std::string title_;
     std::array<int, 4> windowed_{40, 40, 1280,
                                  720}; // place and size of the window before it became fullscreen

@@ -14,19 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Failing to remember is no error.
-void write_lines(const fs::path& file, const std::vector<std::string>& lines) {
-    if (file.empty()) return;
-    const fs::path unfinished = file.string() + ".tmp";
-    {
-        std::ofstream out(unfinished);
-        for (const std::string& line : lines) out << line << '\n';
-        if (!out) return;
-    }
-    std::error_code ignored;
-    fs::rename(unfinished, file, ignored);
-}
-
 std::vector<std::string> lines_of(const fs::path& file) {
     std::vector<std::string> lines;
     try {
@@ -42,16 +29,15 @@ fs::path file_named(const char* name) {
     return folder.empty() ? folder : folder / name;
 }
 
-} // namespace
-
-fs::path config_folder() {
-    const char* config = std::getenv("XDG_CONFIG_HOME");
+/// The folder that an environment variable names, or else one in the home folder.
+fs::path folder_named(const char* variable, const char* in_home) {
+    const char* named = std::getenv(variable);
     const char* home = std::getenv("HOME");
     fs::path folder;
-    if (config && *config)
-        folder = config;
+    if (named && *named)
+        folder = named;
     else if (home && *home)
-        folder = fs::path(home) / ".config";
+        folder = fs::path(home) / in_home;
     else
         return {};
     folder /= "steradian";
@@ -59,6 +45,23 @@ fs::path config_folder() {
     fs::create_directories(folder, failure);
     return failure ? fs::path{} : folder;
 }
+
+} // namespace
+
+void write_lines(const fs::path& file, const std::vector<std::string>& lines) {
+    if (file.empty()) return;
+    const fs::path unfinished = file.string() + ".tmp";
+    {
+        std::ofstream out(unfinished);
+        for (const std::string& line : lines) out << line << '\n';
+        if (!out) return;
+    }
+    std::error_code ignored;
+    fs::rename(unfinished, file, ignored);
+}
+
+fs::path config_folder() { return folder_named("XDG_CONFIG_HOME", ".config"); }
+fs::path state_folder() { return folder_named("XDG_STATE_HOME", ".local/state"); }
 
 std::vector<std::string> recent_files() {
     std::vector<std::string> files = lines_of(file_named("recent"));
@@ -97,6 +100,17 @@ std::string free_name(const std::string& scene_file, const std::string& extensio
         std::string name = fmt::format("{}-{:03}{}", stem, number, extension);
         std::error_code ignored;
         if (!std::filesystem::exists(name, ignored)) return name;
+    }
+}
+
+std::string edited_name(const std::string& scene_file) {
+    const fs::path file(scene_file);
+    for (int number = 1;; ++number) {
+        const std::string suffix = number == 1 ? "_edited" : fmt::format("_edited{}", number);
+        const fs::path name =
+            file.parent_path() / (file.stem().string() + suffix + file.extension().string());
+        std::error_code ignored;
+        if (!fs::exists(name, ignored)) return name.string();
     }
 }
 

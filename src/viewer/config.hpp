@@ -9,6 +9,11 @@ namespace sr::viewer {
 /// $XDG_CONFIG_HOME/steradian or ~/.config/steradian, which it creates. Empty if neither is possible; then
 /// nothing is remembered.
 std::filesystem::path config_folder();
+/// The same for $XDG_STATE_HOME/steradian or ~/.local/state/steradian.
+std::filesystem::path state_folder();
+
+/// Writes a file whole or not at all. Failing, or an empty path, is no error.
+void write_lines(const std::filesystem::path& file, const std::vector<std::string>& lines);
 
 /// At most ten recent files, the newest first, without missing ones.
 std::vector<std::string> recent_files();
@@ -24,5 +29,8 @@ void remember_size(WindowSize size);
 
 /// "STEM-001.EXT" in the working directory, or the first number after that is free.
 std::string free_name(const std::string& scene_file, const std::string& extension);
+
+/// The first free one of STEM_edited.EXT, STEM_edited2.EXT, …, beside the scene file.
+std::string edited_name(const std::string& scene_file);
 
 } // namespace sr::viewer

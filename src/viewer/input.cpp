@@ -1,6 +1,7 @@
 #include "viewer/input.hpp"
 
 #include <algorithm>
+#include <string_view>
 #include <utility>
 
 #define GLFW_INCLUDE_NONE
@@ -20,7 +21,7 @@ int modifiers_of(int mods) {
 }
 
 void on_key(GLFWwindow* window, int key, int, int action, int mods) {
-    input_of(window).put(KeyEvent{key, modifiers_of(mods), action != GLFW_RELEASE});
+    input_of(window).put(KeyEvent{labelled(key), modifiers_of(mods), action != GLFW_RELEASE, key});
 }
 
 void on_button(GLFWwindow* window, int button, int action, int mods) {
@@ -46,12 +47,23 @@ void on_drop(GLFWwindow* window, int count, const char** paths) {
 
 } // namespace
 
+int labelled(int place) {
+    const bool is_printable = place > GLFW_KEY_SPACE && place <= GLFW_KEY_WORLD_2;
+    const bool is_digit = place >= GLFW_KEY_0 && place <= GLFW_KEY_9; // their labels need Shift on AZERTY
+    const char* const label = is_printable && !is_digit ? glfwGetKeyName(place, 0) : nullptr;
+    if (!label || !label[0] || label[1]) return place;
+    const char sign = label[0];
+    if (sign >= 'a' && sign <= 'z') return GLFW_KEY_A + (sign - 'a');
+    constexpr std::string_view punctuation = ",-./=[]"; // GLFW numbers them as ASCII does
+    return punctuation.find(sign) == std::string_view::npos ? place : sign;
+}
+
 std::vector<KeyEvent> taps_among(const std::vector<Event>& events) {
     std::vector<KeyEvent> down, taps;
     for (const Event& event : events) {
         const auto* key = std::get_if<KeyEvent>(&event);
         if (!key) continue;
-        const auto same = [&](const KeyEvent& other) { return other.key == key->key; };
+        const auto same = [&](const KeyEvent& other) { return other.place == key->place; };
         const auto pressed = std::ranges::find_if(down, same);
         if (key->is_down)
             down.push_back(*key);
@@ -110,7 +122,7 @@ std::string WindowInput::clipboard() const {
 
 void WindowInput::set_clipboard(const std::string& text) { glfwSetClipboardString(window_, text.c_str()); }
 
-bool WindowInput::is_down(int key) const { return glfwGetKey(window_, key) == GLFW_PRESS; }
+bool WindowInput::is_down(int place) const { return glfwGetKey(window_, place) == GLFW_PRESS; }
 
 vec2 WindowInput::pointer() const {
     double x = 0.0, y = 0.0;

@@ -15,9 +15,10 @@ namespace sr::viewer {
 enum class Button { left, right, middle };
 
 struct KeyEvent {
-    int key = 0;
+    int key = 0; // by its label, as GLFW numbers the keys of a US keyboard
     int modifiers = no_modifier;
     bool is_down = false; // pressed or repeated
+    int place = 0;        // the key of a US keyboard in the same place
 };
 struct ButtonEvent {
     Button button{};
@@ -48,6 +49,10 @@ struct FileEvent { // a file to open or to compare with
 using Event = std::variant<KeyEvent, ButtonEvent, MotionEvent, ScrollEvent, DropEvent, CloseEvent,
                            CommandEvent, ClickEvent, FileEvent>;
 
+/// The key whose label on a US keyboard is that of the key in this place. Letters and punctuation go by their
+/// labels in the current layout; digits and all other keys go by their places. Needs GLFW.
+int labelled(int place);
+
 /// Keys that were pressed and released within `events`.
 std::vector<KeyEvent> taps_among(const std::vector<Event>& events);
 
@@ -68,7 +73,7 @@ public:
     /// True if Esc or closing the window is among the events to take: cancels long work.
     bool has_cancel() const;
 
-    bool is_down(int key) const;
+    bool is_down(int place) const; // by place, not by label
     vec2 pointer() const;
     vec2 window_size() const; // in the unit of the pointer
     std::string clipboard() const;

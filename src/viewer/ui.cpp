@@ -33,13 +33,24 @@ void load_font(float scale) {
     io.Fonts->AddFontDefault(&config);
 }
 
+/// Lets Ctrl A, C, V, X, Y and Z of text fields go by labels. Later versions do so themselves.
+template<class Io>
+void go_by_labels(Io& io) {
+    if constexpr (IMGUI_VERSION_NUM < 18700 && requires { io.KeyMap[0]; })
+        for (int place = GLFW_KEY_A; place <= GLFW_KEY_Z; ++place)
+            for (const auto& [letter, key] :
+                 {std::pair(GLFW_KEY_A, ImGuiKey_A), {GLFW_KEY_C, ImGuiKey_C}, {GLFW_KEY_V, ImGuiKey_V},
+                  {GLFW_KEY_X, ImGuiKey_X}, {GLFW_KEY_Y, ImGuiKey_Y}, {GLFW_KEY_Z, ImGuiKey_Z}})
+                if (labelled(place) == letter) io.KeyMap[key] = place;
+}
+
 /// Holds these keys, or lets them go. Later versions queue keys themselves and have no such array.
 template<class Io>
 void hold(Io& io, const std::vector<KeyEvent>& keys, bool is_down) {
     if constexpr (IMGUI_VERSION_NUM < 18700 && requires { io.KeysDown[0]; })
         for (const KeyEvent& key : keys) {
-            if (key.key < 0) continue; // one that GLFW does not know
-            io.KeysDown[key.key] = is_down;
+            if (key.place < 0) continue; // one that GLFW does not know
+            io.KeysDown[key.place] = is_down;
             if (key.modifiers & control) io.KeyCtrl = is_down;
         }
 }
@@ -85,6 +96,7 @@ void Ui::begin(std::vector<KeyEvent> taps) {
     watch_scale();
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
+    go_by_labels(ImGui::GetIO()); // the layout may have changed
     hold(ImGui::GetIO(), taps_, true);
     ImGui::NewFrame();
 }

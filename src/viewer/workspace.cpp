@@ -4,8 +4,11 @@
 #include "viewer/config.hpp"
 #include "viewer/panels/animation.hpp"
 
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
 #include <fmt/format.h>
 #include <vector>
 
@@ -30,13 +33,93 @@ gl::Texture reference_texture(const image::Image& film) {
     return texture;
 }
 
+std::string file_name(const std::string& file) { return std::filesystem::path(file).filename().string(); }
+
 } // namespace
 
-Reference::Reference(std::string name, image::Image film, bool is_display_referred)
+Reference::Reference(std::string name, image::Image film, std::string camera, bool is_display_referred)
     : name_(std::move(name)),
       film_(std::move(film)),
+      camera_(std::move(camera)),
       is_display_referred_(is_display_referred),
       texture_(reference_texture(film_)) {}
+
+void Workspace::ask(Question asked) {
+    messages.log("Asked: " + asked.text);
+    question = std::move(asked);
+}
+
+void Workspace::answer(const Answer& given) {
+    const auto act = given.act; // the answer belongs to the question
+    question.reset();
+    if (act) act();
+}
+
+void Workspace::leave(Departure departure, const std::string& file) {
+    if (!scene || !scene->lights().is_unsaved()) return depart(departure, file);
+    const std::string copy = name_to_save();
+    const auto save_first = [this, copy, departure, file] {
+        if (write(copy)) depart(departure, file);
+    };
+    const auto discard = [this, departure, file] {
+        if (departure == Departure::quit) scene->lights().mark_saved();
+        depart(departure, file);
+    };
+    ask({fmt::format("{} has unsaved edits. {}", file_name(scene->loaded().file),
+                     departure == Departure::quit     ? "Quit?"
+                     : departure == Departure::reload ? "Reload it?"
+                                                      : fmt::format("Open {}?", file_name(file))),
+         {{GLFW_KEY_S, fmt::format("Save as {}", file_name(copy)), save_first},
+          {GLFW_KEY_D, "Discard the edits", discard},
+          {0, "Cancel"}}});
+}
+
+void Workspace::depart(Departure departure, const std::string& file) {
+    switch (departure) {
+    case Departure::quit: is_closing = true; break;
+    case Departure::open: open(file); break;
+    case Departure::reload: reload(false); break;
+    }
+}
+
+std::string Workspace::name_to_save() const {
+    return written.empty() ? edited_name(scene->loaded().file) : written.back();
+}
+
+bool Workspace::save(const std::string& file) {
+    std::error_code ignored;
+    const std::string& open_file = scene->loaded().file;
+    if (std::filesystem::equivalent(file, open_file, ignored)) {
+        messages.fail("Cannot save the scene.",
+                      Error({file}, "is the open file, which the edits start from", "save under another name")
+                          .what());
+        return false;
+    }
+    const bool is_own = std::ranges::find(written, file) != written.end();
+    if (is_own || !std::filesystem::exists(file, ignored)) return write(file);
+    const std::string free = edited_name(open_file);
+    ask({fmt::format("{} exists already. Replace it?", file),
+         {{GLFW_KEY_S, fmt::format("Save as {}", file_name(free)), [this, free] { write(free); }},
+          {GLFW_KEY_R, "Replace it", [this, file] { write(file); }},
+          {0, "Cancel"}}});
+    return false;
+}
+
+bool Workspace::write(const std::string& file) {
+    const bool is_free = scene::is_look_at(camera->argument());
+    try {
+        scene->lights().save(scene->loaded(), is_free ? &camera->camera() : nullptr, file);
+    } catch (const Error& error) {
+        messages.fail("Cannot save the scene.", error.what());
+        return false;
+    }
+    scene->lights().mark_saved();
+    std::erase(written, file);
+    written.push_back(file);
+    answered |= Change::lights; // the journal is out of date
+    messages.notify(fmt::format("Saved {}.", file));
+    return true;
+}
 
 void Workspace::open(const std::string& file) {
     if (loading) return messages.notify("A file is loading. Try again when it is done.");
@@ -92,6 +175,7 @@ void Workspace::show(LoadedScene loaded) {
     selected.reset();
     restart_playback(is_same_file);
     if (is_first) statistics.uploaded(scene->upload_seconds(), scene->compile_seconds());
+    if (!is_same_file) written.clear();
     if (!is_same_file)
         exposure.restart();
     else if (!has_edits)

@@ -5,6 +5,7 @@
 #include "viewer/document/playback.hpp"
 #include "viewer/input.hpp"
 #include "viewer/messages.hpp"
+#include "viewer/panels/question.hpp"
 #include "viewer/statistics.hpp"
 #include "viewer/ui.hpp"
 #include "viewer/view/camera_controller.hpp"
@@ -20,19 +21,25 @@ namespace sr::viewer {
 class Reference {
 public:
     /// Uploads `film`, which has at least three channels.
-    Reference(std::string name, image::Image film, bool is_display_referred = false);
+    /// `camera`: as `render --camera` takes it; empty if unknown.
+    Reference(std::string name, image::Image film, std::string camera = {}, bool is_display_referred = false);
 
     const std::string& name() const { return name_; }
     const image::Image& film() const { return film_; }
+    const std::string& camera() const { return camera_; }
     bool is_display_referred() const { return is_display_referred_; }
     FilmSum sum() const { return {&texture_, 1, film_.width, film_.height, nullptr, is_display_referred_}; }
 
 private:
     std::string name_;
     image::Image film_;
+    std::string camera_;
     bool is_display_referred_; // linear light of a screen, 0 to 1
     gl::Texture texture_;
 };
+
+/// Reason why the scene that is shown, and its edits, end.
+enum class Departure { quit, open, reload };
 
 struct Workspace {
     Options options;
@@ -57,11 +64,27 @@ struct Workspace {
     bool keeps_edits = false;   // of lights, once `loading` is done
     bool has_new_files = false; // a file has loaded, and is not watched yet
 
+    std::optional<Question> question{}; // takes all keys until it is answered
+    Changes answered{};                 // by the answer to a question
+    bool is_closing = false;
+    std::string seen_file{}; // the next frame is written there, as it is seen without panels; empty: it is not
+    std::vector<std::string> written{}; // scene files that this run has saved, the last one last
+
     /// Size of the window, in the unit of the pointer.
     vec2 window_size() const { return input.window_size(); }
     float aspect_ratio() const { return static_cast<float>(width) / static_cast<float>(height); }
     Projection projection() const { return {camera->camera(), camera->aspect_ratio(), window_size()}; }
     render::RenderOptions render_options() const { return viewer::render_options(options, width, height); }
+
+    void ask(Question asked);
+    void answer(const Answer& given);
+    /// Quits, opens a file or reloads the current one. Asks first if there are unsaved edits.
+    void leave(Departure departure, const std::string& file = {});
+    /// Saves lights and, if the camera is free, the view. Reports errors. Asks before it replaces a file that
+    /// this run has not written. @return true if the file is written
+    bool save(const std::string& file);
+    /// The file that was saved last, if it is of the current scene, or else a new name beside it.
+    std::string name_to_save() const;
 
     /// Begins to load a file. Another file drops the options that belong to the current one.
     void open(const std::string& file);
@@ -76,6 +99,8 @@ struct Workspace {
     std::string time_arguments() const;
 
 private:
+    void depart(Departure departure, const std::string& file);
+    bool write(const std::string& file);
     void show(LoadedScene loaded);
     void restart_playback(bool is_same_file);
 };

@@ -212,18 +212,36 @@ std::vector<scene::Light> LightEditor::lights_of(std::size_t entry) const {
     return lights;
 }
 
-void LightEditor::remember() {
+void LightEditor::remember(std::string what) {
     if (is_step_open_) return;
     constexpr std::size_t max_steps = 200;
     if (undo_.size() == max_steps) undo_.erase(undo_.begin());
-    undo_.push_back(edits_);
+    undo_.push_back({edits_, std::exchange(revision_, last_revision_ + 1), std::move(what)});
+    ++last_revision_;
     redo_.clear();
     is_step_open_ = true;
 }
 
+/// Describes an edit of an entry.
+std::string LightEditor::of(const char* what, std::size_t entry) const {
+    return fmt::format("{} {}", what, entries_[entry].name);
+}
+
+bool LightEditor::is_unsaved() const {
+    return revision_ != saved_ && std::ranges::any_of(edits_, &LightEdit::is_news);
+}
+
+void LightEditor::recover(std::vector<LightEdit> edits) {
+    begin_step();
+    remember("recovered edits");
+    begin_step();
+    edits_ = std::move(edits);
+    rebase_edits(edits_, file_);
+}
+
 void LightEditor::set_quantity(std::size_t entry, vec3 quantity) {
     if (quantity == vec3(0.0f)) return enable(entry, false); // a material without emission would be no light
-    remember();
+    remember(of("value of", entry));
     LightEdit& edit = edit_of(entry);
     edit.is_enabled = edit.overrides_quantity = true;
     if (edit.kind == Kind::material)
@@ -233,20 +251,20 @@ void LightEditor::set_quantity(std::size_t entry, vec3 quantity) {
 }
 
 void LightEditor::enable(std::size_t entry, bool is_enabled) {
-    remember();
+    remember(of(is_enabled ? "enabling" : "disabling", entry));
     edit_of(entry).is_enabled = is_enabled;
 }
 
 void LightEditor::solo(std::size_t entry) {
     const bool is_alone = std::ranges::all_of(
         entries_, [&](const LightEntry& other) { return other.is_enabled == (&other == &entries_[entry]); });
-    remember();
+    remember(of("enabling alone", entry));
     for (std::size_t i = 0; i < entries_.size(); ++i) edit_of(i).is_enabled = is_alone || i == entry;
 }
 
 bool LightEditor::transform(std::size_t entry, const mat4& by) {
     if (!can_move(entry)) return false;
-    remember();
+    remember(of("transform of", entry));
     LightEdit& edit = edit_of(entry);
     edit.light = transformed(edit.light, by);
     edit.motion = by * edit.motion;
@@ -255,14 +273,14 @@ bool LightEditor::transform(std::size_t entry, const mat4& by) {
 
 void LightEditor::set_size(std::size_t entry, std::size_t extent, float size) {
     require(can_move(entry), "surfaces keep their sizes");
-    remember();
+    remember(of("size of", entry));
     LightEdit& edit = edit_of(entry);
     scene::set_size(edit.light, extent, size);
     edit.overrides_size = true;
 }
 
 std::size_t LightEditor::add(scene::Light light) {
-    remember();
+    remember("adding " + name_of(light));
     LightEdit edit;
     edit.source = -1 - static_cast<int>(std::ranges::count_if(edits_, &LightEdit::is_added));
     edit.light = std::move(light);
@@ -278,32 +296,35 @@ bool LightEditor::remove(std::size_t entry) {
         enable(entry, false);
         return false;
     }
-    remember();
+    remember(of("removing", entry));
     edit_of(entry).is_removed = true;
     return true;
 }
 
-bool LightEditor::undo() { return step(undo_, redo_); }
-bool LightEditor::redo() { return step(redo_, undo_); }
+std::optional<std::string> LightEditor::undo() { return step(undo_, redo_); }
+std::optional<std::string> LightEditor::redo() { return step(redo_, undo_); }
 
-bool LightEditor::step(std::vector<Edits>& from, std::vector<Edits>& to) {
+std::optional<std::string> LightEditor::step(std::vector<Step>& from, std::vector<Step>& to) {
     is_step_open_ = false;
-    if (from.empty()) return false;
-    to.push_back(std::exchange(edits_, std::move(from.back())));
+    if (from.empty()) return std::nullopt;
+    Step step = std::move(from.back());
     from.pop_back();
+    to.push_back({std::exchange(edits_, std::move(step.edits)), std::exchange(revision_, step.revision),
+                  step.what});
     rebase_edits(edits_, file_); // the step may be of another time
-    return true;
+    return step.what;
 }
 
 void LightEditor::restart_step() {
     if (!is_step_open_) return;
-    edits_ = undo_.back();
+    edits_ = undo_.back().edits;
     rebase_edits(edits_, file_);
 }
 
 void LightEditor::cancel_step() {
     if (!is_step_open_) return;
     restart_step();
+    revision_ = undo_.back().revision;
     undo_.pop_back();
     is_step_open_ = false;
 }

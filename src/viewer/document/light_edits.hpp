@@ -33,6 +33,8 @@ struct LightEdit {
     bool is_edited() const {
         return is_removed || overrides_quantity || overrides_size || motion != mat4(1.0f);
     }
+    /// True if the file does not say it.
+    bool is_news() const { return is_added() ? !is_removed : is_edited() || !is_enabled; }
 };
 
 /// The lights of a file at one time, in one variant, before any edit.
@@ -100,8 +102,9 @@ public:
     /// Removes a light or a softbox. @return false for a material, which is disabled instead
     bool remove(std::size_t entry);
 
-    bool undo(); // @return false if there is nothing to undo
-    bool redo(); // @return false if there is nothing to redo
+    /// Each @return says what was undone or redone ("value of lamp"); absent if there is nothing.
+    std::optional<std::string> undo();
+    std::optional<std::string> redo();
     /// Begins an undo step, which lasts until the next call: a drag is one step.
     void begin_step() { is_step_open_ = false; }
     /// Restores the state at the beginning of the step, which stays open.
@@ -110,6 +113,11 @@ public:
     void cancel_step();
 
     bool is_changed() const { return !undo_.empty(); }
+    /// True if edits would be lost with this editor: neither the file nor a saved copy has them.
+    bool is_unsaved() const;
+    void mark_saved() { saved_ = revision_; }
+    /// Replaces all edits by those of a journal, as one step that can be undone.
+    void recover(std::vector<LightEdit> edits);
     const std::vector<LightEdit>& edits() const { return edits_; }
 
     /// Rebuilds everything of `loaded` that depends on lights. Images, textures and meshes of the file stay.
@@ -126,9 +134,16 @@ public:
 
 private:
     using Edits = std::vector<LightEdit>;
+    /// A state of all edits, and the edit that led away from it.
+    struct Step {
+        Edits edits;
+        int revision = 0;
+        std::string what;
+    };
 
-    bool step(std::vector<Edits>& from, std::vector<Edits>& to);
-    void remember();
+    std::optional<std::string> step(std::vector<Step>& from, std::vector<Step>& to);
+    void remember(std::string what);
+    std::string of(const char* what, std::size_t entry) const;
     LightEdit& edit_of(std::size_t entry) { return edits_[entries_[entry].edit]; }
     std::optional<LightEntry> entry_of(const LightEdit& edit, const scene::RenderScene& stage, int& staged,
                                        int first_softbox) const;
@@ -136,8 +151,11 @@ private:
 
     Edits edits_;
     FileLights file_;
-    std::vector<Edits> undo_;
-    std::vector<Edits> redo_; // the next one last
+    std::vector<Step> undo_;
+    std::vector<Step> redo_; // the next one last
+    int revision_ = 0;       // of edits_; 0: as the file is
+    int last_revision_ = 0;
+    int saved_ = 0; // revision that was saved last
     std::vector<LightEntry> entries_;
     std::vector<scene::Light> staged_; // the RenderScene's lights as if all were enabled
     bool hides_emitters_;

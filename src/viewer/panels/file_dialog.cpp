@@ -35,21 +35,22 @@ const char* title_of(FileDialog::Purpose purpose) {
 
 } // namespace
 
-void FileDialog::show(Purpose purpose, const std::string& near_file) {
+void FileDialog::show(Purpose purpose, const std::string& file) {
     is_open_ = true;
+    is_waiting_ = false;
     focus_.begin();
     purpose_ = purpose;
-    typed_.fill('\0');
-    if (purpose == Purpose::save) {
-        const fs::path file(near_file);
-        const std::string name =
-            (file.parent_path() / file.stem()).string() + "-relit" + file.extension().string();
-        std::strncpy(typed_.data(), name.c_str(), typed_.size() - 1);
-    }
-    here_ = purpose == Purpose::open      ? files_beside(near_file, {".gltf", ".glb"})
+    type(purpose == Purpose::save ? file : "");
+    here_ = purpose == Purpose::open      ? files_beside(file, {".gltf", ".glb"})
             : purpose == Purpose::compare ? files_beside("./", {".exr", ".hdr", ".png", ".jpg", ".jpeg"})
                                           : std::vector<std::string>{};
     recent_ = purpose == Purpose::open ? recent_files() : std::vector<std::string>{};
+}
+
+/// Puts a path into the field.
+void FileDialog::type(const std::string& path) {
+    typed_.fill('\0');
+    std::strncpy(typed_.data(), path.c_str(), typed_.size() - 1);
 }
 
 std::optional<std::string> FileDialog::draw() {
@@ -65,10 +66,10 @@ std::optional<std::string> FileDialog::draw() {
                                                      typed_.size(), ImGuiInputTextFlags_EnterReturnsTrue);
     focus_.update(ImGui::IsItemActive());
     if (is_entered && typed_[0] != '\0') chosen = typed_.data();
-    if (const auto listed = draw_lists()) chosen = listed;
+    if (const auto listed = draw_lists()) type(*(chosen = listed));
     ImGui::PopItemWidth();
     ImGui::End();
-    if (chosen) is_open_ = false;
+    is_waiting_ = is_waiting_ || chosen.has_value();
     return chosen;
 }
 

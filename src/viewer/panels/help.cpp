@@ -3,6 +3,7 @@
 #include "viewer/bindings.hpp"
 
 #include <algorithm>
+#include <array>
 #include <imgui.h>
 #include <string_view>
 #include <vector>
@@ -33,6 +34,16 @@ std::vector<HelpLine> help_lines() {
     return lines;
 }
 
+/// Width of the keys and of what they do.
+float width_of(const std::vector<HelpLine>& lines) {
+    float keys = 0.0f, what = 0.0f;
+    for (const HelpLine& line : lines) {
+        keys = std::max(keys, ImGui::CalcTextSize(line.keys).x);
+        if (*line.keys) what = std::max(what, ImGui::CalcTextSize(line.what).x);
+    }
+    return keys + what + 2.0f * ImGui::GetStyle().CellPadding.x;
+}
+
 void help_cells(const HelpLine& line) {
     ImGui::TableNextColumn();
     if (!*line.keys)
@@ -45,37 +56,70 @@ void help_cells(const HelpLine& line) {
 
 } // namespace
 
-void status_line(const Status& status) {
+void message_area(const Status& status) {
     const ImGuiViewport& viewport = *ImGui::GetMainViewport();
-    const float height = ImGui::GetFrameHeight();
+    const ImVec2 padding{6.0f, 2.0f};
+    const float width = viewport.Size.x - 2.0f * padding.x, gap = 3.0f * ImGui::GetFontSize();
+    const auto size = [&](const std::string& part) {
+        return ImGui::CalcTextSize(part.c_str(), nullptr, false, width);
+    };
+    const std::array parts{&status.progress, &status.under_pointer, &status.message};
+    std::array<bool, 3> begins_line{true, false, false};
+    float x = 0.0f, height = 2.0f * padding.y;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        if (parts[i]->empty()) continue;
+        const ImVec2 needed = size(*parts[i]);
+        begins_line[i] = i == 0 || x + gap + needed.x > width || needed.y > ImGui::GetTextLineHeight();
+        if (begins_line[i])
+            height += needed.y + (i == 0 ? 0.0f : ImGui::GetStyle().ItemSpacing.y);
+        x = begins_line[i] ? needed.x : x + gap + needed.x;
+    }
+    height = std::min(std::max(height, ImGui::GetFrameHeight()), 0.4f * viewport.Size.y);
     ImGui::SetNextWindowPos({viewport.Pos.x, viewport.Pos.y + viewport.Size.y - height});
     ImGui::SetNextWindowSize({viewport.Size.x, height});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1.0f, 1.0f});
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {6.0f, 2.0f});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
     ImGui::Begin("status", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings
                      | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoBringToFrontOnFocus);
-    text(status.progress);
-    for (const std::string* part : {&status.under_pointer, &status.message}) {
-        if (part->empty()) continue;
-        ImGui::SameLine(0.0f, 3.0f * ImGui::GetFontSize());
-        text(*part);
+    ImGui::PushTextWrapPos();
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        if (parts[i]->empty()) continue;
+        if (!begins_line[i]) ImGui::SameLine(0.0f, gap);
+        text(*parts[i]);
     }
+    ImGui::PopTextWrapPos();
     ImGui::End();
     ImGui::PopStyleVar(2);
 }
 
+void history_panel(bool& is_open, const std::vector<std::string>& messages) {
+    if (!is_open) return;
+    const ImVec2 size = ImGui::GetMainViewport()->Size;
+    ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Always, {0.5f, 0.5f});
+    ImGui::SetNextWindowSize({0.8f * size.x, 0.6f * size.y});
+    ImGui::Begin("Messages (M closes)", &is_open,
+                 ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse);
+    ImGui::PushTextWrapPos();
+    for (const std::string& message : messages) text(message);
+    ImGui::PopTextWrapPos();
+    if (ImGui::IsWindowAppearing()) ImGui::SetScrollHereY(1.0f);
+    ImGui::End();
+}
+
 void help_panel(bool& is_open) {
     if (!is_open) return;
-    const ImVec2 center = ImGui::GetMainViewport()->GetCenter();
-    ImGui::SetNextWindowPos(center, ImGuiCond_Always, {0.5f, 0.5f});
-    ImGui::SetNextWindowSizeConstraints({0, 0}, {4e3f, 0.92f * ImGui::GetMainViewport()->Size.y});
+    const ImGuiViewport& viewport = *ImGui::GetMainViewport();
+    const ImVec2 room{0.96f * viewport.Size.x, 0.92f * viewport.Size.y};
+    ImGui::SetNextWindowPos(viewport.GetCenter(), ImGuiCond_Always, {0.5f, 0.5f});
+    ImGui::SetNextWindowSizeConstraints({0, 0}, room);
     ImGui::Begin("Keys (Esc closes)", &is_open,
                  ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings);
     const std::vector<HelpLine> lines = help_lines();
-    std::size_t half = (lines.size() + 1) / 2;
-    while (*lines[half].keys) --half; // the second column begins with a heading
-    if (ImGui::BeginTable("keys", 4, ImGuiTableFlags_SizingFixedFit)) {
+    const bool is_wide = room.x > 2.0f * width_of(lines) + 6.0f * ImGui::GetFontSize();
+    std::size_t half = is_wide ? (lines.size() + 1) / 2 : lines.size();
+    while (is_wide && *lines[half].keys) --half; // the second column begins with a heading
+    if (ImGui::BeginTable("keys", is_wide ? 4 : 2, ImGuiTableFlags_SizingFixedFit)) {
         for (std::size_t i = 0; i < std::max(half, lines.size() - half); ++i) {
             ImGui::TableNextRow();
             help_cells(i < half ? lines[i] : HelpLine{" ", ""});

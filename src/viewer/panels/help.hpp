@@ -1,16 +1,21 @@
 #pragma once
-// Help panel, status line and error panel.
+// Help panel, message area with its history, and error panel.
 #include <string>
+#include <vector>
 
 namespace sr::viewer {
 
-/// Parts of the status line.
+/// Parts of the message area.
 struct Status {
     std::string progress;      // of the render
     std::string under_pointer; // radiance and luminance
     std::string message;       // the last one
 };
-void status_line(const Status& status);
+/// Draws the message area over the lower edge of the window, as high as its text needs.
+void message_area(const Status& status);
+
+/// Lists the messages so far, if `is_open`.
+void history_panel(bool& is_open, const std::vector<std::string>& messages);
 
 /// Lists all keys and gestures, if `is_open`.
 void help_panel(bool& is_open);

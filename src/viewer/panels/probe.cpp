@@ -37,14 +37,18 @@ void label(ImDrawList& list, const Projection& projection, vec3 point, const cha
 
 /// Terms of a light, in the order of the columns after the first.
 std::array<std::string, 7> cells_of(const render::LightTerms& t) {
+    const bool arrives = t.V < 1.0f || t.E != vec3(0.0f); // or else nothing would, without shadows, too
     return {t.solid_angle > 0.0f ? fmt::format("{:.4g}", t.solid_angle) : "-",
             fmt::format("{:.3f} {:.3f} {:.3f}", t.wi.x, t.wi.y, t.wi.z),
             fmt::format("{:.4f}", t.cos_i),
-            fmt::format("{:.4f}", t.V),
+            arrives ? fmt::format("{:.4f}", t.V) : "-",
             fmt::format("{:.4g}", luminance(t.f_r)),
             fmt::format("{:.4g}", luminance(t.E)),
             three(t.L_r)};
 }
+
+/// render::Probing::Kind of each of cells_of().
+constexpr std::array<std::size_t, 7> kind_of_cell{3, 2, 2, 3, 1, 1, 0};
 
 void header_cells(const scene::Scene& scene) {
     const auto unit = [&](const char* symbol, scene::Quantity quantity) {
@@ -250,8 +254,8 @@ void ProbePanel::draw(const scene::RenderScene& stage, const LightEditor& lights
         {0.0f, 0.0f}, {ImGui::GetMainViewport()->Size.x, 0.6f * ImGui::GetMainViewport()->Size.y});
     if (ImGui::Begin("L_o = L_e + sum of E f_r", &is_open,
                      ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoNavInputs)) {
-        put(fmt::format("pixel {},{}, {} samples, coverage {:.3g}", result->column, result->row,
-                        result->samples, terms.coverage));
+        put(fmt::format("pixel {},{}, {} samples{}, coverage {:.3g}", result->column, result->row,
+                        result->samples, result->is_complete ? "" : " (refining)", terms.coverage));
         const glm::dvec3 x = stage.scene.origin + glm::dvec3(terms.x); // in the file's world
         const bool is_far = stage.scene.origin != glm::dvec3(0.0);
         put(fmt::format("x {} m   n {}   wo {}",
@@ -304,7 +308,7 @@ void ProbePanel::draw_row(int k, const scene::RenderScene& stage, const LightEdi
         has_reference ? cells_of(result->reference->lights[static_cast<std::size_t>(k)]) : cells;
     for (std::size_t i = 0; i < cells.size(); ++i) {
         ImGui::TableNextColumn();
-        put(cells[i]);
+        put(result->has[kind_of_cell[i]] ? cells[i] : "...");
         if (has_reference) ImGui::TextDisabled("%s", theirs[i].c_str());
     }
 }

@@ -5,6 +5,8 @@
 #include "viewer/panels/lobe.hpp"
 #include "viewer/view/projection.hpp"
 
+#include <array>
+
 namespace sr::viewer {
 
 /// Terms of the equation at a pixel.
@@ -16,6 +18,8 @@ struct ProbeResult {
     int row = 0;
     int height = 0; // of the picture
     int samples = 0;
+    std::array<bool, 4> has{}; // kinds of terms that are known, by render::Probing::Kind
+    bool is_complete = false;  // false: the terms are being refined
 };
 
 /// Lobe in the scene, and as a curve in the plane of incidence.

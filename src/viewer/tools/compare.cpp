@@ -31,6 +31,7 @@ namespace {
 /// In the order of ComparisonMode.
 constexpr std::array modes{"render alone", "wipe", "difference", "FLIP map"};
 
+constexpr const char* other_camera = " The reference is of another camera.";
 constexpr const char* how_to_compare = "Press B to cycle comparisons.";
 
 /// An image with one or two channels as RGB.
@@ -55,7 +56,7 @@ Reference read_reference(const std::string& file) {
     image::Image film = with_colors(image::read(file));
     if (is_display_referred)
         for (float& value : film.pixels) value = compare::srgb_decoded(value);
-    return {std::filesystem::path(file).filename().string(), std::move(film), is_display_referred};
+    return {std::filesystem::path(file).filename().string(), std::move(film), {}, is_display_referred};
 }
 
 /// HDR-ꟻLIP of two films, or ꟻLIP of what a screen shows of `film` and a display-referred reference.
@@ -106,13 +107,16 @@ public:
     Changes update(double seconds) override;
     Changes draw(const Overlay& overlay) override;
     Changes draw_section() override;
+    void notice(Changes changes) override;
     FilmSum reference_film() const override;
+    bool holds_keyboard() const override { return dialog_.is_open(); }
     Activity activity() const override { return flipping_ ? Activity::waiting : Activity::idle; }
 
 private:
     Changes keep_render();
     Changes load(const std::string& file);
     Changes next_mode();
+    bool has_other_camera() const;
     void begin_flip();
     Changes draw_methods();
     Changes draw_modes();
@@ -123,6 +127,7 @@ private:
     std::optional<Reference> flip_; // the map, as a film
     std::optional<std::future<FlipMap>> flipping_;
     std::string flip_result_;
+    bool had_other_camera_ = false;
 };
 
 std::optional<Changes> Compare::handle(const Event& event) {
@@ -131,7 +136,11 @@ std::optional<Changes> Compare::handle(const Event& event) {
     const auto command = command_in(event);
     if (command == Command::compare) return next_mode();
     if (command != Command::cancel) return std::nullopt;
-    dialog_.close();
+    if (dialog_.is_open()) {
+        dialog_.close();
+        return Change::redraw;
+    }
+    if (ws_.display.comparison == ComparisonMode::none) return std::nullopt;
     ws_.display.comparison = ComparisonMode::none;
     return Change::display;
 }
@@ -142,7 +151,7 @@ Changes Compare::keep_render() {
     ws_.reference.emplace(fmt::format("{} samples, {}, {}", render.sample_count(),
                                       name_in(settings::estimators, ws_.options.rendering.estimator),
                                       ws_.camera->argument()),
-                          render.read_film());
+                          render.read_film(), ws_.camera->argument());
     if (ws_.display.comparison == ComparisonMode::none) ws_.display.comparison = ComparisonMode::wipe;
     ws_.messages.notify(fmt::format("Reference kept. {}", how_to_compare));
     return Change::display;
@@ -154,8 +163,10 @@ Changes Compare::load(const std::string& file) {
         if (ws_.display.comparison == ComparisonMode::none) ws_.display.comparison = ComparisonMode::wipe;
         ws_.messages.clear_error();
         ws_.messages.notify(fmt::format("Comparing with {}. {}", ws_.reference->name(), how_to_compare));
+        dialog_.close();
     } catch (const Error& error) {
         ws_.messages.fail("Cannot compare with this file.", error.what());
+        dialog_.retry();
     }
     return Change::display;
 }
@@ -167,8 +178,23 @@ Changes Compare::next_mode() {
     const std::size_t next = (static_cast<std::size_t>(ws_.display.comparison) + 1) % count;
     ws_.display.comparison = static_cast<ComparisonMode>(next);
     if (ws_.display.comparison == ComparisonMode::flip) begin_flip();
-    ws_.messages.notify(fmt::format("Comparison: {}.", modes[next]));
+    ws_.messages.notify(
+        fmt::format("Comparison: {}.{}", modes[next], next != 0 && has_other_camera() ? other_camera : ""));
     return Change::display;
+}
+
+bool Compare::has_other_camera() const {
+    return ws_.reference && !ws_.reference->camera().empty()
+           && ws_.reference->camera() != ws_.camera->argument();
+}
+
+/// Says so when a comparison becomes one of two views.
+void Compare::notice(Changes changes) {
+    if (!changes.has(Change::camera)) return;
+    const bool is_other = ws_.display.comparison != ComparisonMode::none && has_other_camera();
+    if (is_other && !std::exchange(had_other_camera_, true))
+        ws_.messages.notify(fmt::format("The view has moved.{}", other_camera));
+    had_other_camera_ = is_other;
 }
 
 /// Runs on a thread: a large picture takes seconds.
@@ -218,10 +244,11 @@ Changes Compare::draw_methods() {
     Changes changes;
     constexpr std::array<std::pair<const char*, Estimator>, 2> estimators{
         {{"sampled", Estimator::sampled}, {"analytic", Estimator::analytic}}};
-    constexpr std::array<std::pair<const char*, Visibility>, 4> visibilities{
+    constexpr std::array<std::pair<const char*, Visibility>, 5> visibilities{
         {{"ray", Visibility::ray},
          {"ray-cpu", Visibility::ray_on_cpu},
          {"ray-glsl", Visibility::ray_in_glsl},
+         {"map", Visibility::map},
          {"none", Visibility::none}}};
     if (const auto chosen = choice("estimator", ws_.options.rendering.estimator, estimators))
         changes |= set_estimator(*chosen);
@@ -233,6 +260,7 @@ Changes Compare::draw_methods() {
 Changes Compare::draw_modes() {
     Changes changes;
     ImGui::TextDisabled("reference: %s", ws_.reference->name().c_str());
+    if (has_other_camera()) ImGui::TextWrapped("%s", other_camera + 1);
     int mode = static_cast<int>(ws_.display.comparison);
     if (ImGui::Combo("show", &mode, modes.data(), static_cast<int>(modes.size()))) {
         ws_.display.comparison = static_cast<ComparisonMode>(mode);

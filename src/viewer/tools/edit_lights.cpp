@@ -2,6 +2,8 @@
 #include "viewer/panels/lights.hpp"
 #include "viewer/tools/tool.hpp"
 
+#include <fmt/format.h>
+
 namespace sr::viewer {
 class EditLights : public Tool {
 public:
@@ -62,16 +64,24 @@ std::optional<Changes> EditLights::execute(Command command) {
         if (ws_.selected) return edit_selected(command);
         ws_.messages.notify(select_first);
         return Change::redraw;
-    case Command::cancel: ws_.selected.reset(); return Change::redraw;
+    case Command::cancel:
+        if (!ws_.selected) return std::nullopt;
+        ws_.selected.reset();
+        return Change::redraw;
     default: return std::nullopt;
     }
 }
 
 Changes EditLights::step(bool is_undo) {
     LightEditor& lights = ws_.scene->lights();
-    if (is_undo ? lights.undo() : lights.redo()) return Change::lights | Change::shadows;
-    ws_.messages.notify(is_undo ? "Nothing to undo." : "Nothing to redo.");
-    return Change::redraw;
+    const char* const verb = is_undo ? "undo" : "redo";
+    const auto what = is_undo ? lights.undo() : lights.redo();
+    if (!what) {
+        ws_.messages.notify(fmt::format("Nothing to {}.", verb));
+        return Change::redraw;
+    }
+    ws_.messages.notify(fmt::format("{}: {}.", is_undo ? "Undone" : "Redone", *what));
+    return Change::lights | Change::shadows;
 }
 
 Changes EditLights::edit_selected(Command command) {

@@ -18,18 +18,21 @@ public:
 
     std::optional<Changes> handle(const Event& event) override;
     Changes update(double seconds) override;
+    void notice(Changes changes) override;
     Changes draw(const Overlay& overlay) override;
+    bool holds_keyboard() const override { return dialog_.is_open(); }
     Activity activity() const override { return ws_.loading ? Activity::waiting : Activity::idle; }
 
 private:
     Changes reload();
+    Changes shoot(const std::string& extension);
     Changes write(const std::string& extension);
-    void save(const std::string& file);
 
     FileDialog dialog_;
     Watch scene_watch_;
     Watch shader_watch_;
     std::string watched_; // the scene that scene_watch_ watches
+    std::string awaited_; // extension of a screenshot that waits for the render; empty: none
 };
 
 Files::Files(Workspace& workspace) : Tool(workspace) {
@@ -40,7 +43,7 @@ std::optional<Changes> Files::handle(const Event& event) {
     if (const auto* dropped = std::get_if<FileEvent>(&event)) {
         const std::string extension = std::filesystem::path(dropped->file).extension().string();
         if (extension != ".gltf" && extension != ".glb") return std::nullopt;
-        ws_.open(dropped->file);
+        ws_.leave(Departure::open, dropped->file);
         return Change::redraw;
     }
     const auto command = command_in(event);
@@ -50,19 +53,27 @@ std::optional<Changes> Files::handle(const Event& event) {
         dialog_.show(FileDialog::Purpose::open, ws_.options.scene);
         return Change::redraw;
     case Command::save_as:
-        dialog_.show(FileDialog::Purpose::save, ws_.scene->loaded().file);
+        dialog_.show(FileDialog::Purpose::save, ws_.name_to_save());
         return Change::redraw;
     case Command::reload: return reload();
-    case Command::screenshot_png: return write(".png");
-    case Command::screenshot_exr: return write(".exr");
-    case Command::cancel: dialog_.close(); return Change::redraw;
+    case Command::screenshot_png: return shoot(".png");
+    case Command::screenshot_exr: return shoot(".exr");
+    case Command::screenshot_seen:
+        ws_.seen_file = free_name(ws_.scene->loaded().file, ".png");
+        return Change::redraw;
+    case Command::cancel:
+        if (!dialog_.is_open() && awaited_.empty()) return std::nullopt;
+        if (!dialog_.is_open()) ws_.messages.notify("Screenshot cancelled.");
+        if (!dialog_.is_open()) awaited_.clear();
+        dialog_.close();
+        return Change::redraw;
     default: return std::nullopt;
     }
 }
 
 Changes Files::reload() {
     ++ws_.statistics.reloads;
-    ws_.reload(false);
+    ws_.leave(Departure::reload);
     return Change::redraw;
 }
 
@@ -77,13 +88,29 @@ Changes Files::update(double /*seconds*/) {
         ws_.has_new_files = false;
     }
     Changes changes;
+    if (!awaited_.empty() && ws_.scene->render().is_converged()) changes |= write(awaited_);
     if (ws_.options.submission.empty() && shader_watch_.has_changed()) changes |= ws_.reload_shaders();
     if (!ws_.loading && scene_watch_.has_changed()) changes |= reload();
-    return changes;
+    const bool is_refused = dialog_.is_waiting() && !ws_.loading && !ws_.question;
+    if (!is_refused) return changes;
+    dialog_.retry();
+    return changes | Change::redraw;
+}
+
+/// Writes the render once it has converged; at once if this is requested twice, and it has the window's size.
+Changes Files::shoot(const std::string& extension) {
+    const ProgressiveRender& render = ws_.scene->render();
+    ws_.playback.is_playing = false;
+    const bool is_enough = awaited_ == extension && !render.is_interactive() && render.complete_samples() > 0;
+    if (render.is_converged() || is_enough) return write(extension);
+    awaited_ = extension;
+    ws_.messages.notify("The screenshot waits for the render to converge. F12 again: as it is. Esc: cancel.");
+    return Change::redraw;
 }
 
 /// Writes the render with its provenance.
 Changes Files::write(const std::string& extension) {
+    awaited_.clear();
     const ProgressiveRender& render = ws_.scene->render();
     const int samples = render.sample_count();
     const output::Variable* const view = ws_.display.view;
@@ -115,20 +142,14 @@ Changes Files::write(const std::string& extension) {
 Changes Files::draw(const Overlay& /*overlay*/) {
     const auto purpose = dialog_.purpose();
     const auto file = dialog_.draw();
-    if (file && purpose == FileDialog::Purpose::open) ws_.open(*file);
-    if (file && purpose == FileDialog::Purpose::save) save(*file);
+    if (file && purpose == FileDialog::Purpose::open) ws_.leave(Departure::open, *file);
+    if (file && purpose == FileDialog::Purpose::save && (ws_.save(*file) || ws_.question)) dialog_.close();
     return file || dialog_.wants_focus() ? Changes(Change::redraw) : Changes();
 }
 
-/// Saves lights and, if the camera is free, the view.
-void Files::save(const std::string& file) {
-    const bool is_free = scene::is_look_at(ws_.camera->argument());
-    try {
-        ws_.scene->lights().save(ws_.scene->loaded(), is_free ? &ws_.camera->camera() : nullptr, file);
-        ws_.messages.notify(fmt::format("Saved {}.", file));
-    } catch (const Error& error) {
-        ws_.messages.fail("Cannot save the scene.", error.what());
-    }
+/// A scene that has loaded closes the dialog that asked for it.
+void Files::notice(Changes changes) {
+    if (changes == everything) dialog_.close();
 }
 
 std::unique_ptr<Tool> make_files(Workspace& workspace) { return std::make_unique<Files>(workspace); }

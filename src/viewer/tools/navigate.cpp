@@ -20,7 +20,7 @@ constexpr float pan_per_notch = 0.05f;
 constexpr float memory = 0.03f;          // [s] over which the velocity of a drag is measured
 constexpr float glide_half_life = 0.12f; // [s]
 constexpr float min_glide = 0.01f;       // [heights of the window / s]
-constexpr float max_step = 0.2f;         // [s] of a glide or a flight: a longer frame does not throw the view
+constexpr float max_elapsed = 0.2f;         // [s] of a glide or a flight: a longer frame does not throw the view
 
 constexpr float flight_speed = 0.25f; // [radii of the scene / s]
 constexpr float fast = 4.0f;          // with Shift
@@ -85,7 +85,7 @@ bool Navigation::advance(double seconds, Viewpoint& view) {
         gliding_ = Drag::none;
         return false;
     }
-    drag(gliding_, std::min(elapsed, max_step) * velocity_, view);
+    drag(gliding_, std::min(elapsed, max_elapsed) * velocity_, view);
     return true;
 }
 
@@ -155,7 +155,7 @@ Changes Navigate::update(double seconds) {
         const float radius = ws_.camera->bounds().is_empty() ? 1.0f : ws_.camera->bounds().radius();
         const bool is_fast =
             ws_.input.is_down(GLFW_KEY_LEFT_SHIFT) || ws_.input.is_down(GLFW_KEY_RIGHT_SHIFT);
-        const float time = std::min(static_cast<float>(seconds), max_step);
+        const float time = std::min(static_cast<float>(seconds), max_elapsed);
         fly(view, direction, time * radius * flight_speed * (is_fast ? fast : 1.0f));
         has_moved = has_moved || direction != vec3(0.0f);
     }

@@ -1,16 +1,21 @@
 // Probe tool: evaluates the equation at a pixel that is clicked.
 #include "viewer/panels/probe.hpp"
+#include "core/error.hpp"
 #include "core/math.hpp"
 #include "render/probe.hpp"
 #include "viewer/tools/tool.hpp"
 
-#define GLFW_INCLUDE_NONE
-#include <GLFW/glfw3.h>
 #include <algorithm>
+#include <chrono>
 #include <fmt/format.h>
-#include <utility>
 
 namespace sr::viewer {
+namespace {
+
+constexpr int first_samples = 4; // of numbers that are there at once, and are refined then
+
+} // namespace
+
 class Probe : public Tool {
 public:
     using Tool::Tool;
@@ -19,69 +24,105 @@ public:
     Changes update(double seconds) override;
     void notice(Changes changes) override;
     Changes draw(const Overlay& overlay) override;
-    Activity activity() const override { return requested_ ? Activity::active : Activity::idle; }
+    Activity activity() const override { return probing_ ? Activity::active : Activity::idle; }
 
 private:
     Changes request(vec2 at);
-    void probe(int column, int row);
+    void stop();
+    void take_steps();
+    void finish();
     std::optional<Lobe> lobe_of(const render::PixelTerms& terms, const render::RenderOptions& options,
                                 int column, int row) const;
 
     ProbePanel panel_;
-    std::optional<vec2> requested_; // a place in the window
+    std::optional<render::Probing> probing_;   // of the pixel that panel_.result names
+    std::optional<render::Probing> reference_; // of an assignment, afterwards
+    render::RenderOptions options_;            // of both
+    scene::Camera camera_;                     // of both
 };
 
 std::optional<Changes> Probe::handle(const Event& event) {
     if (const auto* click = std::get_if<ClickEvent>(&event)) return request(click->at);
     const auto command = command_in(event);
     if (command == Command::probe_pixel) return request(ws_.input.pointer());
-    if (command != Command::cancel) return std::nullopt;
-    panel_.result.reset();
+    if (command != Command::cancel || !panel_.result) return std::nullopt;
+    if (probing_) ws_.messages.notify("Probe cancelled.");
+    stop();
     return Change::redraw;
 }
 
-/// The next update() probes, so that a frame with the message comes first.
+void Probe::stop() {
+    probing_.reset();
+    reference_.reset();
+    panel_.result.reset();
+}
+
+/// The terms of one pixel take as long as a small picture, so that their samples are limited. They are taken
+/// between frames.
 Changes Probe::request(vec2 at) {
-    requested_ = at;
+    constexpr int max_samples = 64;
+    stop();
+    const vec2 place = at / ws_.window_size();
+    const auto pixel = [](float part, int size) {
+        return std::clamp(static_cast<int>(part * static_cast<float>(size)), 0, size - 1);
+    };
+    const int column = pixel(place.x, ws_.width), row = pixel(place.y, ws_.height);
     ws_.playback.is_playing = false;
+    options_ = ws_.render_options();
+    options_.samples = std::min(options_.samples, max_samples);
+    options_.estimates_error = false;
+    camera_ = ws_.camera->camera();
+    const render::GpuScene& gpu = ws_.scene->gpu();
+    probing_.emplace(gpu, camera_, options_, column, row, first_samples);
+    if (!ws_.options.submission.empty() && !ws_.options.shows_reference) {
+        render::RenderOptions theirs = options_;
+        theirs.shader_path = ws_.options.reference_path;
+        reference_.emplace(gpu, camera_, theirs, column, row);
+    }
+    panel_.result = ProbeResult{{}, {}, {}, column, row, ws_.height, 0};
+    panel_.result->is_complete = false;
     ws_.messages.notify("Probing the pixel. Esc cancels.");
     return Change::redraw;
 }
 
 Changes Probe::update(double /*seconds*/) {
-    if (!requested_) return {};
-    const vec2 place = *std::exchange(requested_, std::nullopt) / ws_.window_size();
-    const auto pixel = [](float part, int size) {
-        return std::clamp(static_cast<int>(part * static_cast<float>(size)), 0, size - 1);
-    };
-    probe(pixel(place.x, ws_.width), pixel(place.y, ws_.height));
+    if (!probing_) return {};
+    try {
+        take_steps();
+    } catch (const Error& error) {
+        stop();
+        ws_.messages.fail("Cannot probe this pixel.", error.what());
+    }
     return Change::redraw;
 }
 
-/// Takes a while, in which only Esc and closing the window are handled.
-void Probe::probe(int column, int row) {
-    constexpr int max_samples = 64; // the terms of one pixel take as long as a small picture
-    render::RenderOptions options = ws_.render_options();
-    options.samples = std::min(options.samples, max_samples);
-    options.estimates_error = false;
-    std::stop_source stop;
-    const auto take_events = [&] {
-        glfwPollEvents();
-        if (ws_.input.has_cancel()) stop.request_stop();
+/// Takes as many steps as a frame has time for, one at least.
+void Probe::take_steps() {
+    constexpr auto budget = std::chrono::milliseconds(30);
+    const auto end = std::chrono::steady_clock::now() + budget;
+    const auto run = [end](render::Probing& probing) {
+        while (!probing.is_done() && std::chrono::steady_clock::now() < end) probing.step();
+        return probing.is_done();
     };
-    const render::GpuScene& gpu = ws_.scene->gpu();
-    const scene::Camera& camera = ws_.camera->camera();
-    auto terms = render::probe(gpu, camera, options, column, row, stop.get_token(), take_events);
-    if (!terms) return ws_.messages.notify("Probe cancelled.");
-    panel_.result = ProbeResult{*std::move(terms), {}, {}, column, row, ws_.height, options.samples};
-    if (!ws_.options.submission.empty() && !ws_.options.shows_reference) {
-        render::RenderOptions reference = options;
-        reference.shader_path = ws_.options.reference_path;
-        panel_.result->reference =
-            render::probe(gpu, camera, reference, column, row, stop.get_token(), take_events);
-    }
-    panel_.result->lobe = lobe_of(panel_.result->terms, options, column, row);
-    ws_.messages.notify(fmt::format("Probed pixel {},{}.", column, row));
+    const bool has_begun = panel_.result->samples > 0;
+    const bool is_done = run(*probing_) && (!reference_ || run(*reference_));
+    ProbeResult& result = *panel_.result;
+    result.terms = probing_->terms();
+    result.samples = probing_->is_first_round() ? std::min(first_samples, options_.samples) : options_.samples;
+    for (std::size_t kind = 0; kind < result.has.size(); ++kind)
+        result.has[kind] = probing_->has(static_cast<render::Probing::Kind>(kind));
+    if (!has_begun) ws_.messages.log("The first numbers of the probe are there.");
+    if (is_done) finish();
+}
+
+void Probe::finish() {
+    ProbeResult& result = *panel_.result;
+    if (reference_) result.reference = reference_->terms();
+    result.lobe = lobe_of(result.terms, options_, result.column, result.row);
+    result.is_complete = true;
+    probing_.reset();
+    reference_.reset();
+    ws_.messages.notify(fmt::format("Probed pixel {},{}.", result.column, result.row));
 }
 
 /// f_r over the hemisphere and toward each light; absent where no surface is visible.
@@ -98,7 +139,7 @@ std::optional<Lobe> Probe::lobe_of(const render::PixelTerms& terms, const render
         directions.push_back(light.wi == vec3(0.0f) ? lobe.n : lobe.light_wi.back());
     }
     const auto brdf =
-        render::evaluate_brdf(ws_.scene->gpu(), ws_.camera->camera(), options, column, row, directions);
+        render::evaluate_brdf(ws_.scene->gpu(), camera_, options, column, row, directions);
     if (!brdf) return std::nullopt;
     lobe.is_mirror = brdf->is_mirror;
     for (std::size_t i = 0; i < directions.size(); ++i)
@@ -108,14 +149,14 @@ std::optional<Lobe> Probe::lobe_of(const render::PixelTerms& terms, const render
 
 /// A result holds for the lights and the materials that it was computed with.
 void Probe::notice(Changes changes) {
-    if (changes.has(Change::lights) || changes.has(Change::shadows) || changes.has(Change::materials))
-        panel_.result.reset();
+    if (changes.has(Change::lights) || changes.has(Change::shadows) || changes.has(Change::materials)) stop();
 }
 
 Changes Probe::draw(const Overlay& overlay) {
     const scene::RenderScene& stage = ws_.scene->stage();
     panel_.draw_directions(stage, overlay.projection, overlay.scale);
     panel_.draw(stage, ws_.scene->lights(), ws_.selected, "Assignment", overlay.scale);
+    if (probing_ && !panel_.result) stop(); // the panel was closed
     return {};
 }
 

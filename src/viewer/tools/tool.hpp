@@ -45,6 +45,8 @@ public:
     virtual FilmSum reference_film() const { return {}; }
     /// True during a drag, in which events belong to the tool even over a panel.
     virtual bool holds_pointer() const { return false; }
+    /// True while a dialog of the tool is open: keys are typed, and no commands.
+    virtual bool holds_keyboard() const { return false; }
     virtual Activity activity() const { return Activity::idle; }
 
 protected:
@@ -66,6 +68,7 @@ std::unique_ptr<Tool> make_assignment(Workspace& workspace); // null without an 
 std::unique_ptr<Tool> make_compare(Workspace& workspace);
 std::unique_ptr<Tool> make_edit_lights(Workspace& workspace);
 std::unique_ptr<Tool> make_files(Workspace& workspace);
+std::unique_ptr<Tool> make_keep_edits(Workspace& workspace);
 std::unique_ptr<Tool> make_probe(Workspace& workspace);
 std::unique_ptr<Tool> make_turntable(Workspace& workspace);
 

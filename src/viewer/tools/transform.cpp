@@ -306,7 +306,7 @@ std::optional<Changes> Transform::handle_pointer(const Event& event) {
 
 /// During a drag all keys belong to it.
 std::optional<Changes> Transform::handle_key(const KeyEvent& event) {
-    if (!drag_) return std::nullopt;
+    if (!drag_) return handle_refused(event);
     if (event.key == GLFW_KEY_ESCAPE) return end(false);
     if (event.key == GLFW_KEY_ENTER || event.key == GLFW_KEY_KP_ENTER) return end(true);
     const int axis = event.key - GLFW_KEY_X;
@@ -317,6 +317,21 @@ std::optional<Changes> Transform::handle_key(const KeyEvent& event) {
     return drag_to(pointer_);
 }
 
+/// An axis, a number and Enter soon after a refused transform are no commands. Any other key ends this.
+std::optional<Changes> Transform::handle_refused(const KeyEvent& event) {
+    constexpr auto soon = std::chrono::seconds(2);
+    const auto now = std::chrono::steady_clock::now();
+    if (now - refused_ > soon) return std::nullopt;
+    std::string ignored;
+    const bool is_operand = event.modifiers == no_modifier
+                            && ((event.key >= GLFW_KEY_X && event.key <= GLFW_KEY_Z)
+                                || type_digit(ignored, event.key));
+    const bool is_end = event.key == GLFW_KEY_ESCAPE || event.key == GLFW_KEY_ENTER
+                        || event.key == GLFW_KEY_KP_ENTER;
+    refused_ = is_operand ? now : now - 2 * soon;
+    return is_operand || is_end ? std::optional(Changes()) : std::nullopt;
+}
+
 std::optional<Changes> Transform::execute(Command command) {
     std::optional<TransformMode> mode;
     if (command == Command::move_light) mode = TransformMode::move;
@@ -324,7 +339,10 @@ std::optional<Changes> Transform::execute(Command command) {
     if (command == Command::scale_light) mode = TransformMode::scale;
     if (!mode) return std::nullopt;
     const std::string refused = refusal(*mode);
-    if (refused.empty()) begin(*mode, std::nullopt, true);
+    if (refused.empty())
+        begin(*mode, std::nullopt, true);
+    else
+        refused_ = std::chrono::steady_clock::now();
     ws_.messages.notify(
         refused.empty() ? "X, Y, Z: constrain to an axis. Type a number. Click, Enter: confirm. Esc: cancel."
                         : refused);

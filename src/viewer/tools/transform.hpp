@@ -4,6 +4,7 @@
 #include "viewer/tools/tool.hpp"
 
 #include <array>
+#include <chrono>
 #include <string>
 
 namespace sr::viewer {
@@ -73,6 +74,7 @@ public:
 private:
     std::optional<Changes> handle_pointer(const Event& event);
     std::optional<Changes> handle_key(const KeyEvent& event);
+    std::optional<Changes> handle_refused(const KeyEvent& event);
     std::optional<Changes> execute(Command command);
     vec3 center() const;
     std::optional<Handles> handles() const;
@@ -83,6 +85,7 @@ private:
     Changes changes() const;
 
     std::optional<TransformDrag> drag_; // of the selected light
+    std::chrono::steady_clock::time_point refused_{}; // the last key of a transform that was refused
     vec2 pointer_{0.0f};
 };
 

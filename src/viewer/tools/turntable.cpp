@@ -33,8 +33,9 @@ private:
 std::optional<Changes> Turntable::handle(const Event& event) {
     const auto command = command_in(event);
     if (command == Command::turntable) return begin();
-    if (command != Command::cancel) return std::nullopt;
+    if (command != Command::cancel || folder_.empty()) return std::nullopt;
     folder_.clear();
+    ws_.messages.notify("Turntable cancelled.");
     return Change::redraw;
 }
 

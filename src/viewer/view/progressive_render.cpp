@@ -244,18 +244,19 @@ void ProgressiveRender::advance_converging() {
 }
 
 std::string progress_of(const ProgressiveRender& render) {
-    const double ms = 1e3 * render.seconds_per_sample();
+    const double seconds = render.seconds_per_sample();
+    const std::string time =
+        seconds < 1.0 ? fmt::format("{:.1f} ms", 1e3 * seconds) : fmt::format("{:.1f} s", seconds);
     if (render.is_interactive())
-        return fmt::format("interactive at {:.0f} %, {:.1f} ms a sample", 100.0f * render.scale(), ms);
+        return fmt::format("interactive at {:.0f} %, {} a sample", 100.0f * render.scale(), time);
     const render::StopRule& rule = render.rule();
-    std::string text = render.is_converged()
-                           ? fmt::format("done, {} samples", render.sample_count())
-                           : fmt::format("{} of {} samples", render.sample_count(), rule.samples);
+    const int samples = render.complete_samples();
+    std::string text = render.is_converged() ? fmt::format("done, {} samples", samples)
+                                             : fmt::format("{} of {} samples", samples, rule.samples);
     if (const auto error = render.error()) text += fmt::format(", error {:.2g} %", 100.0 * *error);
-    if (rule.error)
-        text += fmt::format("{} of {:.2g} %", render.error() ? "" : ", error", 100.0 * *rule.error);
+    if (rule.error && !render.is_converged()) text += fmt::format(" (stops at {:.2g} %)", 100.0 * *rule.error);
     if (rule.seconds) text += fmt::format(", at most {:.3g} s", *rule.seconds);
-    return text + fmt::format(", {:.1f} ms each", ms);
+    return samples > 0 ? text + fmt::format(", {} each", time) : text; // before the first one it is a guess
 }
 
 } // namespace sr::viewer

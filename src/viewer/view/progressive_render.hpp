@@ -56,6 +56,8 @@ public:
 
     /// Samples of what is shown; 0 if there is nothing to show yet.
     int sample_count() const { return is_kept_shown_ ? kept_samples_ : renderer_.sample_count(); }
+    /// Complete samples at the resolution of the current render, shown or not.
+    int complete_samples() const { return renderer_.sample_count(); }
     const render::StopRule& rule() const { return monitor_.rule(); }
     /// Why the converging render is complete; absent if it is not.
     std::optional<render::StoppedBy> stopped_by() const {
@@ -104,7 +106,7 @@ private:
     bool is_kept_shown_ = false;
 };
 
-/// Describes the progress: "24 of 256 samples, error 1.3 % of 0.5 %, 12.4 ms each".
+/// Describes the progress: "24 of 256 samples, error 1.3 % (stops at 0.5 %), 12.4 ms each".
 std::string progress_of(const ProgressiveRender& render);
 
 } // namespace sr::viewer

@@ -10,19 +10,20 @@ from pathlib import Path
 class Display:
     """Xvfb, whose framebuffer is a file in the form of xwd, so that nothing else is needed to look at it."""
 
-    def __init__(self, folder: Path, width: int, height: int):
+    def __init__(self, folder: Path, width: int, height: int, dots_per_inch: int = 96):
         folder.mkdir(parents=True, exist_ok=True)
         self.file = folder / "Xvfb_screen0"
         read, write = os.pipe()
         self.process = subprocess.Popen(
             ["Xvfb", "-displayfd", str(write), "-screen", "0", f"{width}x{height}x24", "-fbdir", str(folder),
-             "-nolisten", "tcp", "-noreset"], pass_fds=[write], stderr=subprocess.DEVNULL)
+             "-dpi", str(dots_per_inch), "-nolisten", "tcp", "-noreset"], pass_fds=[write], stderr=subprocess.DEVNULL)
         os.close(write)
         with os.fdopen(read) as pipe:
             number = pipe.readline().strip()
         if not number:
             raise RuntimeError("Xvfb did not start")
-        self.environment = {**os.environ, "DISPLAY": f":{number}", "XDG_CONFIG_HOME": str(folder / "config")}
+        self.environment = {**os.environ, "DISPLAY": f":{number}", "XDG_CONFIG_HOME": str(folder / "config"),
+                            "XDG_STATE_HOME": str(folder / "state")}
         self.environment.pop("WAYLAND_DISPLAY", None)
 
     def do(self, *arguments) -> str:
@@ -151,8 +152,13 @@ class Viewer:
         suffix = ".exr" if exr else ".png"
         before = set(self.folder.glob("*" + suffix))
         self.key("shift+F12" if exr else "F12")
-        new = self.wait(lambda: set(self.folder.glob("*" + suffix)) - before, "a screenshot", 10)
+        new = self.wait(lambda: set(self.folder.glob("*" + suffix)) - before, "a screenshot", 30)
         return new.pop()
+
+    def processor_time(self) -> float:
+        """Of all threads so far [s]."""
+        fields = Path(f"/proc/{self.process.pid}/stat").read_text().rpartition(")")[2].split()
+        return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
 
     def close(self) -> str:
         """Quits by its key; what it printed."""

@@ -50,6 +50,15 @@ def playing(viewer: Viewer, scene: Path):
     assert same(paused, viewer.shot())
 
 
+def shooting(viewer: Viewer, scene: Path):
+    """A screenshot that is asked for while it plays has the window's size, and is the converged picture of its moment."""
+    viewer.key("k")
+    viewer.wait(lambda: viewer.errors().count("Playing.") == 2, "an animation that plays")
+    picture = viewer.shot()
+    camera, *moment = arguments_of(viewer)
+    assert same(picture, rendered(scene, camera, *moment, OPTIONS)), f"render {moment} is another picture"
+
+
 def varying(viewer: Viewer, scene: Path):
     """A variant is render's, of the camera and the moment that were there, and stays when the file is saved."""
     before = arguments_of(viewer)
@@ -90,6 +99,7 @@ def main() -> int:
         viewer.done()
         viewer.key("h")
         playing(viewer, scene)
+        shooting(viewer, scene)
         varying(viewer, scene)
         dropping(viewer, display)
         viewer.close()

@@ -55,6 +55,14 @@ def brightest(picture: Path) -> tuple[int, int]:
     return lit[len(lit) // 2] % WIDTH, lit[len(lit) // 2] // WIDTH
 
 
+def pixels_of(png: Path, width: int = WIDTH, height: int = HEIGHT):
+    """A function from x, y to the (r, g, b) of a PNG of this size."""
+    plain = SCRATCH / "plain.ppm"
+    subprocess.run(["oiiotool", png, "--ch", "R,G,B", "-d", "uint8", *UPRIGHT, "-o", plain], check=True)
+    pixels = plain.read_bytes()[-3 * width * height:]
+    return lambda x, y: tuple(pixels[3 * (y * width + x):][:3])
+
+
 def camera_of(viewer: Viewer) -> str:
     """The camera of the last picture that converged, as `render` takes it."""
     return re.findall(r"--camera '([^']*)'", viewer.errors())[-1]
@@ -125,6 +133,11 @@ def probing_and_comparing(viewer: Viewer):
     viewer.changed_by(lambda: viewer.key("1"))
     viewer.wait(lambda: viewer.screen(*places[0]) != before[0], "the new picture on the wipe's own side", 10)
     assert viewer.screen(*places[1]) == before[1], "the wipe's other side is not the kept picture"
+    earlier = set(viewer.folder.glob("*.png"))
+    viewer.key("alt+F12")
+    seen = viewer.wait(lambda: set(viewer.folder.glob("*.png")) - earlier, "a picture of what is seen", 10).pop()
+    shown = pixels_of(seen)
+    assert all(shown(*place) == viewer.screen(*place) for place in places), "not what is seen"
     viewer.key("Escape")
     viewer.changed_by(lambda: viewer.key("0"))
 
@@ -223,12 +236,9 @@ def converging_by_error(display: Display):
     assert f"done, {summary['samples']} samples, error" in viewer.title(), (viewer.title(), summary)
     assert same(exr, file), "not the picture that render makes"
     assert provenance(exr) == provenance(file) >= {"estimator", "visibility", "seed", "error"}, provenance(exr)
-    shown = SCRATCH / "error.ppm"
-    subprocess.run(["oiiotool", png, "--ch", "R,G,B", "-d", "uint8", *UPRIGHT, "-o", shown], check=True)
-    pixels, screen = shown.read_bytes()[-3 * size[0] * size[1]:], viewer.display.pixels()
+    shown, screen = pixels_of(png, *size), viewer.display.pixels()
     for x, y in ((x, y) for x in range(0, size[0], 5) for y in range(0, size[1], 5)):
-        there = pixels[3 * (y * size[0] + x):][:3]
-        assert all(abs(a - b) <= 1 for a, b in zip(screen(x, y), there)), (x, y, screen(x, y), tuple(there))
+        assert all(abs(a - b) <= 1 for a, b in zip(screen(x, y), shown(x, y))), (x, y, screen(x, y), shown(x, y))
     viewer.close()
 
 

@@ -1,0 +1,43 @@
+#pragma once
+// Journal of unsaved edits: a file that outlives a crash of the viewer.
+#include "viewer/document/light_edits.hpp"
+
+#include <filesystem>
+#include <optional>
+
+namespace sr::viewer {
+
+/// Edits of a run that ended without saving them.
+struct LostEdits {
+    std::filesystem::path journal;
+    std::vector<LightEdit> edits; // all of the editor, edited and not
+    std::size_t count = 0;        // of those that the journal changes
+    bool has_file_changed = false; // since
+};
+
+/// A file in $XDG_STATE_HOME/steradian (or ~/.local/state/steradian) for each scene file and process. What
+/// cannot be written is not kept, without an error.
+class Journal {
+public:
+    explicit Journal(const std::string& scene_file);
+    ~Journal() = default;
+    Journal(const Journal&) = delete;
+    Journal& operator=(const Journal&) = delete;
+
+    const std::string& scene_file() const { return scene_file_; }
+
+    /// Finds the newest journal of the scene file whose process has ended. `fresh`: the edits of the file as
+    /// it is. A journal that cannot be read is no journal.
+    std::optional<LostEdits> find(const std::vector<LightEdit>& fresh) const;
+
+    /// Writes the edits that the file does not have; removes the journal if there are none.
+    void write(const LightEditor& editor) const;
+    void remove() const;
+
+private:
+    std::string scene_file_;
+    std::filesystem::path file_; // empty: there is no place for it
+    std::string prefix_;         // of the names of all journals of the scene file
+};
+
+} // namespace sr::viewer

@@ -1,0 +1,134 @@
+#!/usr/bin/env python3
+"""Unsaved edits in the viewer: the title, questions before they are lost, files that are not overwritten, the journal. Exit status 77:
+there is no Xvfb or xdotool.
+
+usage: edits_test.py STERADIAN SCENES_FOLDER SCRATCH_FOLDER
+"""
+import json
+import shutil
+import sys
+from pathlib import Path
+
+from driver import Display, Viewer
+
+STERADIAN, SCENES, SCRATCH = (Path(argument).resolve() for argument in sys.argv[1:])
+OPTIONS = "--size", "400x300", "--samples", "1", "--visibility", "none", "--exposure", "8"
+
+
+def said(viewer: Viewer, text: str, count: int = 1):
+    viewer.wait(lambda: viewer.errors().count(text) >= count, text, 20)
+
+
+def is_unsaved(viewer: Viewer, expected: bool):
+    viewer.wait(lambda: viewer.title().startswith("*") == expected, f"a title {'with' if expected else 'without'} a star", 20)
+
+
+def journals(display: Display) -> list[Path]:
+    return list((display.file.parent / "state" / "steradian").glob("*.json"))
+
+
+def asking(viewer: Viewer, other: Path):
+    """Quitting, closing the window, reloading and opening ask while edits are unsaved; Esc keeps all as it is."""
+    is_unsaved(viewer, False)
+    viewer.key("Tab", "space")
+    is_unsaved(viewer, True)
+    viewer.key("ctrl+q")
+    said(viewer, "unsaved edits. Quit?")
+    viewer.key("t", "space", "Escape")  # only the answer counts
+    viewer.key("F5")
+    said(viewer, "unsaved edits. Reload it?")
+    viewer.key("Escape")
+    viewer.display.do("windowquit", viewer.window)
+    said(viewer, "unsaved edits. Quit?", 2)
+    viewer.key("Escape", "ctrl+o")
+    viewer.type(str(other))
+    said(viewer, "unsaved edits. Open veach.gltf?")
+    viewer.key("Escape", "Escape")
+    is_unsaved(viewer, True)
+    assert "scene.gltf" in viewer.title() and "tone" not in viewer.errors(), viewer.errors()
+
+
+def saving(viewer: Viewer, scene: Path):
+    """Neither the open file nor another one is overwritten without a question; undo goes on after saving."""
+    other, edited = scene.with_name("other.gltf"), scene.with_name("scene_edited.gltf")
+    before = scene.read_bytes()
+    other.write_text("{}")
+    viewer.key("ctrl+s", "ctrl+a")
+    viewer.type(str(scene))
+    said(viewer, "is the open file")
+    viewer.fields += 1  # the field has the keyboard again, with the path
+    viewer.wait(lambda: viewer.errors().count("text field focused") >= viewer.fields, "the field again", 20)
+    viewer.key("Escape", "ctrl+s", "ctrl+a")
+    viewer.type(str(other))
+    said(viewer, "exists already. Replace it?")
+    viewer.key("Escape")
+    assert scene.read_bytes() == before and other.read_text() == "{}", "overwritten without an answer"
+    is_unsaved(viewer, True)
+    viewer.key("ctrl+s")
+    viewer.type("")  # the name that is proposed
+    viewer.wait(edited.exists, "a saved file", 20)
+    is_unsaved(viewer, False)
+    viewer.key("ctrl+z")
+    said(viewer, "Undone: disabling ")
+    viewer.key("ctrl+shift+z")
+    said(viewer, "Redone: disabling ")
+    is_unsaved(viewer, False)
+
+
+def opening(viewer: Viewer, other: Path):
+    """A path that cannot be opened stays in the field, which keeps the keyboard."""
+    viewer.key("ctrl+o")
+    viewer.type(f"{other}x")
+    said(viewer, "veach.gltfx")
+    viewer.fields += 1
+    viewer.wait(lambda: viewer.errors().count("text field focused") >= viewer.fields, "the field again", 20)
+    viewer.key("End", "BackSpace", "Return")
+    viewer.wait(lambda: "veach.gltf" in viewer.title(), "the file that was meant", 20)
+
+
+def crashing(viewer: Viewer, display: Display, scene: Path):
+    """Edits of a run that was killed are offered at the next start; a clean end leaves no journal."""
+    viewer.key("Tab", "space")
+    is_unsaved(viewer, True)
+    viewer.wait(lambda: journals(display), "a journal", 20)
+    viewer.process.kill()
+    viewer.process.wait()
+    viewer = Viewer(display, STERADIAN, SCRATCH / "again", scene, *OPTIONS)
+    said(viewer, "Asked: An earlier run ended without saving 1 edited light of veach.gltf.")
+    viewer.key("r")
+    said(viewer, "The edits are recovered.")
+    is_unsaved(viewer, True)
+    copy = scene.with_name("veach_edited.gltf")
+    viewer.key("ctrl+q")
+    said(viewer, "Quit?")
+    viewer.key("s")
+    viewer.process.communicate(timeout=30)
+    assert viewer.process.returncode == 0, viewer.errors()
+    stated = [material["extras"]["steradian"] for material in json.loads(copy.read_text())["materials"] if "extras" in material]
+    assert [emission["quantity"]["value"] for emission in stated] == [0], f"not switched off: {stated}"
+    assert not journals(display), journals(display)
+
+
+def main() -> int:
+    if not shutil.which("Xvfb") or not shutil.which("xdotool"):
+        print("Xvfb and xdotool are needed: sudo apt-get install xvfb xdotool")
+        return 77
+    shutil.rmtree(SCRATCH, ignore_errors=True)
+    display = Display(SCRATCH / "display", 800, 600)
+    scene, other = SCRATCH / "scene.gltf", SCRATCH / "veach.gltf"
+    shutil.copy(SCENES / "cornell.gltf", scene)
+    shutil.copy(SCENES / "veach.gltf", other)
+    try:
+        viewer = Viewer(display, STERADIAN, SCRATCH / "run", scene, *OPTIONS)
+        viewer.done()
+        asking(viewer, other)
+        saving(viewer, scene)
+        opening(viewer, other)
+        crashing(viewer, display, other)
+    finally:
+        display.close()
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,93 @@
+#!/usr/bin/env python3
+"""Keys of the viewer under other keyboard layouts, and keys that must do nothing. Exit status 77: there is no Xvfb, xdotool or
+setxkbmap.
+
+usage: keys_test.py STERADIAN SCENES_FOLDER SCRATCH_FOLDER
+"""
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+from driver import Display, Viewer
+
+STERADIAN, SCENES, SCRATCH = (Path(argument).resolve() for argument in sys.argv[1:])
+OPTIONS = "--size", "400x300", "--samples", "1", "--visibility", "none", "--exposure", "8"
+
+
+def layout(display: Display, name: str):
+    """Sets the layout. xdotool then presses the key that has the label."""
+    subprocess.run(["setxkbmap", "-display", display.environment["DISPLAY"], name], check=True)
+
+
+def said(viewer: Viewer, text: str, count: int = 1):
+    viewer.wait(lambda: viewer.errors().count(text) >= count, text, 20)
+
+
+def camera_of(viewer: Viewer) -> str:
+    return re.findall(r"--camera '([^']*)'", viewer.errors())[-1]
+
+
+def azerty(viewer: Viewer):
+    """A is where Q is on a US keyboard. Ctrl A does not quit, A frames all; Z flies, because it is where W is."""
+    viewer.key("ctrl+a", "t")
+    viewer.changed_by(lambda: viewer.key("a"))
+    assert viewer.process.poll() is None and "eye=" in camera_of(viewer), camera_of(viewer)
+    framed = camera_of(viewer)
+    viewer.move(200, 150)
+    viewer.display.do("mousedown", "3", "keydown", "z")
+    viewer.changed_by(lambda: viewer.display.do("sleep", "0.2", "keyup", "z", "mouseup", "3"))
+    assert camera_of(viewer) != framed, "Z does not fly"
+    viewer.changed_by(lambda: viewer.key("a"))
+
+
+def qwertz(viewer: Viewer):
+    """Ctrl Z undoes and Ctrl Y redoes, which are in each other's places."""
+    viewer.key("Tab", "space", "ctrl+z")
+    said(viewer, "Undone: ")
+    viewer.key("ctrl+y")
+    said(viewer, "Redone: ")
+    viewer.key("ctrl+z")
+    said(viewer, "Undone: ", 2)
+
+
+def cancelling(viewer: Viewer):
+    """An Esc cancels one thing, the innermost first. Keys that follow a refused command do nothing."""
+    camera, before = camera_of(viewer), viewer.errors()
+    viewer.key("b")
+    said(viewer, "Reference kept.")
+    viewer.key("g", "x", "1", "Return")
+    said(viewer, "Emissive surfaces cannot be moved.")
+    viewer.key("F1", "Escape", "Escape", "b")  # help, comparison; a light is selected still
+    said(viewer, "Comparison: wipe.")
+    viewer.changed_by(lambda: viewer.key("space"))
+    assert viewer.title().startswith("*") and camera_of(viewer) == camera, "another view, or the light is not selected"
+    viewer.key("ctrl+z")
+    said(viewer, "Undone: ", 3)
+    after = viewer.errors()[len(before):]
+    assert "text field" not in after, after
+
+
+def main() -> int:
+    if not all(map(shutil.which, ("Xvfb", "xdotool", "setxkbmap"))):
+        print("SKIPPED: Xvfb, xdotool and setxkbmap are needed: sudo apt-get install xvfb xdotool x11-xkb-utils")
+        return 77
+    shutil.rmtree(SCRATCH, ignore_errors=True)
+    display = Display(SCRATCH / "display", 800, 600)
+    try:
+        layout(display, "fr")
+        viewer = Viewer(display, STERADIAN, SCRATCH / "fr", SCENES / "cornell.gltf", *OPTIONS)
+        viewer.done()
+        azerty(viewer)
+        layout(display, "de")
+        qwertz(viewer)
+        cancelling(viewer)
+        viewer.close()
+    finally:
+        display.close()
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
