@@ -10,6 +10,12 @@ namespace sr::assignment {
 
 class Pictures {
 public:
+    /// A scene that is uploaded.
+    struct Shown {
+        scene::RenderScene stage;
+        std::unique_ptr<render::GpuScene> gpu;
+    };
+
     /// Needs a current context during its lifetime.
     Pictures(const Assignment& assignment, const Parameters& parameters)
         : assignment_(assignment), parameters_(parameters) {}
@@ -25,12 +31,10 @@ public:
     /// @return absent if neither explains it
     std::optional<Named> diagnose(const Task& task, const Check& check, const Finding& finding);
 
-private:
-    struct Shown {
-        scene::RenderScene stage;
-        std::unique_ptr<render::GpuScene> gpu;
-    };
+    /// The scene of an image check.
     const Shown& shown(const Check& check);
+
+private:
     const image::Image& reference(const Check& check);
     /// Null if one of its loops was stopped.
     const image::Image* mistaken(const Task& task, const Check& check, const Variant& variant);

@@ -19,7 +19,9 @@ public:
     Changes update(double seconds) override;
     void notice(Changes changes) override;
     Changes draw(const Overlay& overlay) override;
-    Activity activity() const override { return requested_ ? Activity::active : Activity::idle; }
+    Activity activity() const override {
+        return requested_ || ws_.wanted_probe ? Activity::active : Activity::idle;
+    }
 
 private:
     Changes request(vec2 at);
@@ -49,6 +51,7 @@ Changes Probe::request(vec2 at) {
 }
 
 Changes Probe::update(double /*seconds*/) {
+    if (ws_.wanted_probe) requested_ = std::exchange(ws_.wanted_probe, std::nullopt);
     if (!requested_) return {};
     const vec2 place = *std::exchange(requested_, std::nullopt) / ws_.window_size();
     const auto pixel = [](float part, int size) {
