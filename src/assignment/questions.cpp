@@ -188,22 +188,23 @@ Examiner::Place Examiner::interesting_place() {
     const double floor = 1e-4 * mean_of(whole);
     std::vector<Place> places, lit;
     const auto gather = [&](const image::Image& film, std::optional<std::size_t> light) {
+        std::vector<Place> own_places, own_lit;
         const auto is_lit = [&](int x, int y) {
             return luminance(rgb_at(film, x, y)) - (light ? luminance(rgb_at(dark, x, y)) : 0.0f) > floor;
         };
         for (int y = 6; y + 6 < film.height; ++y)
             for (int x = 6; x + 6 < film.width; ++x) {
-                bool is_inside = true, is_one = true;
+                bool is_plain = true; // the neighbours are surfaces alike, none of which emits
                 for (int j = -2; j <= 2; j += 2)
-                    for (int i = -2; i <= 2; i += 2) {
-                        is_inside = is_inside && whole.at(x + i, y + j)[3] > 0.999f
-                                    && luminance(rgb_at(dark, x + i, y + j)) <= floor;
-                        is_one = is_one && is_lit(x + i, y + j) == is_lit(x, y);
-                    }
-                if (!is_one || (light && !is_inside)) continue;
-                if (light && !is_lit(x, y)) places.push_back({x, y, light});
-                if (!light && is_lit(x, y)) lit.push_back({x, y, {}});
+                    for (int i = -2; i <= 2; i += 2)
+                        is_plain = is_plain && whole.at(x + i, y + j)[3] > 0.999f
+                                   && is_lit(x + i, y + j) == is_lit(x, y)
+                                   && (!light || luminance(rgb_at(dark, x + i, y + j)) <= floor);
+                if (is_plain) (is_lit(x, y) ? own_lit : own_places).push_back({x, y, light});
             }
+        if (!light) lit = own_lit;
+        // A light that adds nothing anywhere is no riddle.
+        if (light && !own_lit.empty()) places.insert(places.end(), own_places.begin(), own_places.end());
     };
     gather(whole, std::nullopt);
     for (std::size_t k = 0; k < std::min(stage().lights.size(), max_lights); ++k)
@@ -256,7 +257,7 @@ ordered_json Examiner::pixel_question() {
     const ordered_json lines = deciding_lines(place, before, answer);
     if (lines.empty()) answer.push_back("No change that was tried alters this pixel.");
     const bool has_cosine =
-        !lines.empty() && lines[0]["part"].get<std::string>().find("dot(") != std::string::npos;
+        !lines.empty() && lines[0]["part"].get<std::string>().find("dot(n") != std::string::npos;
     const std::string light = place.dark ? name_at(stage().lights[*place.dark], *place.dark) : "";
     std::string ask = fmt::format("Which of your lines {} at the marked pixel ({}, {})",
                                   has_cosine ? "makes cosθ" : "decides L_o", place.x, place.y);

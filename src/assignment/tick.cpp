@@ -198,12 +198,14 @@ std::optional<ordered_json> examine(const fs::path& submission, const CheckOptio
     std::vector<std::string> tasks;
     for (const ordered_json& task : (*examination)["tasks"])
         if (task["status"] == "passed" || task["status"] == "failed") tasks.push_back(task["id"]);
-    (*examination)["seed"] = seed.empty() ? (*examination)["student"].get<std::string>() : seed;
+    std::string chosen = seed.empty() ? (*examination)["student"].get<std::string>() : seed;
+    if (chosen.empty()) chosen = "none"; // an option of the child needs a value
+    (*examination)["seed"] = chosen;
     for (const char* key : {"code", "questions", "missing"}) (*examination)[key] = ordered_json::array();
     if (tasks.empty())
         (*examination)["missing"].push_back("no task of this submission has code that runs");
     else
-        add_questions(*examination, submission, options, tasks, seed);
+        add_questions(*examination, submission, options, tasks, chosen);
     if (options.stop.stop_requested()) return std::nullopt;
     return examination;
 }
