@@ -22,7 +22,7 @@ using nlohmann::ordered_json;
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t max_lines = 22;    // of code on the sheet
+constexpr std::size_t max_lines = 14;    // of code on the sheet
 constexpr std::size_t max_excerpt = 160; // bytes of a line there
 
 void write_json_line(std::ostream& stream, const ordered_json& json) {

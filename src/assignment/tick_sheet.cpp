@@ -12,7 +12,7 @@ using nlohmann::ordered_json;
 
 constexpr const char* sheet_style =
     "@page { size: A4; margin: 9mm; }\n"
-    "body { font: 8.6pt/1.3 system-ui, 'DejaVu Sans', sans-serif; margin: 0 auto; max-width: 192mm; color: "
+    "body { font: 8pt/1.25 system-ui, 'DejaVu Sans', sans-serif; margin: 0 auto; max-width: 192mm; color: "
     "#111; "
     "background: #fff; }\n"
     "h1 { font-size: 13pt; margin: 0; } h2 { font-size: 9.6pt; margin: 0 0 1mm; }\n"
@@ -35,10 +35,10 @@ constexpr const char* sheet_style =
     ".questions { display: grid; grid-template-columns: 1fr 1fr; gap: 2mm 4mm; }\n"
     "section { border-top: 0.3mm solid #111; padding-top: 1mm; break-inside: avoid; }\n"
     ".ask { font-weight: 600; margin: 0 0 1mm; } .answer { margin: 0; padding-left: 3.5mm; }\n"
-    "figure { display: inline-block; margin: 1mm 2mm 0 0; } figure img { width: 37mm; display: block; } "
+    "figure { display: inline-block; margin: 1mm 2mm 0 0; } figure img { width: 32mm; display: block; } "
     "figcaption { font-size: 7.4pt; color: #444; }\n"
     ".terms td, .terms th { font-size: 7.4pt; font-variant-numeric: tabular-nums; }\n"
-    ".notes { height: 9mm; border-bottom: 0.2mm dotted #777; color: #777; font-size: 7.4pt; }\n"
+    ".notes { height: 6mm; border-bottom: 0.2mm dotted #777; color: #777; font-size: 7.4pt; }\n"
     "@media screen { body { padding: 6mm; } }\n";
 
 std::string word(const ordered_json& json, const char* key) { return json[key].get<std::string>(); }
