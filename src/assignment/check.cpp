@@ -2,6 +2,7 @@
 
 #include "assignment/confinement.hpp"
 #include "assignment/mark.hpp"
+#include "assignment/tick.hpp"
 #include "core/error.hpp"
 #include "core/limits.hpp"
 #include "gl/context.hpp"
@@ -190,6 +191,7 @@ std::vector<std::string> words_of(const MarkRequest& request) {
     std::ranges::copy(request.tasks, std::back_inserter(words));
     if (request.keeps_pictures) words.emplace_back("--pictures");
     if (!request.grading) return words;
+    if (request.tick_seed) words.push_back("--tick=" + *request.tick_seed);
     for (const auto& [option, value] : {std::pair{"--assignment", request.grading->assignment.string()},
                                         {"--hidden", request.grading->hidden.string()},
                                         {"--student", request.grading->student},
@@ -282,6 +284,9 @@ void mark_tasks(const MarkRequest& request) {
                           {"label_student", intake.label_student},
                           {"refused", intake.refused},
                           {"lacking", lacking}}}});
+    if (request.tick_seed)
+        return write_questions(assignment, intake.submission, intake.student, request.tasks,
+                               *request.tick_seed, stream);
     mark_all(assignment, intake.student, intake.submission, request, stream);
 }
 

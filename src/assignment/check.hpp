@@ -55,7 +55,8 @@ struct MarkRequest {
     std::vector<std::string> tasks;
     bool keeps_pictures = false;
     std::optional<Grading> grading;
-    int processor_seconds = 600; // with `grading`
+    int processor_seconds = 600;            // with `grading`
+    std::optional<std::string> tick_seed{}; // asks questions (tick.hpp) instead of marking; with `grading`
 };
 
 /// The words of `steradian` that make a child do this, and the work itself: writes a line of `results` once a

@@ -10,6 +10,12 @@ namespace sr::assignment {
 
 class Pictures {
 public:
+    /// A scene that is uploaded.
+    struct Shown {
+        scene::RenderScene stage;
+        std::unique_ptr<render::GpuScene> gpu;
+    };
+
     /// Needs a current context during its lifetime.
     Pictures(const Assignment& assignment, const Parameters& parameters, ReferenceValues& known)
         : assignment_(assignment), parameters_(parameters), known_(known) {}
@@ -28,12 +34,10 @@ public:
     /// Renders the reference, and with `mistakes` the typical mistakes of a task.
     void compute_references(const Task& task, const Check& check, bool mistakes);
 
-private:
-    struct Shown {
-        scene::RenderScene stage;
-        std::unique_ptr<render::GpuScene> gpu;
-    };
+    /// The scene of an image check.
     const Shown& shown(const Check& check);
+
+private:
     const image::Image& reference(const Check& check);
     image::Image known_picture(const Check& check, const Codes& codes);
     /// Null if one of its loops was stopped.

@@ -230,7 +230,10 @@ void add_marking(CLI::App& app) {
     marking->add_option("--values", grading->values.file);
     marking->add_option("--digest", grading->values.digest);
     marking->add_option("--seconds", request->processor_seconds);
+    const auto seed = std::make_shared<std::string>();
+    const CLI::Option* examined = marking->add_option("--tick", *seed);
     marking->callback([=] {
+        if (examined->count() > 0) request->tick_seed = *seed;
         if (graded->count() > 0) request->grading = *grading;
         assignment::mark_tasks(*request);
     });
@@ -315,6 +318,8 @@ void add_assignment_command(CLI::App& app) {
     add_marking(*command);
     add_references(*command);
     add_grade_command(*command);
+    add_tick_command(*command);
+    add_likeness_command(*command);
     command->footer(
         "Examples:\n  steradian assignment list\n  steradian assignment new a3 my-a3 --student 12345\n"
         "  steradian assignment check my-a3 --watch\n  steradian assignment pack my-a3");

@@ -29,7 +29,9 @@ void add_golden_command(CLI::App& app);
 void add_export_command(CLI::App& app);
 void add_brdf_command(CLI::App& app);
 void add_assignment_command(CLI::App& app);
-void add_grade_command(CLI::App& app); // of `assignment`
+void add_grade_command(CLI::App& app);    // of `assignment`
+void add_tick_command(CLI::App& app);     // likewise
+void add_likeness_command(CLI::App& app); // likewise
 void add_samples_command(CLI::App& app);
 void add_completion_command(CLI::App& app);
 void add_manual_command(CLI::App& app);

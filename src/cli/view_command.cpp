@@ -25,6 +25,7 @@ using nlohmann::ordered_json;
 struct ViewCommand {
     RenderSettings rendering;
     std::string submission; // a student's folder
+    bool is_examined = false;
     bool plays = false;
     bool is_fullscreen = false;
     bool has_inertia = false;
@@ -98,6 +99,7 @@ void view(const ViewCommand& command) {
     const Interruption interruption;
     viewer::Options options = viewer_options(command);
     if (!command.submission.empty()) take_assignment(options, command.submission);
+    options.is_examined = command.is_examined;
     viewer::App app(std::move(options));
     gl::when_display_is_lost([] {
         write_remark(
@@ -115,9 +117,13 @@ void add_view_command(CLI::App& app) {
     CLI::App* command = app.add_subcommand("view", "show a scene in a window");
     command->add_option("SCENE", options->rendering.scene, "a .gltf or .glb file");
     declare(*command, settings::by_view, options->rendering);
-    command->add_option(
+    const auto assignment = command->add_option(
         "--assignment", options->submission,
         "a student's folder: renders its scene with its shaders, shows marks and the reference");
+    command
+        ->add_flag("--tick", options->is_examined,
+                   "for teachers: show the questions of `assignment tick`; J, U and I go on, answer and try")
+        ->needs(assignment);
     command->add_flag("--play", options->plays, "play the animation, starting at --at or at its beginning");
     command->add_flag("--inertia", options->has_inertia, "let the view glide on after a drag");
     command->add_flag("--fullscreen", options->is_fullscreen, "fill the screen (F11)");
@@ -132,6 +138,7 @@ void add_view_command(CLI::App& app) {
         "  steradian view scene.glb --camera 1 --exposure 9 --tone-curve agx --samples 1024\n"
         "  steradian view --assignment my-a3                  (live, with marks; B compares with the "
         "reference)\n"
+        "  steradian view --assignment my-a3 --tick           (the questions of an oral examination)\n"
         "  steradian view scene.glb --error 0.1%              (until its error is that small)");
     command->callback([options, command] {
         if (options->rendering.scene.empty() && options->submission.empty())

@@ -42,7 +42,7 @@ std::vector<std::unique_ptr<Tool>> make_tools(Workspace& workspace) {
     std::vector<std::unique_ptr<Tool>> tools;
     for (const auto make :
          {make_transform, make_navigate, make_edit_lights, make_animate, make_adjust_display, make_compare,
-          make_assignment, make_probe, make_files, make_turntable, make_keep_edits})
+          make_assignment, make_tick, make_probe, make_files, make_turntable, make_keep_edits})
         if (auto tool = make(workspace)) tools.push_back(std::move(tool));
     return tools;
 }

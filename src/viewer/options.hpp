@@ -14,6 +14,8 @@ struct Options : settings::RenderSettings {
     std::string submission;                 // a student's folder; empty if there is no assignment
     std::filesystem::path program;          // steradian, which checks the folder
     std::vector<glsl::Root> reference_path; // the reference's shaders
+    bool is_examined = false;               // shows the questions of `assignment tick`
+    std::string changed_code;               // folder with a changed file of the student's; empty: none
     bool shows_reference = false;           // renders with `reference_path` instead of `shaders`
     bool is_fullscreen = false;
     bool has_inertia = false; // a view that is released in motion glides on

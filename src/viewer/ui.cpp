@@ -5,10 +5,12 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <algorithm>
+#include <array>
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_opengl3.h>
 #include <imgui.h>
 #include <imgui_internal.h>
+#include <string_view>
 #include <utility>
 
 namespace sr::viewer {
@@ -124,6 +126,21 @@ bool Ui::needs_frame() {
 }
 
 bool Ui::took_keyboard() { return !std::exchange(had_keyboard_, has_keyboard()) && had_keyboard_; }
+
+std::string in_plain_letters(std::string text) {
+    constexpr std::array<std::pair<const char*, const char*>, 38> spellings{
+        {{"α", "alpha"}, {"β", "beta"},   {"γ", "gamma"}, {"δ", "delta"},     {"ε", "epsilon"}, {"η", "eta"},
+         {"θ", "theta"}, {"λ", "lambda"}, {"μ", "mu"},    {"ν", "nu"},        {"π", "pi"},      {"ρ", "rho"},
+         {"σ", "sigma"}, {"τ", "tau"},    {"φ", "phi"},   {"χ", "chi"},       {"ω", "omega"},   {"Σ", "sum "},
+         {"∑", "sum "},  {"Φ", "Phi"},    {"Ω", "Omega"}, {"∫", "integral "}, {"√", "sqrt"},    {"≤", "<="},
+         {"≥", ">="},    {"≠", "!="},     {"≈", "~"},     {"∞", "infinity"},  {"−", "-"},       {"⁻", "^-"},
+         {"⁴", "^4"},    {"⁵", "^5"},     {"→", "->"},    {"…", "..."},       {"“", "\""},      {"”", "\""},
+         {"’", "'"},     {"–", "-"}}};
+    for (const auto& [sign, spelling] : spellings)
+        for (std::size_t at = 0; (at = text.find(sign, at)) != std::string::npos;)
+            text.replace(at, std::string_view(sign).size(), spelling);
+    return text;
+}
 
 void keep_in_viewport() {
     const ImGuiViewport& viewport = *ImGui::GetMainViewport();

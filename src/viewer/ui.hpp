@@ -21,6 +21,9 @@ private:
     int frames_left_ = 0;
 };
 
+/// Replaces characters that the font lacks: "π" by "pi".
+std::string in_plain_letters(std::string text);
+
 /// Moves the current ImGui window back into the viewport, between its Begin() and End().
 void keep_in_viewport();
 

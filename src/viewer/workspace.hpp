@@ -56,8 +56,9 @@ struct Workspace {
     Exposure exposure;
     DisplaySettings display{};
     std::optional<Reference> reference{};
-    bool is_time_held = false; // while a light is dragged
-    int width = 0;             // of the framebuffer [pixels]
+    std::optional<vec2> wanted_probe{}; // a place in the window that the probe tool shall take
+    bool is_time_held = false;          // while a light is dragged
+    int width = 0;                      // of the framebuffer [pixels]
     int height = 0;
 
     std::optional<std::future<LoadedScene>> loading{};

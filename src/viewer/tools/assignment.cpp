@@ -6,7 +6,6 @@
 #include "viewer/tools/tool.hpp"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <filesystem>
 #include <fmt/format.h>
@@ -101,22 +100,6 @@ private:
 namespace {
 
 using nlohmann::ordered_json;
-
-/// Replaces characters that the font lacks: "π" by "pi".
-std::string in_plain_letters(std::string text) {
-    constexpr std::array<std::pair<const char*, const char*>, 38> spellings{
-        {{"α", "alpha"}, {"β", "beta"},   {"γ", "gamma"}, {"δ", "delta"},     {"ε", "epsilon"}, {"η", "eta"},
-         {"θ", "theta"}, {"λ", "lambda"}, {"μ", "mu"},    {"ν", "nu"},        {"π", "pi"},      {"ρ", "rho"},
-         {"σ", "sigma"}, {"τ", "tau"},    {"φ", "phi"},   {"χ", "chi"},       {"ω", "omega"},   {"Σ", "sum "},
-         {"∑", "sum "},  {"Φ", "Phi"},    {"Ω", "Omega"}, {"∫", "integral "}, {"√", "sqrt"},    {"≤", "<="},
-         {"≥", ">="},    {"≠", "!="},     {"≈", "~"},     {"∞", "infinity"},  {"−", "-"},       {"⁻", "^-"},
-         {"⁴", "^4"},    {"⁵", "^5"},     {"→", "->"},    {"…", "..."},       {"“", "\""},      {"”", "\""},
-         {"’", "'"},     {"–", "-"}}};
-    for (const auto& [sign, spelling] : spellings)
-        for (std::size_t at = 0; (at = text.find(sign, at)) != std::string::npos;)
-            text.replace(at, std::string_view(sign).size(), spelling);
-    return text;
-}
 
 void put_wrapped(const std::string& text) {
     ImGui::PushTextWrapPos();

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <chrono>
 #include <fmt/format.h>
+#include <utility>
 
 namespace sr::viewer {
 namespace {
@@ -24,7 +25,9 @@ public:
     Changes update(double seconds) override;
     void notice(Changes changes) override;
     Changes draw(const Overlay& overlay) override;
-    Activity activity() const override { return probing_ ? Activity::active : Activity::idle; }
+    Activity activity() const override {
+        return probing_ || ws_.wanted_probe ? Activity::active : Activity::idle;
+    }
 
 private:
     Changes request(vec2 at);
@@ -86,6 +89,7 @@ Changes Probe::request(vec2 at) {
 }
 
 Changes Probe::update(double /*seconds*/) {
+    if (const auto wanted = std::exchange(ws_.wanted_probe, std::nullopt)) return request(*wanted);
     if (!probing_) return {};
     try {
         take_steps();

@@ -60,6 +60,7 @@ inline std::optional<Command> command_in(const Event& event) {
 }
 
 /// The tools, each a class in the file of its name.
+std::unique_ptr<Tool> make_tick(Workspace& workspace); // null without Options::is_examined
 std::unique_ptr<Tool> make_transform(Workspace& workspace);
 std::unique_ptr<Tool> make_navigate(Workspace& workspace);
 std::unique_ptr<Tool> make_adjust_display(Workspace& workspace);

@@ -129,7 +129,8 @@ render::RenderOptions render_options(const Options& options, int width, int heig
     rendering.shader_path.clear();
     for (const std::string& folder : options.shaders) {
         const glsl::Root root = glsl::Root::folder(folder);
-        const bool is_untrusted = options.is_untrusted || folder == options.submission;
+        const bool is_untrusted =
+            options.is_untrusted || folder == options.submission || folder == options.changed_code;
         rendering.shader_path.push_back(is_untrusted ? root.untrusted() : root);
     }
     rendering.shader_path.push_back(glsl::embedded());

@@ -1,0 +1,258 @@
+// Tick tool: the questions of an oral examination, each shown where it belongs, with answers that a key
+// uncovers.
+#include "assignment/tick.hpp"
+#include "assignment/submission.hpp"
+#include "core/error.hpp"
+#include "core/file.hpp"
+#include "image/whole_file.hpp"
+#include "viewer/tools/tool.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <fmt/format.h>
+#include <future>
+#include <imgui.h>
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <sstream>
+#include <string>
+
+namespace sr::viewer {
+
+using Question = nlohmann::ordered_json; // of assignment/questions.hpp
+
+class Tick : public Tool {
+public:
+    explicit Tick(Workspace& workspace);
+    ~Tick() override;
+
+    std::optional<Changes> handle(const Event& event) override;
+    Changes update(double seconds) override;
+    Changes draw(const Overlay& overlay) override;
+    Activity activity() const override { return making_.valid() ? Activity::waiting : Activity::idle; }
+
+private:
+    Changes go_to_next();
+    Changes try_change();
+    Changes take_back();
+    Changes apply_to_code(const Question& facts);
+    Changes apply_to_scene(const Question& facts);
+    Changes go_to_pixel(const Question& facts);
+    void draw_question(const Question& question);
+
+    std::stop_source stop_;
+    std::future<Question> making_; // the examination
+    std::vector<Question> questions_;
+    std::vector<std::string> missing_;
+    std::filesystem::path scratch_; // changed files; made when first needed
+    std::string own_scene_;         // the scene while another one is shown; empty: it is shown
+    std::size_t at_ = 0;
+    bool shows_answer_ = false;
+    bool is_changed_ = false;
+};
+
+namespace {
+
+std::filesystem::path made_folder() {
+    std::string name = (std::filesystem::temp_directory_path() / "steradian-view-tick-XXXXXX").string();
+    if (!mkdtemp(name.data()))
+        throw Error({name}, "cannot be made", "name a folder that can be written in $TMPDIR");
+    return name;
+}
+
+/// The file with the changed line. @throws Error if the student has changed that line since
+std::string with_line(const std::filesystem::path& file, const Question& line) {
+    std::string text = read_text(file);
+    std::size_t begin = 0;
+    for (int i = 1; i < line["line"].get<int>(); ++i) begin = text.find('\n', begin) + 1;
+    const std::string from = line["from"];
+    const std::size_t at = text.find(from, begin);
+    if (at == std::string::npos || at > text.find('\n', begin))
+        throw Error({file.string(), line["line"].get<int>()},
+                    "the line has changed since the question was made",
+                    "start the window again for new questions");
+    text.replace(at, from.size(), line["to"].get<std::string>());
+    return text;
+}
+
+} // namespace
+
+Tick::Tick(Workspace& workspace) : Tool(workspace) {
+    assignment::CheckOptions options;
+    options.program = ws_.options.program;
+    options.time_limit = 60.0; // it shares the machine with the window
+    options.stop = stop_.get_token();
+    options.grading.emplace();
+    const std::filesystem::path submission = ws_.options.submission;
+    options.grading->assignment =
+        std::filesystem::absolute(assignment::assignment_of(assignment::label_of(submission)));
+    making_ = std::async(std::launch::async, [submission, options]() -> Question {
+        try {
+            if (auto examination = assignment::examine(submission, options, ""))
+                return *std::move(examination);
+        } catch (const Error& error) {
+            return {{"questions", Question::array()}, {"missing", {error.what()}}};
+        }
+        return {{"questions", Question::array()}, {"missing", Question::array()}};
+    });
+}
+
+Tick::~Tick() {
+    stop_.request_stop(); // the future waits for the thread
+    if (making_.valid()) making_.wait();
+    std::error_code ignored;
+    if (!scratch_.empty()) std::filesystem::remove_all(scratch_, ignored);
+}
+
+Changes Tick::update(double /*seconds*/) {
+    if (!making_.valid() || making_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return {};
+    const Question examination = making_.get();
+    questions_ = examination["questions"].get<std::vector<Question>>();
+    missing_ = examination["missing"].get<std::vector<std::string>>();
+    ws_.messages.notify(fmt::format("{} questions. J: next, U: answer, I: try it.", questions_.size()));
+    return Change::redraw;
+}
+
+std::optional<Changes> Tick::handle(const Event& event) {
+    const auto command = command_in(event);
+    if (questions_.empty() || !command) return std::nullopt;
+    try {
+        if (command == Command::next_question) return go_to_next();
+        if (command == Command::try_question) return is_changed_ ? take_back() : try_change();
+    } catch (const Error& error) {
+        ws_.messages.fail("The change cannot be shown.", error.what());
+        return Change::redraw;
+    }
+    if (command != Command::show_answer) return std::nullopt;
+    shows_answer_ = !shows_answer_;
+    ws_.messages.log(shows_answer_ ? "The answer is shown." : "The answer is hidden.");
+    return Change::redraw;
+}
+
+Changes Tick::go_to_next() {
+    const Changes changes = is_changed_ ? take_back() : Changes(Change::redraw);
+    at_ = (at_ + 1) % questions_.size();
+    shows_answer_ = false;
+    ws_.messages.notify(fmt::format("Question {} of {}.", at_ + 1, questions_.size()));
+    return changes;
+}
+
+/// Goes to the question's pixel, or makes its change.
+Changes Tick::try_change() {
+    const Question& question = questions_[at_];
+    const Question& facts = question["facts"];
+    if (question["kind"] == "pixel") return go_to_pixel(facts);
+    if (question["kind"] == "parameter") return apply_to_scene(facts);
+    if (!facts["line"].is_null()) return apply_to_code(facts["line"]);
+    ws_.messages.notify("This question has nothing to try.");
+    return Change::redraw;
+}
+
+Changes Tick::go_to_pixel(const Question& facts) {
+    const Question& x = facts["terms"]["x"];
+    const auto place = ws_.projection()(vec3(x[0].get<float>(), x[1].get<float>(), x[2].get<float>()));
+    if (!place)
+        ws_.messages.notify("The pixel is out of view. 0 goes back to the file's camera.");
+    else
+        ws_.wanted_probe = *place;
+    return Change::redraw;
+}
+
+/// Shows the scene by the student's code with a line replaced, or another parameter.
+Changes Tick::apply_to_code(const Question& line) {
+    if (scratch_.empty()) scratch_ = made_folder();
+    const std::filesystem::path folder = scratch_ / "shaders";
+    std::filesystem::create_directories(folder);
+    const std::string file = line["file"];
+    image::write_text(folder / file, with_line(std::filesystem::path(ws_.options.submission) / file, line));
+    ws_.options.changed_code = folder.string();
+    ws_.options.shaders.insert(ws_.options.shaders.begin(), folder.string());
+    is_changed_ = true;
+    const Changes changes = ws_.reload_shaders();
+    ws_.messages.notify(fmt::format("{}:{} is replaced. I takes it back.", file, line["line"].get<int>()));
+    return changes;
+}
+
+Changes Tick::apply_to_scene(const Question& facts) {
+    const std::string pointer = facts["pointer"];
+    if (pointer.empty()) {
+        const std::filesystem::path file = std::filesystem::path(ws_.options.submission) / "parameters.glsl";
+        const std::regex form("\\b" + facts["parameter"].get<std::string>() + " = [^;]*;");
+        std::istringstream lines(read_text(file));
+        int number = 1;
+        for (std::string text; std::getline(lines, text); ++number)
+            if (std::smatch found; std::regex_search(text, found, form))
+                return apply_to_code({{"file", "parameters.glsl"},
+                                      {"line", number},
+                                      {"from", found.str()},
+                                      {"to", fmt::format("{} = {};", facts["parameter"].get<std::string>(),
+                                                         facts["to"].dump())}});
+        throw Error({file.string()}, "has no such parameter", "make the folder anew");
+    }
+    if (scratch_.empty()) scratch_ = made_folder();
+    own_scene_ = ws_.scene->loaded().file;
+    auto gltf = Question::parse(read_text(own_scene_));
+    gltf[Question::json_pointer(pointer)] = facts["to"];
+    const std::filesystem::path file = scratch_ / std::filesystem::path(own_scene_).filename();
+    image::write_text(file, gltf.dump());
+    is_changed_ = true;
+    ws_.open(file.string());
+    ws_.messages.notify("The scene is changed. I takes it back.");
+    return Change::redraw;
+}
+
+Changes Tick::take_back() {
+    is_changed_ = false;
+    ws_.messages.notify("The change is taken back.");
+    if (!own_scene_.empty()) {
+        ws_.open(std::exchange(own_scene_, {}));
+        return Change::redraw;
+    }
+    std::erase(ws_.options.shaders, std::exchange(ws_.options.changed_code, {}));
+    return ws_.reload_shaders();
+}
+
+void Tick::draw_question(const Question& question) {
+    const auto put = [](const std::string& text) { ImGui::TextUnformatted(in_plain_letters(text).c_str()); };
+    put(question["ask"]);
+    ImGui::Separator();
+    if (!shows_answer_)
+        ImGui::TextDisabled("U shows the answer.");
+    else
+        for (const Question& line : question["answer"]) put("- " + line.get<std::string>());
+    ImGui::Separator();
+    ImGui::TextDisabled(question["kind"] == "pixel" ? "I probes the pixel."
+                                                    : "I makes the change, and takes it back.");
+    ImGui::TextDisabled("J goes to the next question.");
+}
+
+Changes Tick::draw(const Overlay& overlay) {
+    const vec2 window = ws_.window_size();
+    const float width = std::min(440.0f * overlay.scale, 0.5f * window.x);
+    ImGui::SetNextWindowPos({10.0f, window.y - 10.0f}, ImGuiCond_FirstUseEver, {0.0f, 1.0f});
+    ImGui::SetNextWindowSizeConstraints({width, 0.0f}, {width, 0.7f * window.y});
+    if (ImGui::Begin("Examination", nullptr, ws_.ui.panel_flags())) {
+        ImGui::PushTextWrapPos();
+        if (making_.valid()) ImGui::TextDisabled("Questions are being made ...");
+        if (!questions_.empty()) {
+            ImGui::TextUnformatted(fmt::format("Question {} of {}: {}", at_ + 1, questions_.size(),
+                                               questions_[at_]["title"].get<std::string>())
+                                       .c_str());
+            draw_question(questions_[at_]);
+        }
+        for (const std::string& line : missing_) ImGui::TextDisabled("%s", in_plain_letters(line).c_str());
+        ImGui::PopTextWrapPos();
+    }
+    keep_in_viewport();
+    ImGui::End();
+    return {};
+}
+
+std::unique_ptr<Tool> make_tick(Workspace& workspace) {
+    if (!workspace.options.is_examined) return nullptr;
+    return std::make_unique<Tick>(workspace);
+}
+
+} // namespace sr::viewer
