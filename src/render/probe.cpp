@@ -85,8 +85,8 @@ struct Probing::Run {
     RenderOptions options;
     int column;
     int row;
-    int first_samples;             // of the first round; 0: there is only one round
-    std::size_t next = 0;          // step of the round; 0: the pixel without its lights
+    int first_samples;    // of the first round; 0: there is only one round
+    std::size_t next = 0; // step of the round; 0: the pixel without its lights
     PixelTerms terms{};
     std::optional<ProbedPixel> pixel{}; // one at a time: each renderer has targets of its own
 
@@ -95,7 +95,9 @@ struct Probing::Run {
     }
     std::size_t kind_count() const { return is_tinted() ? term_kinds.size() : term_kinds.size() - 1; }
     std::size_t end() const { return 1 + kind_count() * terms.lights.size(); }
-    int samples() const { return first_samples > 0 ? std::min(first_samples, options.samples) : options.samples; }
+    int samples() const {
+        return first_samples > 0 ? std::min(first_samples, options.samples) : options.samples;
+    }
 
     void step();
 

@@ -251,7 +251,8 @@ std::array<float, 4> Renderer::read_pixel(int column, int row) const {
     std::array<float, 4> texel = film_.read(column, row);
     const std::size_t pixel = static_cast<std::size_t>(row) * static_cast<std::size_t>(options_.width)
                               + static_cast<std::size_t>(column);
-    for (float& value : texel) value *= 1.0f / static_cast<float>(converged_.samples_of(pixel, sample_count_));
+    for (float& value : texel)
+        value *= 1.0f / static_cast<float>(converged_.samples_of(pixel, sample_count_));
     glsl::require_ended_loops(texel, shaders_->loops());
     return texel;
 }

@@ -40,9 +40,12 @@ template<class Io>
 void go_by_labels(Io& io) {
     if constexpr (IMGUI_VERSION_NUM < 18700 && requires { io.KeyMap[0]; })
         for (int place = GLFW_KEY_A; place <= GLFW_KEY_Z; ++place)
-            for (const auto& [letter, key] :
-                 {std::pair(GLFW_KEY_A, ImGuiKey_A), {GLFW_KEY_C, ImGuiKey_C}, {GLFW_KEY_V, ImGuiKey_V},
-                  {GLFW_KEY_X, ImGuiKey_X}, {GLFW_KEY_Y, ImGuiKey_Y}, {GLFW_KEY_Z, ImGuiKey_Z}})
+            for (const auto& [letter, key] : {std::pair(GLFW_KEY_A, ImGuiKey_A),
+                                              {GLFW_KEY_C, ImGuiKey_C},
+                                              {GLFW_KEY_V, ImGuiKey_V},
+                                              {GLFW_KEY_X, ImGuiKey_X},
+                                              {GLFW_KEY_Y, ImGuiKey_Y},
+                                              {GLFW_KEY_Z, ImGuiKey_Z}})
                 if (labelled(place) == letter) io.KeyMap[key] = place;
 }
 

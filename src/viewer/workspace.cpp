@@ -90,9 +90,9 @@ bool Workspace::save(const std::string& file) {
     std::error_code ignored;
     const std::string& open_file = scene->loaded().file;
     if (std::filesystem::equivalent(file, open_file, ignored)) {
-        messages.fail("Cannot save the scene.",
-                      Error({file}, "is the open file, which the edits start from", "save under another name")
-                          .what());
+        messages.fail(
+            "Cannot save the scene.",
+            Error({file}, "is the open file, which the edits start from", "save under another name").what());
         return false;
     }
     const bool is_own = std::ranges::find(written, file) != written.end();

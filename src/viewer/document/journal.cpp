@@ -51,8 +51,10 @@ scene::Light shape_in(const json& shape) {
 }
 
 json json_of(const LightEdit& edit) {
-    json entry{{"kind", static_cast<int>(edit.kind)}, {"source", edit.source},
-               {"is_enabled", edit.is_enabled},       {"is_removed", edit.is_removed}};
+    json entry{{"kind", static_cast<int>(edit.kind)},
+               {"source", edit.source},
+               {"is_enabled", edit.is_enabled},
+               {"is_removed", edit.is_removed}};
     if (edit.overrides_quantity)
         entry["quantity"] = json_of(edit.kind == Kind::material ? edit.emission : quantity_of(edit.light));
     if (edit.overrides_size || edit.is_added())
@@ -144,8 +146,7 @@ std::optional<LostEdits> Journal::find(const std::vector<LightEdit>& fresh) cons
          !failure && entry != fs::directory_iterator(); entry.increment(failure)) {
         const std::string name = entry->path().filename().string();
         if (!name.starts_with(prefix_) || !is_lost(name, prefix_)) continue;
-        if (!newest
-            || fs::last_write_time(*newest, ignored) < fs::last_write_time(entry->path(), ignored))
+        if (!newest || fs::last_write_time(*newest, ignored) < fs::last_write_time(entry->path(), ignored))
             newest = entry->path();
     }
     if (!newest) return std::nullopt;

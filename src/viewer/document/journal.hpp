@@ -10,8 +10,8 @@ namespace sr::viewer {
 /// Edits of a run that ended without saving them.
 struct LostEdits {
     std::filesystem::path journal;
-    std::vector<LightEdit> edits; // all of the editor, edited and not
-    std::size_t count = 0;        // of those that the journal changes
+    std::vector<LightEdit> edits;  // all of the editor, edited and not
+    std::size_t count = 0;         // of those that the journal changes
     bool has_file_changed = false; // since
 };
 

@@ -309,8 +309,8 @@ std::optional<std::string> LightEditor::step(std::vector<Step>& from, std::vecto
     if (from.empty()) return std::nullopt;
     Step step = std::move(from.back());
     from.pop_back();
-    to.push_back({std::exchange(edits_, std::move(step.edits)), std::exchange(revision_, step.revision),
-                  step.what});
+    to.push_back(
+        {std::exchange(edits_, std::move(step.edits)), std::exchange(revision_, step.revision), step.what});
     rebase_edits(edits_, file_); // the step may be of another time
     return step.what;
 }

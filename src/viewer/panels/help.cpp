@@ -70,8 +70,7 @@ void message_area(const Status& status) {
         if (parts[i]->empty()) continue;
         const ImVec2 needed = size(*parts[i]);
         begins_line[i] = i == 0 || x + gap + needed.x > width || needed.y > ImGui::GetTextLineHeight();
-        if (begins_line[i])
-            height += needed.y + (i == 0 ? 0.0f : ImGui::GetStyle().ItemSpacing.y);
+        if (begins_line[i]) height += needed.y + (i == 0 ? 0.0f : ImGui::GetStyle().ItemSpacing.y);
         x = begins_line[i] ? needed.x : x + gap + needed.x;
     }
     height = std::min(std::max(height, ImGui::GetFrameHeight()), 0.4f * viewport.Size.y);

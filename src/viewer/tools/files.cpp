@@ -52,9 +52,7 @@ std::optional<Changes> Files::handle(const Event& event) {
     case Command::open_file:
         dialog_.show(FileDialog::Purpose::open, ws_.options.scene);
         return Change::redraw;
-    case Command::save_as:
-        dialog_.show(FileDialog::Purpose::save, ws_.name_to_save());
-        return Change::redraw;
+    case Command::save_as: dialog_.show(FileDialog::Purpose::save, ws_.name_to_save()); return Change::redraw;
     case Command::reload: return reload();
     case Command::screenshot_png: return shoot(".png");
     case Command::screenshot_exr: return shoot(".exr");

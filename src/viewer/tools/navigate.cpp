@@ -20,7 +20,7 @@ constexpr float pan_per_notch = 0.05f;
 constexpr float memory = 0.03f;          // [s] over which the velocity of a drag is measured
 constexpr float glide_half_life = 0.12f; // [s]
 constexpr float min_glide = 0.01f;       // [heights of the window / s]
-constexpr float max_elapsed = 0.2f;         // [s] of a glide or a flight: a longer frame does not throw the view
+constexpr float max_elapsed = 0.2f;      // [s] of a glide or a flight: a longer frame does not throw the view
 
 constexpr float flight_speed = 0.25f; // [radii of the scene / s]
 constexpr float fast = 4.0f;          // with Shift

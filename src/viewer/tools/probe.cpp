@@ -112,7 +112,8 @@ void Probe::take_steps() {
     const bool is_done = run(*probing_) && (!reference_ || run(*reference_));
     ProbeResult& result = *panel_.result;
     result.terms = probing_->terms();
-    result.samples = probing_->is_first_round() ? std::min(first_samples, options_.samples) : options_.samples;
+    result.samples =
+        probing_->is_first_round() ? std::min(first_samples, options_.samples) : options_.samples;
     for (std::size_t kind = 0; kind < result.has.size(); ++kind)
         result.has[kind] = probing_->has(static_cast<render::Probing::Kind>(kind));
     if (!has_begun) ws_.messages.log("The first numbers of the probe are there.");
@@ -142,8 +143,7 @@ std::optional<Lobe> Probe::lobe_of(const render::PixelTerms& terms, const render
         lobe.light_wi.push_back(light.wi == vec3(0.0f) ? vec3(0.0f) : glm::normalize(light.wi));
         directions.push_back(light.wi == vec3(0.0f) ? lobe.n : lobe.light_wi.back());
     }
-    const auto brdf =
-        render::evaluate_brdf(ws_.scene->gpu(), camera_, options, column, row, directions);
+    const auto brdf = render::evaluate_brdf(ws_.scene->gpu(), camera_, options, column, row, directions);
     if (!brdf) return std::nullopt;
     lobe.is_mirror = brdf->is_mirror;
     for (std::size_t i = 0; i < directions.size(); ++i)

@@ -323,11 +323,11 @@ std::optional<Changes> Transform::handle_refused(const KeyEvent& event) {
     const auto now = std::chrono::steady_clock::now();
     if (now - refused_ > soon) return std::nullopt;
     std::string ignored;
-    const bool is_operand = event.modifiers == no_modifier
-                            && ((event.key >= GLFW_KEY_X && event.key <= GLFW_KEY_Z)
-                                || type_digit(ignored, event.key));
-    const bool is_end = event.key == GLFW_KEY_ESCAPE || event.key == GLFW_KEY_ENTER
-                        || event.key == GLFW_KEY_KP_ENTER;
+    const bool is_operand =
+        event.modifiers == no_modifier
+        && ((event.key >= GLFW_KEY_X && event.key <= GLFW_KEY_Z) || type_digit(ignored, event.key));
+    const bool is_end =
+        event.key == GLFW_KEY_ESCAPE || event.key == GLFW_KEY_ENTER || event.key == GLFW_KEY_KP_ENTER;
     refused_ = is_operand ? now : now - 2 * soon;
     return is_operand || is_end ? std::optional(Changes()) : std::nullopt;
 }

@@ -84,7 +84,7 @@ private:
     Changes end(bool keeps);
     Changes changes() const;
 
-    std::optional<TransformDrag> drag_; // of the selected light
+    std::optional<TransformDrag> drag_;               // of the selected light
     std::chrono::steady_clock::time_point refused_{}; // the last key of a transform that was refused
     vec2 pointer_{0.0f};
 };

@@ -254,7 +254,8 @@ std::string progress_of(const ProgressiveRender& render) {
     std::string text = render.is_converged() ? fmt::format("done, {} samples", samples)
                                              : fmt::format("{} of {} samples", samples, rule.samples);
     if (const auto error = render.error()) text += fmt::format(", error {:.2g} %", 100.0 * *error);
-    if (rule.error && !render.is_converged()) text += fmt::format(" (stops at {:.2g} %)", 100.0 * *rule.error);
+    if (rule.error && !render.is_converged())
+        text += fmt::format(" (stops at {:.2g} %)", 100.0 * *rule.error);
     if (rule.seconds) text += fmt::format(", at most {:.3g} s", *rule.seconds);
     return samples > 0 ? text + fmt::format(", {} each", time) : text; // before the first one it is a guess
 }
