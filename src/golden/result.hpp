@@ -62,8 +62,8 @@ struct RunResult {
     RunResult of_this_run() const;
 };
 
-/// Time and place of a run, in the file run.json: all that differs between equal runs. A text is empty where it is
-/// unknown.
+/// Time and place of a run, in the file run.json: all that differs between equal runs. A text is empty where
+/// it is unknown.
 struct RunRecord {
     std::string began; // UTC, as 2024-02-29T12:00:00Z
     std::string host;

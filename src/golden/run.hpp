@@ -41,8 +41,8 @@ bool matches(const std::string& pattern, const std::string& name);
 std::vector<std::string> command_words(const GoldenTest& test, const RunOptions& options,
                                        std::string_view program, std::string_view out);
 
-/// Returns who rendered a picture: GL_RENDERER and GL_VERSION as its attributes have them, or else the renderer and
-/// the version of the file beside it, as "RENDERER, VERSION". Empty if neither says so.
+/// Returns who rendered a picture: GL_RENDERER and GL_VERSION as its attributes have them, or else the
+/// renderer and the version of the file beside it, as "RENDERER, VERSION". Empty if neither says so.
 /// @throws Error for a file beside it that is not as sidecar_of() has it.
 std::string renderer_of(const image::Image& image, const std::filesystem::path& file);
 

@@ -13,19 +13,36 @@ function half_value(bits) {
 
 const half_values = Float64Array.from({ length: 65536 }, (_, bits) => half_value(bits));
 
-/** {width, height, rgb} from what page.cpp packed. */
-async function unpacked(packed) {
+/** The channels that page.cpp packed, each a Float32Array of width times height values. */
+async function unpacked_channels(packed) {
   const bytes = Uint8Array.from(atob(packed.data), (c) => c.charCodeAt(0));
   const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"));
   const planes = new Uint8Array(await new Response(stream).arrayBuffer());
   const count = packed.width * packed.height;
-  const rgb = new Float32Array(3 * count);
-  for (let c = 0; c < 3; ++c)
+  return Array.from({ length: packed.channels }, (_, c) => {
+    const values = new Float32Array(count);
     for (let i = 0; i < count; ++i) {
       const bits = (planes[2 * c * count + i] << 8) | planes[(2 * c + 1) * count + i];
-      rgb[3 * i + c] = half_values[bits] / packed.scale;
+      values[i] = half_values[bits] / packed.scale;
     }
-  return { width: packed.width, height: packed.height, rgb };
+    return values;
+  });
+}
+
+/** {width, height, rgb, alpha} from what page.cpp packed; alpha is null where the picture has none. */
+async function unpacked(packed) {
+  const channels = await unpacked_channels(packed);
+  const rgb = new Float32Array(3 * packed.width * packed.height);
+  for (let c = 0; c < 3; ++c) {
+    const values = channels[Math.min(c, channels.length - 1)];
+    for (let i = 0; i < values.length; ++i) rgb[3 * i + c] = values[i];
+  }
+  return { width: packed.width, height: packed.height, rgb, alpha: channels[3] || null };
+}
+
+/** {width, height, values}: the errors of pixels over their limits; NaN is not finite, -1 is not compared. */
+async function unpacked_errors(packed) {
+  return { width: packed.width, height: packed.height, values: (await unpacked_channels(packed))[0] };
 }
 
 /** sRGB codes (IEC 61966-2-1) of linear values 0..1 in steps of 1/16383. */
@@ -68,15 +85,98 @@ function paint(canvas, image, colour) {
   canvas.getContext("2d").putImageData(picture, 0, 0);
 }
 
-/** Light through exposure and the sRGB curve; a picture for screens only through the exposure. */
-function paint_picture(canvas, image, factor, is_display_referred) {
-  const { rgb } = image;
+/** A light or a dark square of a checkerboard behind transparent pixels. */
+function checker(pixel, width) {
+  const x = pixel % width;
+  const y = (pixel - x) / width;
+  return ((x >> 3) + (y >> 3)) & 1 ? 200 : 130;
+}
+
+/**
+ * Light through exposure and the sRGB curve; a picture for screens only through the exposure. `alpha_mode`: "over" puts
+ * it on a checkerboard (colours are associated with alpha), "alone" shows alpha as grey.
+ */
+function paint_picture(canvas, image, factor, is_display_referred, alpha_mode) {
+  const { rgb, alpha } = image;
   const code = is_display_referred ? (v) => 255 * v : srgb_code;
+  const behind = (i) => (1 - Math.max(0, Math.min(1, alpha[i / 3]))) * checker(i / 3, image.width);
   paint(canvas, image, (i) => {
+    if (alpha && alpha_mode === "alone") return Array(3).fill(255 * alpha[i / 3]);
     const finite = Number.isFinite(rgb[i]) && Number.isFinite(rgb[i + 1]) && Number.isFinite(rgb[i + 2]);
     if (!finite) return nonfinite_colour;
-    return [code(rgb[i] * factor), code(rgb[i + 1] * factor), code(rgb[i + 2] * factor)];
+    const below = alpha && alpha_mode === "over" ? behind(i) : 0;
+    return [below + code(rgb[i] * factor), below + code(rgb[i + 1] * factor), below + code(rgb[i + 2] * factor)];
   });
+}
+
+/** Whether a pixel is over its limit, or not finite. */
+const is_failing = (error) => !(error <= 1);
+
+/**
+ * What broke the limit: pixels over it from yellow to red (32 times the limit and more), those that are not finite
+ * magenta, those within it in shades of blue, those that are not compared grey.
+ */
+function paint_limits(canvas, errors) {
+  paint(canvas, { ...errors, rgb: { length: 3 * errors.values.length } }, (i) => {
+    const error = errors.values[i / 3];
+    if (Number.isNaN(error)) return nonfinite_colour;
+    if (error < 0) return [70, 70, 70];
+    if (error <= 1) return [10 + 30 * error, 20 + 70 * error, 45 + 110 * error];
+    return [255, 225 * (1 - Math.min(1, Math.log2(error) / 5)), 0];
+  });
+}
+
+/**
+ * Boxes around clusters of failing pixels, {x, y, width, height, count, worst: {x, y, error}, nonfinite}: those with
+ * pixels that are not finite first, then the largest. Pixels belong together if they lie in neighbouring cells of a grid.
+ */
+function failing_boxes(errors) {
+  const { width, height, values } = errors;
+  const cell = Math.max(2, Math.ceil(Math.max(width, height) / 96));
+  const columns = Math.ceil(width / cell);
+  const rows = Math.ceil(height / cell);
+  const cells = Array.from({ length: columns * rows }, () => null);
+  for (let i = 0; i < values.length; ++i) {
+    if (!is_failing(values[i])) continue;
+    const x = i % width;
+    const y = (i - x) / width;
+    const at = Math.floor(y / cell) * columns + Math.floor(x / cell);
+    cells[at] = cells[at] || { left: x, right: x, top: y, bottom: y, count: 0, nonfinite: 0, worst: { x, y, error: -1 } };
+    grow(cells[at], { left: x, right: x, top: y, bottom: y, count: 1, nonfinite: Number.isNaN(values[i]) ? 1 : 0, worst: { x, y, error: values[i] } });
+  }
+  const boxes = [];
+  for (let start = 0; start < cells.length; ++start) {
+    if (!cells[start]) continue;
+    const box = cells[start];
+    const waiting = [start];
+    cells[start] = null;
+    while (waiting.length) {
+      const at = waiting.pop();
+      const [cx, cy] = [at % columns, Math.floor(at / columns)];
+      for (let y = Math.max(0, cy - 1); y <= Math.min(rows - 1, cy + 1); ++y)
+        for (let x = Math.max(0, cx - 1); x <= Math.min(columns - 1, cx + 1); ++x) {
+          const beside = y * columns + x;
+          if (!cells[beside]) continue;
+          grow(box, cells[beside]);
+          cells[beside] = null;
+          waiting.push(beside);
+        }
+    }
+    boxes.push({ ...box, x: box.left, y: box.top, width: box.right - box.left + 1, height: box.bottom - box.top + 1 });
+  }
+  return boxes.sort((a, b) => b.nonfinite - a.nonfinite || b.count - a.count);
+}
+
+/** Adds a part to a cluster. */
+function grow(box, part) {
+  box.left = Math.min(box.left, part.left);
+  box.right = Math.max(box.right, part.right);
+  box.top = Math.min(box.top, part.top);
+  box.bottom = Math.max(box.bottom, part.bottom);
+  box.count += part.count;
+  box.nonfinite += part.nonfinite;
+  const is_worse = Number.isNaN(part.worst.error) ? !Number.isNaN(box.worst.error) : part.worst.error > box.worst.error;
+  if (is_worse) box.worst = part.worst;
 }
 
 /** What is added to a denominator, so that darkness does not make differences large: 1 % of the mean. */

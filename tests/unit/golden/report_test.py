@@ -8,6 +8,7 @@ Needs Chromium and the Python package playwright; exit status 77 (skipped) witho
 import json
 import os
 import shutil
+import struct
 import subprocess
 import sys
 from pathlib import Path
@@ -58,6 +59,41 @@ def make_run(program, source, scratch):
     return out / "report.html"
 
 
+def write_exr(file, width, height, grey, nan_at=None):
+    """An uncompressed OpenEXR file of one grey; the pixel nan_at is not a number."""
+    channels = b"".join(name + b"\0" + struct.pack("<iBxxxii", 2, 0, 1, 1) for name in (b"B", b"G", b"R")) + b"\0"
+    window = struct.pack("<4i", 0, 0, width - 1, height - 1)
+    attributes = [(b"channels", b"chlist", channels), (b"compression", b"compression", b"\0"), (b"dataWindow", b"box2i", window),
+                  (b"displayWindow", b"box2i", window), (b"lineOrder", b"lineOrder", b"\0"), (b"pixelAspectRatio", b"float", struct.pack("<f", 1)),
+                  (b"screenWindowCenter", b"v2f", struct.pack("<2f", 0, 0)), (b"screenWindowWidth", b"float", struct.pack("<f", 1))]
+    head = struct.pack("<ii", 20000630, 2) + b"".join(n + b"\0" + t + b"\0" + struct.pack("<i", len(v)) + v for n, t, v in attributes) + b"\0"
+    size = 8 + 12 * width
+    offsets = struct.pack(f"<{height}Q", *(len(head) + 8 * height + size * y for y in range(height)))
+    lines = []
+    for y in range(height):
+        row = [grey] * width
+        if nan_at and nan_at[1] == y:
+            row[nan_at[0]] = float("nan")
+        lines.append(struct.pack("<ii", y, size - 8) + 3 * struct.pack(f"<{width}f", *row))
+    file.write_bytes(head + offsets + b"".join(lines))
+
+
+def make_nan_run(program, scratch):
+    """A run with one pixel of 640x360 that is not a number, and a picture whose golden has another size."""
+    scratch.mkdir()
+    names = ("one_nan", "resized")
+    suite = {"tests": [{"name": name, "command": ["cp", f"{name}.exr", "{out}"]} for name in names]}
+    (scratch / "suite.json").write_text(json.dumps(suite))
+    for name in names:
+        write_exr(scratch / f"{name}.exr", 640, 360, 0.5)
+    golden(program, "run", scratch / "suite.json", "-o", scratch / "out", status=1)
+    golden(program, "approve", scratch / "suite.json", "-o", scratch / "out")
+    write_exr(scratch / "one_nan.exr", 640, 360, 0.5, nan_at=(401, 233))
+    write_exr(scratch / "resized.exr", 320, 200, 0.5)
+    golden(program, "run", scratch / "suite.json", "-o", scratch / "out", status=1)
+    return scratch / "out/report.html"
+
+
 def open_page(browser, report, **options):
     """The page, and the list that its errors go to."""
     page = browser.new_page(**options)
@@ -86,26 +122,27 @@ def check_content(page):
     assert EVIL in page.locator("article h2").text_content()
     assert page.locator("img, b, nav script").count() == 0, "a name became markup"
     assert "pi_missing" in page.locator(".diagnosis").text_content()
-    assert page.locator("canvas").count() == 3
+    assert page.locator("article canvas").count() == 3
     commands = page.locator(".command").all_text_contents()
     assert any("golden approve" in c for c in commands) and any("steradian render" in c for c in commands), commands
     choose(page, "broken")
-    assert "boom" in page.locator("pre").text_content() and page.locator("canvas").count() == 0
+    assert "boom" in page.locator("pre").text_content() and page.locator("article canvas").count() == 0
     choose(page, "new")
-    assert page.locator("canvas").count() == 1 and "no golden" in page.locator("article h2").text_content()
+    assert page.locator("article canvas").count() == 1 and "no golden" in page.locator("article h2").text_content()
 
 
 def check_pixels(page, program, report):
     """The value under the cursor is the candidate's, linear."""
     choose(page, "new")  # the sun on white Lambert: E/π everywhere
-    page.locator("canvas").hover(position={"x": 20, "y": 20})
+    page.locator("article canvas").hover(position={"x": 20, "y": 20})
     cells = page.locator(".readout td").all_text_contents()
     for found, true in zip(map(float, cells), (0.95493, 0.859437, 0.763944)):
         assert abs(found / true - 1) < 1e-3, cells
     choose(page, "onerror")
-    page.locator("canvas").first.hover(position={"x": 30, "y": 30})
-    ratios = [float(text) for text in page.locator(".readout tr").nth(4).locator("td").all_text_contents()]
-    assert all(abs(ratio / 3.14159 - 1) < 2e-3 for ratio in ratios), ratios
+    page.locator("article canvas").first.hover(position={"x": 30, "y": 30})
+    *ratios, alpha = [float(text) for text in page.locator(".readout tr").nth(4).locator("td").all_text_contents()]
+    assert len(ratios) == 3 and all(abs(ratio / 3.14159 - 1) < 2e-3 for ratio in ratios), ratios
+    assert alpha == 1, alpha
 
 
 def check_keyboard(page):
@@ -119,7 +156,7 @@ def check_keyboard(page):
     page.keyboard.press("Space")
     assert caption.text_content() != before, "flicker does not change by hand"
     page.keyboard.press("2")
-    width = "parseFloat(document.querySelector('canvas').style.width)"
+    width = "parseFloat(document.querySelector('article canvas').style.width)"
     page.keyboard.press("0")
     for _ in range(8):
         page.keyboard.press("+")
@@ -127,7 +164,7 @@ def check_keyboard(page):
     for _ in range(5):
         page.keyboard.press("-")
     assert page.evaluate(width) == 24 * 2, page.evaluate(width)
-    pixel = "Array.from(document.querySelector('canvas').getContext('2d').getImageData(5, 5, 1, 1).data)"
+    pixel = "Array.from(document.querySelector('article canvas').getContext('2d').getImageData(5, 5, 1, 1).data)"
     before = page.evaluate(pixel)
     page.keyboard.press("[")
     assert page.evaluate(pixel)[0] < before[0], "a lower exposure is not darker"
@@ -142,6 +179,61 @@ def check_keyboard(page):
     assert page.locator("nav button:visible").count() == 3
 
 
+def check_review(page, program, report, scratch):
+    """What is approved and rejected in the page is what approve reads."""
+    choose(page, "onerror")
+    page.keyboard.press("x")
+    choose(page, "new")
+    page.locator("button[data-decides=approved]").click()
+    with page.expect_download() as download:
+        page.locator(".review button").click()
+    file = scratch / "review.json"
+    download.value.save_as(file)
+    review = json.loads(file.read_text())
+    assert [test["name"] for test in review["approved"]] == ["new"], review
+    assert [test["name"] for test in review["rejected"]] == [EVIL.replace("/", "")], review
+    command = page.locator(".review code").text_content()
+    assert "--failed-as-reviewed review.json" in command, command
+    golden(program, "approve", scratch / "suite.json", "-o", report.parent, "--failed-as-reviewed", file, "--dry-run", "--force")
+
+
+def check_places(page):
+    """The single pixel that is not finite is found, and enlarged."""
+    page.wait_for_selector("article .box")
+    assert "1 failing place" in page.locator(".bar").text_content()
+    page.keyboard.press("n")
+    text = page.locator(".bar").text_content()
+    assert "1 not finite" in text and "(401, 233)" in text, text
+    assert "(401, 233)" in page.locator(".readout").text_content()
+    marker, stage = (page.locator(f"article {what}").first.bounding_box() for what in (".box", ".stage"))
+    assert stage["x"] <= marker["x"] <= stage["x"] + stage["width"], (marker, stage)
+    assert stage["y"] <= marker["y"] <= stage["y"] + stage["height"], (marker, stage)
+    before = page.locator("article canvas").first.bounding_box()["width"]
+    page.locator(".stage").first.hover()
+    page.mouse.wheel(0, 300)
+    page.wait_for_timeout(50)
+    assert page.locator("article canvas").first.bounding_box()["width"] < before, "the wheel does not zoom"
+
+
+def check_sizes(page):
+    """A golden of another size is shown beside the test."""
+    choose(page, "resized")
+    assert page.locator("article canvas").count() == 2
+    page.keyboard.press("3")
+    assert page.evaluate("document.querySelector('article canvas').width") == 640
+
+
+def check_search(page):
+    page.keyboard.press("/")
+    page.keyboard.type("boom")
+    assert page.locator("nav button:visible").count() == 1
+    page.keyboard.press("Escape")
+    assert page.locator("nav button:visible").count() == 4
+    page.locator("header .counts button", has_text="passed").click()
+    assert page.locator("nav button:visible").count() == 1
+    page.locator("header .counts button", has_text="passed").click()
+
+
 def check_width(page):
     overflow = page.evaluate("document.documentElement.scrollWidth - document.documentElement.clientWidth")
     assert overflow <= 0, f"the page is {overflow} pixels too wide"
@@ -152,6 +244,7 @@ def main():
     shutil.rmtree(scratch, ignore_errors=True)
     scratch.mkdir(parents=True)
     report = make_run(program, source, scratch)
+    nan_report = make_nan_run(program, scratch / "nan")
     with sync_playwright() as playwright:
         arguments = ["--no-sandbox"] if os.geteuid() == 0 else []
         browser = playwright.chromium.launch(executable_path=CHROMIUM, args=arguments)
@@ -164,8 +257,16 @@ def main():
             check_width(page)
             page.screenshot(path=scratch / f"{name}.png", full_page=name == "phone")
             check_content(page)
+            check_search(page)
             check_pixels(page, program, report)
+            check_review(page, program, report, scratch)
             check_keyboard(page)
+            assert not errors, errors
+        for size in ((1280, 860), (390, 844)):
+            page, errors = open_page(browser, nan_report, viewport={"width": size[0], "height": size[1]})
+            check_width(page)
+            check_places(page)
+            check_sizes(page)
             assert not errors, errors
         page = browser.new_page(java_script_enabled=False)
         page.goto(report.as_uri())

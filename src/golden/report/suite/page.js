@@ -1,47 +1,150 @@
-// The page: the list of tests, the chosen one, the keyboard.
+// The page: the list of tests, the chosen one, what a person decides about them, the keyboard.
 const data = JSON.parse(document.getElementById("data").textContent);
 
 const outcome_words = { passed: "passed", differs: "differs", missing: "no golden", broken: "broken", flaky: "flaky" };
 
+const nearly = 0.8; // of the limit: a test that passed, but not by much
+
 const page = {
   chosen: -1,
   only_failures: false,
+  kind: "", // an outcome or "nearly"; empty: all
+  words: "",
   viewer: null,
+  decisions: new Map(), // of tests: "approved" or "rejected"
   list: element("nav", { ariaLabel: "tests" }),
   article: element("article", { tabIndex: -1 }),
 };
+
+const is_nearly_failed = (test) => test.outcome === "passed" && test.largest_error_over_limit > nearly;
+const is_decidable = (test) => test.candidate_sha256 !== "" && !["passed", "flaky"].includes(test.outcome);
 
 function badge(outcome) {
   return element("span", { classes: `badge ${outcome}`, textContent: outcome_words[outcome] });
 }
 
+/** A count that shows only its tests when it is pressed. */
+function count_button(kind, text, count) {
+  const button = element("button", { type: "button", classes: `badge ${kind}`, textContent: `${count} ${text}`, title: "show these alone" });
+  button.dataset.kind = kind;
+  button.onclick = () => {
+    page.kind = page.kind === kind ? "" : kind;
+    fill_list();
+  };
+  return button;
+}
+
 function header() {
   const counts = Object.keys(outcome_words)
-    .map((outcome) => [outcome, data.tests.filter((test) => test.outcome === outcome).length])
-    .filter(([, count]) => count > 0)
-    .map(([outcome, count]) => element("span", { classes: `badge ${outcome}`, textContent: `${count} ${outcome_words[outcome]}` }));
+    .map((outcome) => [outcome, outcome_words[outcome], data.tests.filter((test) => test.outcome === outcome).length])
+    .concat([["nearly", "nearly failed", data.tests.filter(is_nearly_failed).length]])
+    .filter(([, , count]) => count > 0)
+    .map(([kind, text, count]) => count_button(kind, text, count));
   const failures = element("button", { type: "button", textContent: "f failures only" });
   failures.onclick = () => toggle_failures();
   page.failures_button = failures;
+  page.count_buttons = counts;
+  page.search = element("input", { type: "search", placeholder: "/ name or tag", ariaLabel: "search for a name or a tag" });
+  page.search.oninput = () => search_for(page.search.value);
   return element(
     "header",
     {},
     element("h1", { textContent: data.suite }),
     element("div", { classes: "counts" }, ...counts),
+    page.search,
     failures,
-    element("details", { classes: "help" }, element("summary", { textContent: "? keys" }), help_table())
+    element("details", { classes: "help" }, element("summary", { textContent: "? keys" }), help_table()),
+    run_node()
   );
+}
+
+/** Where and when the run was, and what it leaves over. */
+function run_node() {
+  const parts = [];
+  const add = (text) => text && parts.push(element("span", { textContent: text }));
+  if (data.run) {
+    add(data.run.commit && `commit ${data.run.commit.slice(0, 12)}${data.run.branch ? ` (${data.run.branch})` : ""}`);
+    add(data.run.began.replace("T", " ").replace("Z", " UTC"));
+    add(data.run.host);
+    add(`${data.run.seconds.toFixed(1)} s`);
+    if (data.run.link) parts.push(element("a", { href: data.run.link, rel: "noreferrer", textContent: "CI job" }));
+  }
+  if (data.orphans.length)
+    parts.push(
+      element(
+        "details",
+        {},
+        element("summary", { textContent: `${data.orphans.length} golden${data.orphans.length === 1 ? "" : "s"} of no test` }),
+        element("pre", { textContent: data.orphans.join("\n") })
+      )
+    );
+  return element("p", { classes: "run quiet" }, ...parts);
+}
+
+/** The bar with the decisions: how many, the file, and the command that reads it. */
+function review_bar() {
+  const of = (decision) => [...page.decisions].filter(([, d]) => d === decision).map(([test]) => test);
+  const [approved, rejected] = [of("approved"), of("rejected")];
+  page.review.hidden = !approved.length && !rejected.length;
+  const entry = ({ name, candidate_sha256 }) => ({ name, candidate_sha256 });
+  const review = { steradian_golden_review: 1, suite: data.suite, approved: approved.map(entry), rejected: rejected.map(entry) };
+  const save = element("button", { type: "button", textContent: "save review.json" });
+  save.onclick = () => {
+    const link = element("a", { href: URL.createObjectURL(new Blob([JSON.stringify(review, null, 1)], { type: "application/json" })), download: "review.json" });
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(link.href), 60000);
+  };
+  page.review.replaceChildren(
+    element("span", { textContent: `${approved.length} approved, ${rejected.length} rejected` }),
+    save,
+    element("code", { textContent: `${data.approve} review.json` })
+  );
+}
+
+function decide(test, decision) {
+  if (!is_decidable(test)) return;
+  if (page.decisions.get(test) === decision) page.decisions.delete(test);
+  else page.decisions.set(test, decision);
+  show_decisions();
+}
+
+/** Approves or rejects all tests that the list shows. */
+function decide_all(decision) {
+  for (const test of data.tests) if (is_listed(test) && is_decidable(test)) page.decisions.set(test, decision);
+  show_decisions();
+}
+
+function show_decisions() {
+  for (const button of page.list.querySelectorAll("button[data-index]")) button.dataset.decision = page.decisions.get(data.tests[button.dataset.index]) || "";
+  for (const button of page.article.querySelectorAll("button[data-decides]"))
+    button.setAttribute("aria-pressed", page.decisions.get(data.tests[page.chosen]) === button.dataset.decides);
+  review_bar();
+}
+
+function decision_buttons(test) {
+  if (!is_decidable(test)) return "";
+  const button = (decision, textContent) => {
+    const node = element("button", { type: "button", textContent, onclick: () => decide(test, decision) });
+    node.dataset.decides = decision;
+    node.setAttribute("aria-pressed", page.decisions.get(test) === decision);
+    return node;
+  };
+  return element("div", { classes: "buttons decisions" }, button("approved", "y approve"), button("rejected", "x reject"));
 }
 
 function help_table() {
   const keys = [
     ["j k", "next, previous test"],
-    ["1 … 6", "side by side, test, golden, difference, swipe, flicker"],
-    ["+ − 0", "larger, smaller, fit"],
+    ["1 … 7", "side by side, test, golden, difference, swipe, flicker, limits"],
+    ["n p", "next, previous failing place"],
+    ["+ − 0", "larger, smaller, fit (also: wheel, pinch, drag)"],
+    ["a", "alpha: off, over squares, alone"],
     ["[ ]", "darker, brighter"],
     ["← ↑ → ↓", "the pixel beside (with Shift: ten further)"],
     ["space", "in flicker: change by hand"],
     ["f", "failures only"],
+    ["/", "search"],
+    ["y x", "approve, reject (again: undecided)"],
   ];
   const row = ([key, what]) => element("tr", {}, element("th", { textContent: key }), element("td", { textContent: what }));
   return element("table", {}, ...keys.map(row));
@@ -53,20 +156,70 @@ function toggle_failures() {
   fill_list();
 }
 
+function search_for(words) {
+  page.search.value = words;
+  page.words = words.toLowerCase();
+  fill_list();
+}
+
+/** Whether the list shows a test: by its outcome, and each word in its name, tags or message. */
+function is_listed(test) {
+  if (page.only_failures && test.outcome === "passed") return false;
+  if (page.kind && !(page.kind === "nearly" ? is_nearly_failed(test) : test.outcome === page.kind)) return false;
+  const text = [test.name, ...test.tags, test.message].join("\n").toLowerCase();
+  return page.words.split(/\s+/).every((word) => text.includes(word));
+}
+
+/** Paints a small picture of a test once it is seen. */
+const thumbnails = new IntersectionObserver((entries) => {
+  for (const entry of entries) {
+    if (!entry.isIntersecting) continue;
+    thumbnails.unobserve(entry.target);
+    paint_thumbnail(entry.target, data.tests[entry.target.dataset.index]).catch(() => (entry.target.hidden = true));
+  }
+});
+
+async function paint_thumbnail(canvas, test) {
+  const image = await unpacked(test.test);
+  const whole = element("canvas", {});
+  paint_picture(whole, image, test.is_display_referred ? 1 : automatic_exposure(image), test.is_display_referred, "off");
+  const factor = Math.min(canvas.width / whole.width, canvas.height / whole.height);
+  const [width, height] = [whole.width * factor, whole.height * factor];
+  canvas.getContext("2d").drawImage(whole, (canvas.width - width) / 2, (canvas.height - height) / 2, width, height);
+}
+
+/** A test of the list. It is made once: thumbnails stay. */
+function entry_of(test, index) {
+  const thumbnail = element("canvas", { width: 96, height: 72, classes: "thumbnail" });
+  thumbnail.dataset.index = index;
+  if (test.test) thumbnails.observe(thumbnail);
+  const button = element(
+    "button",
+    { type: "button", onclick: () => choose(index) },
+    thumbnail,
+    element("span", { classes: "name" }, badge(test.outcome), test.name)
+  );
+  button.dataset.index = index;
+  return button;
+}
+
 function fill_list() {
-  const entries = data.tests.map((test, index) => {
-    const button = element(
-      "button",
-      { type: "button", onclick: () => choose(index) },
-      badge(test.outcome),
-      element("span", { classes: "name", textContent: test.name })
-    );
-    button.dataset.index = index;
-    button.hidden = page.only_failures && test.outcome === "passed";
+  page.entries = page.entries || data.tests.map(entry_of);
+  let count = 0;
+  for (const [index, button] of page.entries.entries()) {
+    button.hidden = !is_listed(data.tests[index]);
+    if (!button.hidden) ++count;
     if (index === page.chosen) button.setAttribute("aria-current", "true");
-    return button;
-  });
-  page.list.replaceChildren(...entries);
+  }
+  for (const button of page.count_buttons) button.setAttribute("aria-pressed", button.dataset.kind === page.kind);
+  const decidable = data.tests.filter((test) => is_listed(test) && is_decidable(test)).length;
+  const all = (decision, text) => element("button", { type: "button", textContent: `${text} ${decidable}`, onclick: () => decide_all(decision) });
+  page.list_head.replaceChildren(
+    element("span", { classes: "quiet", textContent: `${count} of ${data.tests.length}` }),
+    ...(decidable > 1 ? [all("approved", "approve all"), all("rejected", "reject all")] : [])
+  );
+  if (!page.list.childElementCount) page.list.append(...page.entries);
+  show_decisions();
 }
 
 function metric_text(value) {
@@ -122,6 +275,17 @@ function renderer_node(renderer) {
   return element("p", { classes: same ? "quiet" : "quiet other", textContent: text });
 }
 
+/** Tags as buttons that search for them, the duration, and whether the result is an earlier run's. */
+function tags_node(test) {
+  const tag = (text) => element("button", { type: "button", classes: "tag", textContent: text, onclick: () => search_for(text) });
+  const texts = [];
+  if (test.seconds !== undefined) texts.push(`${test.seconds.toFixed(2)} s`);
+  if (is_nearly_failed(test)) texts.push(`nearly failed: ${metric_text(test.largest_error_over_limit)} of the limit`);
+  if (test.is_earlier) texts.push("of an earlier run: this one left it out");
+  if (!test.tags.length && !texts.length) return "";
+  return element("p", { classes: "tags quiet" }, ...test.tags.map(tag), ...texts.map((textContent) => element("span", { textContent })));
+}
+
 async function pictures(test) {
   if (!test.test) {
     const why = test.images_left_out ? "The report is full: look at the files in candidates/." : "There is no image to show.";
@@ -131,8 +295,7 @@ async function pictures(test) {
     const images = { test: await unpacked(test.test), is_display_referred: test.is_display_referred };
     if (test.golden === "equal") images.golden = images.test;
     else if (test.golden) images.golden = await unpacked(test.golden);
-    const is_comparable = images.golden && images.golden.width === images.test.width && images.golden.height === images.test.height;
-    if (images.golden && !is_comparable) delete images.golden;
+    if (test.errors) images.errors = await unpacked_errors(test.errors);
     page.viewer = new Viewer(images);
     return page.viewer.node;
   } catch (error) {
@@ -145,7 +308,7 @@ async function choose(index) {
   page.chosen = index;
   if (page.viewer) page.viewer.end();
   page.viewer = null;
-  for (const button of page.list.children) {
+  for (const button of page.entries) {
     if (Number(button.dataset.index) === index) button.setAttribute("aria-current", "true");
     else button.removeAttribute("aria-current");
   }
@@ -155,12 +318,15 @@ async function choose(index) {
   if (page.chosen !== index) return; // another was chosen meanwhile
   page.article.replaceChildren(
     element("h2", {}, badge(test.outcome), test.name),
+    tags_node(test),
     ...(test.description ? [element("p", { textContent: test.description })] : []),
     ...(test.message ? [element("p", { classes: "message", textContent: test.message })] : []),
+    decision_buttons(test),
     view,
     ...comparison_nodes(test.comparison),
     ...command_nodes(test),
     renderer_node(test.renderer),
+    ...(test.attempts.length ? [element("details", { open: true }, element("summary", { textContent: `${test.attempts.length} attempts failed before` }), element("pre", { textContent: test.attempts.join("\n") }))] : []),
     ...(test.log ? [element("details", {}, element("summary", { textContent: "log" }), element("pre", { textContent: test.log }))] : [])
   );
   if (page.viewer) page.viewer.draw();
@@ -170,13 +336,21 @@ async function choose(index) {
 
 function step_test(by) {
   let index = page.chosen + by;
-  while (data.tests[index] && page.only_failures && data.tests[index].outcome === "passed") index += by;
+  while (data.tests[index] && !is_listed(data.tests[index])) index += by;
   choose(index);
 }
 
 function on_key(event) {
   if (!is_for_page(event)) return;
-  const page_actions = { j: () => step_test(1), k: () => step_test(-1), f: toggle_failures };
+  const chosen = data.tests[page.chosen];
+  const page_actions = {
+    j: () => step_test(1),
+    k: () => step_test(-1),
+    f: toggle_failures,
+    "/": () => page.search.focus(),
+    y: () => chosen && decide(chosen, "approved"),
+    x: () => chosen && decide(chosen, "rejected"),
+  };
   const action = page_actions[event.key] || (page.viewer && viewer_key(page.viewer, event));
   if (!action) return;
   event.preventDefault();
@@ -185,10 +359,17 @@ function on_key(event) {
 
 function start() {
   const main = document.getElementById("page");
-  main.replaceChildren(header(), element("div", { classes: "columns" }, page.list, page.article));
+  page.review = element("div", { classes: "review", hidden: true });
+  page.list_head = element("div", { classes: "list_head" });
+  const aside = element("aside", {}, page.list_head, page.list);
+  main.replaceChildren(header(), element("div", { classes: "columns" }, aside, page.article), page.review);
   fill_list();
   document.addEventListener("keydown", on_key);
   free_keyboard_after_clicks();
+  page.search.addEventListener("keydown", (event) => {
+    if (event.key === "Escape") search_for("");
+    if (event.key === "Escape" || event.key === "Enter") page.search.blur();
+  });
   window.addEventListener("resize", () => page.viewer && page.viewer.draw());
   const wanted = decodeURIComponent(location.hash.slice(1));
   choose(Math.max(0, data.tests.findIndex((test) => test.name === wanted)));
