@@ -376,7 +376,7 @@ ordered_json Examiner::parameter_question() {
                       return scene.find("{{" + change.parameter + "}}") != std::string::npos;
                   });
     shuffle(others, random_);
-    changes.resize(std::min<std::size_t>(changes.size(), max_tries / 2));
+    changes.resize(std::min<std::size_t>(changes.size(), max_tries));
     changes.insert(changes.end(), others.begin(), others.end());
     for (const SceneChange& change : changes)
         if (const auto question = effect_of(change)) return *question;
