@@ -4,10 +4,11 @@ set(CPACK_PACKAGE_VENDOR "Steradian developers")
 set(CPACK_PACKAGE_CONTACT "Steradian developers <developers@steradian.example>")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "renderer for direct illumination in physical units")
 set(CPACK_PACKAGE_DESCRIPTION
-    "Steradian renders glTF scenes under their own lights by OpenGL, with or without a GPU or a display.
-Every pixel is a radiance in cd/m², and can be checked against the equation that it evaluates.
-It also compares pictures, runs suites of golden images, and has a course in which students write
-the terms of the equation in GLSL.")
+    "Steradian renders glTF scenes under their own lights by OpenGL, with or
+without a GPU or a display. Every pixel is a radiance in cd/m², and can be
+checked against the equation that it evaluates. It also compares pictures,
+runs suites of golden images, and has a course in which students write the
+terms of the equation in GLSL.")
 set(CPACK_STRIP_FILES ON)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ
                                                 WORLD_EXECUTE)
