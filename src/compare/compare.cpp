@@ -162,7 +162,8 @@ void judge_layer(const JudgedLayer& layer, const CompareOptions& options, Compar
                  LayerCount& count) {
     const AlignedImages& images = layer.images;
     ++count.compared;
-    const std::vector<Image> noise = noise_of(options.noise, layer.channels);
+    const std::vector<Image> noise =
+        layer.channels.empty() ? std::vector<Image>{} : noise_of(options.noise, layer.channels);
     if (noise.empty() && !options.noise.empty())
         count.without_noise += (count.without_noise.empty() ? "" : ", ") + layer.title;
     const auto add = [&](const Verdict& verdict) {
@@ -192,6 +193,25 @@ void judge_layer(const JudgedLayer& layer, const CompareOptions& options, Compar
     }
 }
 
+/// Leaves out the pixels beside which the alpha of the reference changes: other samples cover its edges
+/// otherwise, and few seeds may agree there by chance.
+AlignedImages without_edges(AlignedImages alpha) {
+    const Image& reference = alpha.reference;
+    const auto is_even = [&](int x, int y) {
+        for (int v = std::max(y - 1, 0); v <= std::min(y + 1, reference.height - 1); ++v)
+            for (int u = std::max(x - 1, 0); u <= std::min(x + 1, reference.width - 1); ++u)
+                if (reference.at(u, v)[0] != reference.at(x, y)[0]) return false;
+        return true;
+    };
+    std::erase_if(alpha.compared, [&](std::size_t i) {
+        const bool is_left_out =
+            !is_even(static_cast<int>(i) % reference.width, static_cast<int>(i) / reference.width);
+        if (is_left_out) alpha.pixels[i] = PixelState::excluded;
+        return is_left_out;
+    });
+    return alpha;
+}
+
 /// Judges all channels of the reference but the picture's colours: none may be missing. Without known noise
 /// alpha is judged with the colours.
 void judge_other_channels(const AlignedImages& images, const Image& test, const Image& reference,
@@ -200,8 +220,8 @@ void judge_other_channels(const AlignedImages& images, const Image& test, const 
     const std::size_t before = comparison.verdicts.size();
     LayerCount count;
     if (!options.noise.empty() && images.reference.channels > images.colors) {
-        const std::string name = options.layer.empty() ? "A" : options.layer + ".A";
-        judge_layer({"alpha", {name}, alpha_of(images), {1.0}}, options, comparison, count);
+        const JudgedLayer alpha{"alpha", {}, without_edges(alpha_of(images)), {1.0}};
+        if (!alpha.images.compared.empty()) judge_layer(alpha, options, comparison, count);
     }
     if (options.layer.empty())
         for (const OtherLayer& layer : other_layers(test, reference)) {

@@ -121,13 +121,19 @@ bool is_explained(const AlignedImages& images, std::size_t pixel,
 }
 
 /// True if there are too many places in a line, or too many at equal distances, as no edge that fell to the
-/// other side has them. The places are sorted.
+/// other side has them: all of them, or a run of them further apart than chance packs them. The places are
+/// sorted.
 bool are_too_many(const std::vector<std::size_t>& places) {
+    constexpr std::size_t min_distance = 4; // [pixels] of a run
     if (places.size() > max_in_line) return true;
-    if (places.size() <= max_in_rhythm || places[1] == places[0] + 1) return false; // a cluster has no rhythm
-    for (std::size_t k = 2; k < places.size(); ++k)
-        if (places[k] - places[k - 1] != places[1] - places[0]) return false;
-    return true;
+    std::size_t run = 1;
+    for (std::size_t k = 1; k < places.size(); ++k) {
+        const std::size_t distance = places[k] - places[k - 1];
+        run = k > 1 && distance == places[k - 1] - places[k - 2] ? run + 1 : 2;
+        const bool are_all = run == places.size() && distance > 1; // those of a cluster touch
+        if (run > max_in_rhythm && (are_all || distance >= min_distance)) return true;
+    }
+    return false;
 }
 
 bool are_in_line(const std::unordered_set<std::size_t>& pixels, std::size_t width) {
