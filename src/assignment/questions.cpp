@@ -100,7 +100,7 @@ Examiner::Examiner(const Assignment& assignment, const Submission& submission, c
     : assignment_(assignment),
       student_(student),
       parameters_(parameters_of(assignment, student)),
-      pictures_(assignment_, parameters_),
+      pictures_(assignment_, parameters_, known_),
       marker_(assignment, student),
       view_(view_of(assignment)),
       random_(number_of(seed.empty() ? student : seed)) {
@@ -167,7 +167,7 @@ std::optional<vec3> Examiner::value_at(const Place& place, const Codes& codes, i
         render::Renderer renderer(*pictures_.shown(view_).gpu, stage().camera, options);
         renderer.use_lights(first, end);
         for (int i = 0; i < view_.samples; ++i) renderer.add_sample();
-        return rgb_at(renderer.film(), place.x, place.y);
+        return rgb_at(renderer.read_film(), place.x, place.y);
     } catch (const gl::ShaderError&) {
     } catch (const glsl::LoopError&) {
     }
@@ -182,7 +182,7 @@ Examiner::Place Examiner::interesting_place() {
         renderer.clear();
         renderer.use_lights(static_cast<int>(first), static_cast<int>(end));
         for (int i = 0; i < view_.samples; ++i) renderer.add_sample();
-        return renderer.film();
+        return renderer.read_film();
     };
     const image::Image whole = film_of(0, stage().lights.size()), dark = film_of(0, 0);
     const double floor = 1e-4 * mean_of(whole);

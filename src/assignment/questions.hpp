@@ -49,6 +49,7 @@ private:
     const Assignment& assignment_;
     std::string student_;
     Parameters parameters_;
+    ReferenceValues known_;
     Pictures pictures_;
     Marker marker_;
     Codes codes_; // of all tasks that have marks

@@ -72,7 +72,7 @@ ordered_json test_picture() {
     options.samples = 1; // the middle of each pixel
     render::Renderer renderer(gpu_scene, camera_from_above(), options);
     renderer.add_sample();
-    const image::Image film = renderer.film();
+    const image::Image film = renderer.read_film();
     double error = 0.0;
     for (int row = 0; row < edge; ++row) {
         for (int column = 0; column < edge; ++column) {

@@ -261,7 +261,7 @@ std::string_view telling_output(std::string_view text) {
 Source Expansion::take() {
     // The functions of one untrusted file may call those of another.
     if (has_several_untrusted_)
-        require_low_costs(tokens_of(untrusted_code_, untrusted_place_), untrusted_place_);
+        require_low_costs(tokenize(untrusted_code_, untrusted_place_), untrusted_place_);
     if (source_.loops.empty()) return std::move(source_);
     const std::string_view out = telling_output(source_.text);
     const std::string before = std::string(turn_counter()) + std::string(out.empty() ? "" : main_renamed());

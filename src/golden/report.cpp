@@ -239,7 +239,7 @@ std::string summary_markdown(const RunResult& result, const std::optional<RunRec
     for (std::size_t i = 0; i < tests.size() && tests[i]->outcome != Outcome::passed; ++i) {
         if (text.size() > max_size - 2000) return text + "\n… and further tests: see the report.\n";
         text += fmt::format("| {} | {} | {} |\n", name_of(tests[i]->outcome), cell(tests[i]->name),
-                            cell(shortened(tests[i]->message, max_message)));
+                            cell(shorten(tests[i]->message, max_message)));
     }
     return text;
 }

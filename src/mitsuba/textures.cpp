@@ -1,7 +1,7 @@
 #include "mitsuba/textures.hpp"
 
+#include "image/display.hpp"
 #include "image/file.hpp"
-#include "image/srgb.hpp"
 #include "mitsuba/new_folder.hpp"
 
 #include <algorithm>

@@ -21,7 +21,7 @@
 
 namespace sr::viewer {
 
-using Question = nlohmann::ordered_json; // of assignment/questions.hpp
+using TickQuestion = nlohmann::ordered_json; // of assignment/questions.hpp
 
 class Tick : public Tool {
 public:
@@ -37,14 +37,14 @@ private:
     Changes go_to_next();
     Changes try_change();
     Changes take_back();
-    Changes apply_to_code(const Question& facts);
-    Changes apply_to_scene(const Question& facts);
-    Changes go_to_pixel(const Question& facts);
-    void draw_question(const Question& question);
+    Changes apply_to_code(const TickQuestion& facts);
+    Changes apply_to_scene(const TickQuestion& facts);
+    Changes go_to_pixel(const TickQuestion& facts);
+    void draw_question(const TickQuestion& question);
 
     std::stop_source stop_;
-    std::future<Question> making_; // the examination
-    std::vector<Question> questions_;
+    std::future<TickQuestion> making_; // the examination
+    std::vector<TickQuestion> questions_;
     std::vector<std::string> missing_;
     std::filesystem::path scratch_; // changed files; made when first needed
     std::string own_scene_;         // the scene while another one is shown; empty: it is shown
@@ -63,7 +63,7 @@ std::filesystem::path made_folder() {
 }
 
 /// The file with the changed line. @throws Error if the student has changed that line since
-std::string with_line(const std::filesystem::path& file, const Question& line) {
+std::string with_line(const std::filesystem::path& file, const TickQuestion& line) {
     std::string text = read_text(file);
     std::size_t begin = 0;
     for (int i = 1; i < line["line"].get<int>(); ++i) begin = text.find('\n', begin) + 1;
@@ -88,14 +88,14 @@ Tick::Tick(Workspace& workspace) : Tool(workspace) {
     const std::filesystem::path submission = ws_.options.submission;
     options.grading->assignment =
         std::filesystem::absolute(assignment::assignment_of(assignment::label_of(submission)));
-    making_ = std::async(std::launch::async, [submission, options]() -> Question {
+    making_ = std::async(std::launch::async, [submission, options]() -> TickQuestion {
         try {
             if (auto examination = assignment::examine(submission, options, ""))
                 return *std::move(examination);
         } catch (const Error& error) {
-            return {{"questions", Question::array()}, {"missing", {error.what()}}};
+            return {{"questions", TickQuestion::array()}, {"missing", {error.what()}}};
         }
-        return {{"questions", Question::array()}, {"missing", Question::array()}};
+        return {{"questions", TickQuestion::array()}, {"missing", TickQuestion::array()}};
     });
 }
 
@@ -108,8 +108,8 @@ Tick::~Tick() {
 
 Changes Tick::update(double /*seconds*/) {
     if (!making_.valid() || making_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return {};
-    const Question examination = making_.get();
-    questions_ = examination["questions"].get<std::vector<Question>>();
+    const TickQuestion examination = making_.get();
+    questions_ = examination["questions"].get<std::vector<TickQuestion>>();
     missing_ = examination["missing"].get<std::vector<std::string>>();
     ws_.messages.notify(fmt::format("{} questions. J: next, U: answer, I: try it.", questions_.size()));
     return Change::redraw;
@@ -135,14 +135,14 @@ Changes Tick::go_to_next() {
     const Changes changes = is_changed_ ? take_back() : Changes(Change::redraw);
     at_ = (at_ + 1) % questions_.size();
     shows_answer_ = false;
-    ws_.messages.notify(fmt::format("Question {} of {}.", at_ + 1, questions_.size()));
+    ws_.messages.notify(fmt::format("TickQuestion {} of {}.", at_ + 1, questions_.size()));
     return changes;
 }
 
 /// Goes to the question's pixel, or makes its change.
 Changes Tick::try_change() {
-    const Question& question = questions_[at_];
-    const Question& facts = question["facts"];
+    const TickQuestion& question = questions_[at_];
+    const TickQuestion& facts = question["facts"];
     if (question["kind"] == "pixel") return go_to_pixel(facts);
     if (question["kind"] == "parameter") return apply_to_scene(facts);
     if (!facts["line"].is_null()) return apply_to_code(facts["line"]);
@@ -150,8 +150,8 @@ Changes Tick::try_change() {
     return Change::redraw;
 }
 
-Changes Tick::go_to_pixel(const Question& facts) {
-    const Question& x = facts["terms"]["x"];
+Changes Tick::go_to_pixel(const TickQuestion& facts) {
+    const TickQuestion& x = facts["terms"]["x"];
     const auto place = ws_.projection()(vec3(x[0].get<float>(), x[1].get<float>(), x[2].get<float>()));
     if (!place)
         ws_.messages.notify("The pixel is out of view. 0 goes back to the file's camera.");
@@ -161,7 +161,7 @@ Changes Tick::go_to_pixel(const Question& facts) {
 }
 
 /// Shows the scene by the student's code with a line replaced, or another parameter.
-Changes Tick::apply_to_code(const Question& line) {
+Changes Tick::apply_to_code(const TickQuestion& line) {
     if (scratch_.empty()) scratch_ = made_folder();
     const std::filesystem::path folder = scratch_ / "shaders";
     std::filesystem::create_directories(folder);
@@ -175,7 +175,7 @@ Changes Tick::apply_to_code(const Question& line) {
     return changes;
 }
 
-Changes Tick::apply_to_scene(const Question& facts) {
+Changes Tick::apply_to_scene(const TickQuestion& facts) {
     const std::string pointer = facts["pointer"];
     if (pointer.empty()) {
         const std::filesystem::path file = std::filesystem::path(ws_.options.submission) / "parameters.glsl";
@@ -193,8 +193,8 @@ Changes Tick::apply_to_scene(const Question& facts) {
     }
     if (scratch_.empty()) scratch_ = made_folder();
     own_scene_ = ws_.scene->loaded().file;
-    auto gltf = Question::parse(read_text(own_scene_));
-    gltf[Question::json_pointer(pointer)] = facts["to"];
+    auto gltf = TickQuestion::parse(read_text(own_scene_));
+    gltf[TickQuestion::json_pointer(pointer)] = facts["to"];
     const std::filesystem::path file = scratch_ / std::filesystem::path(own_scene_).filename();
     image::write_text(file, gltf.dump());
     is_changed_ = true;
@@ -214,14 +214,14 @@ Changes Tick::take_back() {
     return ws_.reload_shaders();
 }
 
-void Tick::draw_question(const Question& question) {
+void Tick::draw_question(const TickQuestion& question) {
     const auto put = [](const std::string& text) { ImGui::TextUnformatted(in_plain_letters(text).c_str()); };
     put(question["ask"]);
     ImGui::Separator();
     if (!shows_answer_)
         ImGui::TextDisabled("U shows the answer.");
     else
-        for (const Question& line : question["answer"]) put("- " + line.get<std::string>());
+        for (const TickQuestion& line : question["answer"]) put("- " + line.get<std::string>());
     ImGui::Separator();
     ImGui::TextDisabled(question["kind"] == "pixel" ? "I probes the pixel."
                                                     : "I makes the change, and takes it back.");
@@ -237,7 +237,7 @@ Changes Tick::draw(const Overlay& overlay) {
         ImGui::PushTextWrapPos();
         if (making_.valid()) ImGui::TextDisabled("Questions are being made ...");
         if (!questions_.empty()) {
-            ImGui::TextUnformatted(fmt::format("Question {} of {}: {}", at_ + 1, questions_.size(),
+            ImGui::TextUnformatted(fmt::format("TickQuestion {} of {}: {}", at_ + 1, questions_.size(),
                                                questions_[at_]["title"].get<std::string>())
                                        .c_str());
             draw_question(questions_[at_]);
