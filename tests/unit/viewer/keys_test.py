@@ -31,7 +31,7 @@ def camera_of(viewer: Viewer) -> str:
 
 def azerty(viewer: Viewer):
     """A is where Q is on a US keyboard. Ctrl A does not quit, A frames all; Z flies, because it is where W is."""
-    viewer.key("ctrl+a", "t")
+    viewer.key("h", "ctrl+a", "t")
     viewer.changed_by(lambda: viewer.key("a"))
     assert viewer.process.poll() is None and "eye=" in camera_of(viewer), camera_of(viewer)
     framed = camera_of(viewer)
