@@ -40,10 +40,10 @@ bool belongs_to(const std::string& channel, std::string_view layer) {
 
 } // namespace
 
-std::optional<Layer> layer_of(const Image& image, std::string_view name) {
+std::optional<ImageLayer> layer_of(const Image& image, std::string_view name) {
     const auto names = names_of(image);
     const std::string prefix = name.empty() ? std::string() : std::string(name) + ".";
-    Layer layer;
+    ImageLayer layer;
     layer.alpha = index_of(names, prefix + "A");
     const std::array rgb{index_of(names, prefix + "R"), index_of(names, prefix + "G"),
                          index_of(names, prefix + "B")};
@@ -99,7 +99,7 @@ std::array<std::size_t, 3> color_channels(const image::Image& image) {
 
 namespace {
 
-Layer layer_of_reference(const Image& reference, const std::string& layer) {
+ImageLayer layer_of_reference(const Image& reference, const std::string& layer) {
     if (const auto found = layer_of(reference, layer)) return *found;
     throw Error(fmt::format("the reference has no layer '{}'", layer),
                 "choose one of its layers, or leave the layer out to compare the pictures");
@@ -175,7 +175,7 @@ void choose_pixels(AlignedImages& images, const CompareOptions& options) {
 } // namespace
 
 std::string incompatibility(const Image& test, const Image& reference, const std::string& layer) {
-    const Layer wanted = layer_of_reference(reference, layer);
+    const ImageLayer wanted = layer_of_reference(reference, layer);
     if (test.width != reference.width || test.height != reference.height)
         return fmt::format("the test is {} x {} pixels, the reference {} x {}", test.width, test.height,
                            reference.width, reference.height);

@@ -14,7 +14,7 @@
 namespace sr::compare {
 
 /// The channels of a layer, as indices into an image's channels.
-struct Layer {
+struct ImageLayer {
     std::vector<int> colors; // one (grey) to three (R, G, B)
     std::optional<int> alpha;
 };
@@ -22,7 +22,7 @@ struct Layer {
 /// Finds the channels of a layer, or of the picture itself for an empty name. An image without channel names
 /// has the usual ones. A picture without R, G and B is grey (Y), or its first channels up to three.
 /// @return absent if there is no such layer
-std::optional<Layer> layer_of(const image::Image& image, std::string_view name);
+std::optional<ImageLayer> layer_of(const image::Image& image, std::string_view name);
 
 /// The names of the layers that have R, G and B, in the file's order: a renderer's lights.
 std::vector<std::string> layer_names(const image::Image& image);

@@ -26,7 +26,7 @@ public:
 private:
     Changes reload();
     Changes shoot(const std::string& extension);
-    Changes write(const std::string& extension);
+    Changes write(std::string extension);
 
     FileDialog dialog_;
     Watch scene_watch_;
@@ -107,7 +107,7 @@ Changes Files::shoot(const std::string& extension) {
 }
 
 /// Writes the render with its provenance.
-Changes Files::write(const std::string& extension) {
+Changes Files::write(std::string extension) { // by value: it may be awaited_
     awaited_.clear();
     const ProgressiveRender& render = ws_.scene->render();
     const int samples = render.sample_count();
