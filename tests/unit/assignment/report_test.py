@@ -47,7 +47,8 @@ def check_pictures(page):
     canvas.scroll_into_view_if_needed()
     box = canvas.bounding_box()
     canvas.hover(position={"x": box["width"] / 2, "y": box["height"] * 0.6})
-    ratios = [float(text) for text in task.locator(".readout tr").nth(4).locator("td").all_text_contents()]
+    *ratios, alpha = [float(text) for text in task.locator(".readout tr").nth(4).locator("td").all_text_contents()]
+    assert len(ratios) == 3 and alpha == 1.0, (ratios, alpha)
     assert all(abs(ratio / 3.14159 - 1) < 2e-3 for ratio in ratios), ratios
     page.keyboard.press("5")
     assert task.locator(".frame.swipe .handle").count() == 1

@@ -32,9 +32,9 @@ def many_lights() -> dict:
 def probing(viewer: Viewer):
     """The first numbers come before the last ones, and commands are done in between."""
     viewer.click(640, 560)
-    viewer.wait(lambda: "The first numbers of the probe are there." in viewer.errors(), "first numbers", 20)
+    viewer.wait(lambda: "The first numbers of the probe are there." in viewer.errors(), "first numbers", 120)
     viewer.key("v")
-    viewer.wait(lambda: "View: " in viewer.errors(), "a command that is done during the probe", 20)
+    viewer.wait(lambda: "View: " in viewer.errors(), "a command that is done during the probe", 120)
     assert "Probed pixel" not in viewer.errors(), "the probe is too short to show anything: take more lights"
 
 
