@@ -24,7 +24,7 @@ public:
     Changes update(double seconds) override;
     void notice(Changes changes) override;
     Changes draw(const Overlay& overlay) override;
-    Activity activity() const override { return probing_ ? Activity::active : Activity::idle; }
+    Activity activity() const override { return probing_ ? Activity::exclusive : Activity::idle; }
 
 private:
     Changes request(vec2 at);
