@@ -123,7 +123,7 @@ bool App::is_hidden() const {
 }
 
 bool App::draws_again() const {
-    return frames_to_draw_ > 0 || activity() == Activity::active
+    return frames_to_draw_ > 0 || activity() >= Activity::active
            || (workspace_.scene && !workspace_.scene->render().is_converged());
 }
 
@@ -259,7 +259,7 @@ void App::advance(double seconds) {
     ProgressiveRender& render = workspace_.scene->render();
     workspace_.statistics.frame(render, seconds);
     const bool was_converged = render.is_converged();
-    render.advance();
+    if (activity() != Activity::exclusive) render.advance();
     if (render.is_converged() && !was_converged)
         workspace_.messages.log(fmt::format("converged: {}, --camera '{}'{}", progress_of(render),
                                             workspace_.camera->argument(), workspace_.time_arguments()));

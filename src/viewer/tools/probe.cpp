@@ -26,7 +26,8 @@ public:
     void notice(Changes changes) override;
     Changes draw(const Overlay& overlay) override;
     Activity activity() const override {
-        return probing_ || ws_.wanted_probe ? Activity::active : Activity::idle;
+        if (probing_) return Activity::exclusive;
+        return ws_.wanted_probe ? Activity::active : Activity::idle;
     }
 
 private:

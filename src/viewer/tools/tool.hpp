@@ -14,9 +14,10 @@ struct Overlay {
 
 /// The rate at which a tool needs update() while there are no events.
 enum class Activity {
-    idle,    // now and then
-    waiting, // often: it waits for work on another thread
-    active,  // every frame
+    idle,      // now and then
+    waiting,   // often: it waits for work on another thread
+    active,    // every frame
+    exclusive, // every frame, while the render waits
 };
 
 /// The App calls tools once the first scene is shown. A new tool is a class, a line in make_tools() and, if

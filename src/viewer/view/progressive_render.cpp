@@ -20,6 +20,7 @@ constexpr int interactive_samples = 4;      // that an interactive render gather
 constexpr auto settling_time = 180ms;       // without a change, until the render converges
 constexpr double converging_budget = 0.040; // [s] of sampling between two looks at keys and pointer
 constexpr int max_parts = 10; // of a sample: each part reads all vertices of the scene again, several times
+constexpr double max_part = 0.4; // [s] of a sample that takes so long that its vertices do not matter
 
 // Of Resolution.
 constexpr int max_step = 12; // an eighth of the sides
@@ -228,8 +229,9 @@ void ProgressiveRender::advance_converging() {
         const double expected = std::max(seconds_, spent_);
         const bool is_short = expected <= converging_budget;
         if (!is_short && spent_ == 0.0) keep();
+        const int parts = std::max(max_parts, static_cast<int>(std::min(expected / max_part, 1.0 * height_)));
         const int rows = is_short ? height_
-                                  : std::max((height_ + max_parts - 1) / max_parts,
+                                  : std::max((height_ + parts - 1) / parts,
                                              static_cast<int>(height_ * converging_budget / expected));
         const bool is_complete = renderer_.add_rows(rows);
         const double now = seconds_since(begin);
