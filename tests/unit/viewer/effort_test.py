@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""What the viewer does with its time: a probe of many lights between frames, nothing while it is minimised; and its panels on a
-small and on a dense screen. Exit status 77: there is no Xvfb or xdotool.
+"""What the viewer does with its time: a probe of many lights between frames, nothing while it is minimised.
+Exit status 77: there is no Xvfb or xdotool.
 
 usage: effort_test.py STERADIAN SCENES_FOLDER SCRATCH_FOLDER
 """
@@ -13,7 +13,7 @@ from pathlib import Path
 from driver import Display, Viewer
 
 STERADIAN, SCENES, SCRATCH = (Path(argument).resolve() for argument in sys.argv[1:])
-LIGHTS = 300
+LIGHTS = 100
 
 
 def many_lights() -> dict:
@@ -31,7 +31,7 @@ def many_lights() -> dict:
 
 def probing(viewer: Viewer):
     """The first numbers come before the last ones, and commands are done in between."""
-    viewer.click(640, 560)
+    viewer.click(450, 310)
     viewer.wait(lambda: "The first numbers of the probe are there." in viewer.errors(), "first numbers", 120)
     viewer.key("v")
     viewer.wait(lambda: "View: " in viewer.errors(), "a command that is done during the probe", 120)
@@ -60,11 +60,11 @@ def main() -> int:
         print("Xvfb and xdotool are needed: sudo apt-get install xvfb xdotool")
         return 77
     shutil.rmtree(SCRATCH, ignore_errors=True)
-    display = Display(SCRATCH / "display", 1280, 720)
+    display = Display(SCRATCH / "display", 640, 400)
     scene = SCRATCH / "many.gltf"
     scene.write_text(json.dumps(many_lights()))
     try:
-        viewer = Viewer(display, STERADIAN, SCRATCH / "run", scene, "--size", "1280x720", "--samples", "100000", "--exposure", "8")
+        viewer = Viewer(display, STERADIAN, SCRATCH / "run", scene, "--size", "640x400", "--samples", "100000", "--exposure", "8")
         viewer.wait(lambda: "many.gltf" in viewer.title(), "a picture")
         probing(viewer)
         hiding(viewer)
