@@ -62,8 +62,8 @@ std::optional<std::string> FileDialog::draw() {
                  ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings);
     ImGui::PushItemWidth(30.0f * ImGui::GetFontSize());
     if (focus_.is_pending()) ImGui::SetKeyboardFocusHere();
-    const bool is_entered = ImGui::InputTextWithHint("##file", "a path, then Enter", typed_.data(),
-                                                     typed_.size(),
+    const bool is_entered =
+        ImGui::InputTextWithHint("##file", "a path, then Enter", typed_.data(), typed_.size(),
                                  ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
     focus_.update(ImGui::IsItemActive());
     if (is_entered && typed_[0] != '\0') chosen = typed_.data();
