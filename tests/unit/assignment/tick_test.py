@@ -142,7 +142,8 @@ def prove_parameter(folder: Path, facts: dict):
             render(source, place, facts, picture, own)
             assert near(mean(picture), numbers[f"mean_{prefix}"]), (prefix, own, mean(picture), numbers)
             at = pixel(picture, numbers["pixel"])
-            assert all(near(a, b, 1e-3 * max(map(abs, numbers[prefix]))) for a, b in zip(at, numbers[prefix])), (prefix, at, numbers)
+            scale = max(map(abs, numbers["before"] + numbers["after"]))  # one of the two may be nearly 0
+            assert all(near(a, b, 1e-3 * scale) for a, b in zip(at, numbers[prefix])), (prefix, at, numbers)
     changed.unlink()
 
 
