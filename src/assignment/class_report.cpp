@@ -1,7 +1,7 @@
 #include "assignment/class_report.hpp"
 
+#include "core/markup.hpp"
 #include "core/text.hpp"
-#include "golden/page.hpp"
 
 #include <algorithm>
 #include <array>
@@ -17,20 +17,10 @@
 namespace sr::assignment {
 namespace {
 
-using golden::escape_markup;
 using nlohmann::ordered_json;
 
 std::string word(const ordered_json& object, const char* key) { return object.value(key, ""); }
 double number(const ordered_json& object, const char* key) { return object.value(key, 0.0); }
-
-std::string cell(const std::string& text) {
-    std::string value = shown(text);
-    std::ranges::replace(value, ';', ','); // where it separates cells, quotes within a line do not count
-    if (!value.empty() && std::string_view("=+-@|%").find(value[0]) != std::string_view::npos)
-        value.insert(0, "'");
-    for (std::size_t at = 0; (at = value.find('"', at)) != std::string::npos; at += 2) value.insert(at, "\"");
-    return '"' + value + '"';
-}
 
 /// Lists what a person should look at.
 std::vector<std::string> remarks_of(const ordered_json& result) {
@@ -80,15 +70,15 @@ std::string heading(const ordered_json& task) { return word(task, "id") + " " + 
 std::string csv_of(const std::vector<ordered_json>& results) {
     std::string text = "key,name,id,student,points,of,percent";
     if (!results.empty())
-        for (const ordered_json& task : results[0]["tasks"]) text += "," + cell(word(task, "id"));
+        for (const ordered_json& task : results[0]["tasks"]) text += "," + csv_cell(word(task, "id"));
     text += ",remarks\r\n";
     for (const ordered_json& result : results) {
-        text +=
-            fmt::format("{},{},{},{},{:g},{:g},{:.1f}", cell(word(result, "key")), cell(word(result, "name")),
-                        cell(word(result, "id")), cell(word(result, "student")), number(result, "points"),
-                        number(result, "of"), number(result, "percent"));
+        text += fmt::format("{},{},{},{},{:g},{:g},{:.1f}", csv_cell(word(result, "key")),
+                            csv_cell(word(result, "name")), csv_cell(word(result, "id")),
+                            csv_cell(word(result, "student")), number(result, "points"), number(result, "of"),
+                            number(result, "percent"));
         for (const ordered_json& task : result["tasks"]) text += fmt::format(",{:g}", number(task, "points"));
-        text += fmt::format(",{}\r\n", cell(fmt::format("{}", fmt::join(remarks_of(result), "; "))));
+        text += fmt::format(",{}\r\n", csv_cell(fmt::format("{}", fmt::join(remarks_of(result), "; "))));
     }
     return text;
 }

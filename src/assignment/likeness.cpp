@@ -2,7 +2,7 @@
 
 #include "assignment/submission.hpp"
 #include "core/error.hpp"
-#include "golden/page.hpp"
+#include "core/markup.hpp"
 #include "golden/process.hpp"
 #include "image/whole_file.hpp"
 
@@ -15,7 +15,6 @@
 namespace sr::assignment {
 namespace {
 
-using golden::escape_markup;
 using nlohmann::ordered_json;
 
 namespace fs = std::filesystem;

@@ -2,6 +2,7 @@
 
 #include "assignment/compile_problem.hpp"
 #include "assignment/value_check.hpp"
+#include "core/markup.hpp"
 #include "glsl/untrusted.hpp"
 #include "golden/page.hpp"
 
@@ -259,7 +260,7 @@ namespace {
 
 std::string cells(std::initializer_list<std::string> texts) {
     std::string row = "<tr>";
-    for (const std::string& text : texts) row += "<td>" + golden::escape_markup(text);
+    for (const std::string& text : texts) row += "<td>" + escape_markup(text);
     return row + "\n";
 }
 

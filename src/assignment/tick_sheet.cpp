@@ -1,5 +1,5 @@
 #include "assignment/tick.hpp"
-#include "golden/page.hpp"
+#include "core/markup.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -7,7 +7,6 @@
 namespace sr::assignment {
 namespace {
 
-using golden::escape_markup;
 using nlohmann::ordered_json;
 
 constexpr const char* sheet_style =

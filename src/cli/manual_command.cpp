@@ -2,8 +2,8 @@
 #include "cli/commands.hpp"
 #include "cli/version.hpp"
 #include "core/error.hpp"
+#include "core/markup.hpp"
 #include "core/output.hpp"
-#include "golden/page.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -208,7 +208,7 @@ constexpr std::string_view style =
     "section { border-top: 1px solid #8884; margin-top: 2rem }\n";
 
 std::string html_block(const Block& block) {
-    const std::string text = golden::escape_markup(block.text), term = golden::escape_markup(block.term);
+    const std::string text = escape_markup(block.text), term = escape_markup(block.term);
     switch (block.kind) {
     case Block::Kind::paragraph: return fmt::format("<p>{}</p>\n", text);
     case Block::Kind::verbatim: return fmt::format("<pre>{}</pre>\n", text);
@@ -226,12 +226,12 @@ std::string html_manual(const CLI::App& app) {
                     "<meta name=\"viewport\" content=\"width=device-width\">\n"
                     "<title>Steradian: the manual</title>\n<style>\n{}</style>\n</head>\n<body>\n"
                     "<h1>{}</h1>\n",
-                    style, golden::escape_markup(name_and_version()));
+                    style, escape_markup(name_and_version()));
     for (const Page& page : pages_of(app)) {
         text += fmt::format("<section id=\"{}\">\n<h2>{}</h2>\n<p>{}</p>\n", page.name,
-                            golden::escape_markup(page.title), golden::escape_markup(page.summary));
+                            escape_markup(page.title), escape_markup(page.summary));
         for (const Section& section : page.sections) {
-            text += fmt::format("<h3>{}</h3>\n", golden::escape_markup(section.heading));
+            text += fmt::format("<h3>{}</h3>\n", escape_markup(section.heading));
             for (const Block& block : section.blocks) text += html_block(block);
         }
         text += "</section>\n";

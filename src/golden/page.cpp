@@ -2,7 +2,7 @@
 
 #include "compare/align.hpp"
 #include "core/error.hpp"
-#include "core/text.hpp"
+#include "core/markup.hpp"
 #include "golden/sha256.hpp"
 
 #include <algorithm>
@@ -16,19 +16,6 @@
 namespace sr::golden {
 namespace {
 
-constexpr std::string_view replacement = "\xEF\xBF\xBD"; // U+FFFD
-
-std::string_view entity(char c) {
-    switch (c) {
-    case '&': return "&amp;";
-    case '<': return "&lt;";
-    case '>': return "&gt;";
-    case '"': return "&quot;";
-    case '\'': return "&#39;";
-    default: return {};
-    }
-}
-
 bool is_plain_word(std::string_view word) {
     constexpr std::string_view plain = "-_./=:,+@%^";
     return !word.empty() && std::ranges::all_of(word, [&](unsigned char c) {
@@ -38,23 +25,6 @@ bool is_plain_word(std::string_view word) {
 }
 
 } // namespace
-
-std::string escape_markup(std::string_view text) {
-    std::string result;
-    while (!text.empty()) {
-        const std::size_t length = utf8_length(text);
-        const char c = text.front();
-        const bool is_control = static_cast<unsigned char>(c) < 0x20 && c != '\t' && c != '\n' && c != '\r';
-        if (length == 0 || is_control)
-            result += replacement;
-        else if (const auto named = entity(c); !named.empty())
-            result += named;
-        else
-            result += text.substr(0, length);
-        text.remove_prefix(std::max<std::size_t>(length, 1));
-    }
-    return result;
-}
 
 std::string escape_script_json(std::string_view json) {
     std::string result;

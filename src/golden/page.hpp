@@ -9,10 +9,6 @@
 
 namespace sr::golden {
 
-/// Escapes text for HTML and XML, also in quoted attributes. Bytes that are not UTF-8, and control characters
-/// that XML cannot hold, become U+FFFD.
-std::string escape_markup(std::string_view text);
-
 /// Escapes JSON for an HTML script element: no '<' is left that could end it.
 std::string escape_script_json(std::string_view json);
 

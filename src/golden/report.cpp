@@ -1,6 +1,7 @@
 #include "golden/report.hpp"
 
 #include "compare/compare.hpp"
+#include "core/markup.hpp"
 #include "core/text.hpp"
 #include "golden/page.hpp"
 #include "golden/run.hpp"

@@ -209,6 +209,7 @@ constexpr double no_limit = 1e300;
 constexpr unsigned by_all = by_render | by_view | by_probe;
 constexpr unsigned by_picture = by_all | by_suites;
 constexpr unsigned by_scene = by_all | by_export;
+constexpr unsigned by_lit_scene = by_scene | by_illuminance;
 
 constexpr std::array options{
     Option{
@@ -216,25 +217,25 @@ constexpr std::array options{
         "camera by name or index; auto, which frames the scene; or a view as the viewer copies it: "
         "eye=X,Y,Z;target=X,Y,Z with up=X,Y,Z fov=DEGREES near= far= if wanted (default: the first camera, "
         "or auto)"},
-    Option{"scene", "Scene", by_scene, number<&S::scene_index>(0, 2147483647, "INDEX"),
+    Option{"scene", "Scene", by_lit_scene, number<&S::scene_index>(0, 2147483647, "INDEX"),
            "scene of the file (default: the file's choice)"},
-    Option{"variant", "Scene", by_scene, text<&S::variant>("NAME"),
+    Option{"variant", "Scene", by_lit_scene, text<&S::variant>("NAME"),
            "material variant of the file (default: none)"},
-    Option{"strict", "Scene", by_scene | by_info | by_suites, flag<&S::is_strict>(),
+    Option{"strict", "Scene", by_lit_scene | by_info | by_suites, flag<&S::is_strict>(),
            "parts of the file that are broken or not supported are errors (status 3), not warnings"},
     Option{"hide_emitters", "Scene", by_all, flag<&S::hide_emitters>(),
            "hide emitters, which still light the scene: lights vanish, emissive surfaces only reflect"},
 
-    Option{"rig", "Light", by_scene | by_suites, choice<rigs, &S::rig>(),
+    Option{"rig", "Light", by_lit_scene | by_suites, choice<rigs, &S::rig>(),
            "lamps besides the scene's own: a studio, three softboxes, or none; auto adds the studio where "
            "almost nothing would be lit"},
-    Option{"environment", "Light", by_scene, text<&S::environment>("FILE|L|R,G,B"),
+    Option{"environment", "Light", by_lit_scene, text<&S::environment>("FILE|L|R,G,B"),
            "light from outside, seen as the background: an equirectangular .hdr or .exr in cd/m², whose "
            "middle column is -Z, or one radiance for all directions"},
-    Option{"environment_rotation", "Light", by_scene,
+    Option{"environment_rotation", "Light", by_lit_scene,
            number<&S::environment_rotation>(-36000, 36000, "DEGREES"),
            "turn the environment around +Y, counter-clockwise seen from above"},
-    Option{"environment_strength", "Light", by_scene, number<&S::environment_strength>(0, 1e20, "FACTOR"),
+    Option{"environment_strength", "Light", by_lit_scene, number<&S::environment_strength>(0, 1e20, "FACTOR"),
            "multiply the environment's radiance"},
     Option{"hide_environment", "Light", by_scene, flag<&S::hide_environment>(),
            "hide the environment, which still lights the scene"},
@@ -245,12 +246,12 @@ constexpr std::array options{
 
     Option{"at",
            "Animation",
-           by_scene,
+           by_lit_scene,
            number<&S::at>(0, no_limit, "SECONDS"),
            "time of the animation (default: the file's rest pose, without its animations)",
            "time at which the animation opens (default: the file's rest pose)",
            {"time", [](const S& s) { return s.at ? fmt::format("{:.9g} s", *s.at) : ""; }}},
-    Option{"animation", "Animation", by_scene, text<&S::animation>("NAME|INDEX|all"),
+    Option{"animation", "Animation", by_lit_scene, text<&S::animation>("NAME|INDEX|all"),
            "animation by name or index, or all at once (default: the first)"},
     Option{
         "frames", "Animation", by_render,
@@ -263,7 +264,8 @@ constexpr std::array options{
            parsed<parse_size, [](Size size) { return text_of(size); }, &S::size>("WIDTHxHEIGHT"),
            "size of the picture (default: 720 rows in the camera's aspect ratio, or 16:9)",
            "size of the window (default: its last size, or 1280x720)"},
-    Option{"samples", "Picture", by_picture, number<&S::stop, &render::StopRule::samples>(1, 1 << 24),
+    Option{"samples", "Picture", by_picture | by_illuminance,
+           number<&S::stop, &render::StopRule::samples>(1, 1 << 24),
            "samples a pixel: positions in the pixel and points on each emitter",
            "samples a pixel of the converged picture; without --error and --time its error is not estimated "
            "(default: 256 or an --error of 0.5%, whichever comes first)"},
@@ -312,7 +314,7 @@ constexpr std::array options{
            {"estimator"}},
     Option{"seed",
            "Method",
-           by_picture | in_json,
+           by_picture | by_illuminance | in_json,
            number<&S::rendering, &R::seed>(0, 4294967295.0),
            "seed of the samples: another seed is another, equally good set",
            nullptr,
@@ -332,16 +334,17 @@ constexpr std::array options{
            "compensate GGX for energy lost to multiple scattering (not part of glTF)"},
     Option{"visibility",
            "Method",
-           by_picture,
+           by_picture | by_illuminance,
            choice<visibilities, &S::visibility>(),
            "shadows: a ray to each sample, on the CPU in software GL, in GLSL elsewhere; depth maps from "
            "points on the emitters; or none",
            nullptr,
            {"visibility"}},
-    Option{"map_points", "Method", by_all,
+    Option{"map_points", "Method", by_all | by_illuminance,
            number<&S::rendering, &R::maps, &render::MapOptions::points>(1, 32),
            "with --visibility map: points on each emitter that a sample has, each with its depth maps"},
-    Option{"map_size", "Method", by_all, number<&S::rendering, &R::maps, &render::MapOptions::size>(16, 8192),
+    Option{"map_size", "Method", by_all | by_illuminance,
+           number<&S::rendering, &R::maps, &render::MapOptions::size>(16, 8192),
            "with --visibility map: texels on a map's side; halved until a sample's maps fit into 256 MiB"},
     Option{"denoise",
            "Method",
@@ -352,14 +355,15 @@ constexpr std::array options{
            nullptr,
            {"denoised", [](const S& s) { return std::string(s.denoises ? "visibility" : ""); }}},
 
-    Option{"backend", "Machine", by_render | by_probe | by_suites, choice<backends, &S::backend>(),
-           "where OpenGL comes from; see steradian info"},
-    Option{"shaders", "Machine", by_picture, list<&S::shaders>("DIR"),
+    Option{"backend", "Machine", by_render | by_probe | by_illuminance | by_suites,
+           choice<backends, &S::backend>(), "where OpenGL comes from; see steradian info"},
+    Option{"shaders", "Machine", by_picture | by_illuminance, list<&S::shaders>("DIR"),
            "look for shaders in this folder first (repeatable)"},
     Option{
-        "untrusted", "Machine", by_all, flag<&S::is_untrusted>(),
+        "untrusted", "Machine", by_all | by_illuminance, flag<&S::is_untrusted>(),
         "refuse in these folders what is no plain GLSL (links, images, recursion, …), and bound their loops"},
-    Option{"gl_debug", "Machine", by_all, flag<&S::gl_debug>(), "fail on any error or warning of the driver"},
+    Option{"gl_debug", "Machine", by_all | by_illuminance, flag<&S::gl_debug>(),
+           "fail on any error or warning of the driver"},
 };
 
 std::string joined(const Value& value, const char* separator) {

@@ -19,6 +19,7 @@ enum Taker : unsigned {
     by_info = 16,
     by_suites = 32, // a key of each test
     in_json = 64,   // a key in the summary of `render --json`
+    by_illuminance = 128,
 };
 
 /// A word that an option takes.

@@ -1,3 +1,4 @@
+#include "core/markup.hpp"
 #include "golden/page.hpp"
 #include "golden/report.hpp"
 #include "golden/sha256.hpp"
@@ -36,8 +37,8 @@ const Test rfc4648("unit.golden.base64.rfc_examples", [] {
 });
 
 const Test escapes("unit.golden.escape.nothing_gets_out", [] {
-    EXPECT_EQ(golden::escape_markup("<a href='\"&\">é\n"), "&lt;a href=&#39;&quot;&amp;&quot;&gt;é\n");
-    EXPECT_EQ(golden::escape_markup("\xc0\xaf\xed\xa0\x80"),
+    EXPECT_EQ(escape_markup("<a href='\"&\">é\n"), "&lt;a href=&#39;&quot;&amp;&quot;&gt;é\n");
+    EXPECT_EQ(escape_markup("\xc0\xaf\xed\xa0\x80"),
               "\xEF\xBF\xBD\xEF\xBF\xBD\xEF\xBF\xBD\xEF\xBF\xBD\xEF\xBF\xBD");
     EXPECT_EQ(golden::escape_script_json("\"</script><!--\""), "\"\\u003c/script>\\u003c!--\"");
     EXPECT_EQ(golden::shell_line({"a", "b c", "it's", "", "$x"}), "a 'b c' 'it'\\''s' '' '$x'");

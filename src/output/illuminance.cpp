@@ -1,0 +1,81 @@
+#include "output/illuminance.hpp"
+
+#include "core/error.hpp"
+
+#include <cmath>
+#include <fmt/format.h>
+
+namespace sr::output {
+namespace {
+
+/// A text field of RFC 4180. A leading apostrophe keeps a spreadsheet from reading it as a formula.
+std::string field(const std::string& text) {
+    const bool is_formula =
+        !text.empty() && std::string_view("=+-@\t\r").find(text.front()) != std::string_view::npos;
+    std::string quoted = is_formula ? "\"'" : "\"";
+    for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
+    return quoted + '"';
+}
+
+} // namespace
+
+double IlluminanceGrid::at(int column, int row) const {
+    return luminance(glm::dvec3(E[static_cast<std::size_t>(row) * columns + column]));
+}
+
+glm::dvec3 IlluminanceGrid::center(int column, int row) const {
+    const double s = (column + 0.5) / columns, t = (rows - 0.5 - row) / rows;
+    return origin + glm::dvec3(receiver.corner) + s * glm::dvec3(receiver.u) + t * glm::dvec3(receiver.v);
+}
+
+IlluminanceGrid illuminance_of(const image::Image& film, const scene::Receiver& receiver) {
+    IlluminanceGrid grid{receiver, {}, film.width, film.height, {}, {}};
+    for (int y = 0; y < film.height; ++y)
+        for (int x = 0; x < film.width; ++x) {
+            const auto pixel = film.at(x, y);
+            const vec3 E(pixel[0], pixel[1], pixel[2]);
+            if (!std::isfinite(E.x + E.y + E.z))
+                throw Error(fmt::format("the illuminance of cell {},{} is not finite", x, y),
+                            "look at the scene's lights with steradian info");
+            grid.E.push_back(E);
+        }
+    return grid;
+}
+
+IlluminanceSummary summary_of(const IlluminanceGrid& grid) {
+    IlluminanceSummary summary;
+    summary.min = summary.max = grid.at(0, 0);
+    double sum = 0.0;
+    for (int row = 0; row < grid.rows; ++row)
+        for (int column = 0; column < grid.columns; ++column) {
+            const double E = grid.at(column, row);
+            sum += E;
+            summary.dark_cells += E <= 0.0;
+            if (E < summary.min) {
+                summary.min = E;
+                summary.min_place = {column, row};
+            }
+            if (E > summary.max) {
+                summary.max = E;
+                summary.max_place = {column, row};
+            }
+        }
+    summary.mean = sum / (static_cast<double>(grid.columns) * grid.rows);
+    return summary;
+}
+
+std::string csv_of(const IlluminanceGrid& grid, const std::vector<NamedGrid>& parts) {
+    std::string csv = fmt::format("x [m],y [m],z [m],E [{}]", grid.unit);
+    for (const NamedGrid& part : parts) csv += "," + field(fmt::format("{} [{}]", part.name, grid.unit));
+    csv += "\r\n";
+    for (int row = 0; row < grid.rows; ++row)
+        for (int column = 0; column < grid.columns; ++column) {
+            const glm::dvec3 x = grid.center(column, row);
+            csv += fmt::format("{:.6g},{:.6g},{:.6g},{:.6g}", x.x, x.y, x.z, grid.at(column, row));
+            for (const NamedGrid& part : parts) csv += fmt::format(",{:.6g}", part.grid.at(column, row));
+            csv += "\r\n";
+        }
+    return csv;
+}
+
+} // namespace sr::output
