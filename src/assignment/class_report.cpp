@@ -2,6 +2,8 @@
 
 #include "core/markup.hpp"
 #include "core/text.hpp"
+#include "golden/page.hpp"
+#include "image/display.hpp"
 
 #include <algorithm>
 #include <array>
@@ -220,19 +222,55 @@ std::string overview_html(const std::vector<ordered_json>& results) {
         mistake_rows(results), ids, student_rows(results));
 }
 
+namespace {
+
+constexpr std::size_t max_scope_bytes = 512 << 10; // of all pictures of a results.json
+
+/// The pictures of checks that failed, yours beside the reference, in the reference's exposure, as HTML.
+/// `left`: bytes that they may still have.
+std::string pictures_of(const ordered_json& task, std::size_t& left) {
+    std::string markup;
+    for (const ordered_json& check : task["checks"]) {
+        const auto pictures = check.find("pictures");
+        if (pictures == check.end() || check["passed"].get<bool>()) continue;
+        const auto yours = golden::unpack_pixels(pictures->value("yours", ordered_json()));
+        const ordered_json other = pictures->value("reference", ordered_json());
+        const auto reference = other == "equal" ? yours : golden::unpack_pixels(other);
+        if (!yours || !reference) continue;
+        const float exposure = image::auto_ev100(*reference);
+        std::string part;
+        for (const auto& [picture, caption] : {std::pair{&*yours, "yours"}, {&*reference, "the reference"}})
+            part += fmt::format("<p>{}: {}<br><img alt=\"{}\" src=\"data:image/png;base64,{}\"></p>\n",
+                                escape_markup(shown(word(check, "name"))), caption, caption,
+                                golden::png_data(image::displayed(*picture, exposure)));
+        if (part.size() > left)
+            part = fmt::format("<p>{}: its pictures are too large to be shown here</p>\n",
+                               escape_markup(shown(word(check, "name"))));
+        else
+            left -= part.size();
+        markup += part;
+    }
+    return markup;
+}
+
+} // namespace
+
 ordered_json gradescope_of(const ordered_json& result) {
     ordered_json tests = ordered_json::array();
+    std::size_t left = max_scope_bytes;
     for (const ordered_json& task : result["tasks"]) {
         const bool passed = word(task, "status") == "passed";
+        const std::string text = explanation(task), pictures = pictures_of(task, left);
         tests.push_back(
             {{"name", heading(task)},
+             {"name_format", "text"},
              {"number", word(task, "id")},
              {"score", number(task, "points")},
              {"max_score",
               task.value("extra", false) ? 0.0 : number(task, "of")}, // points above are extra credit
              {"status", passed ? "passed" : "failed"},
-             {"output", explanation(task)},
-             {"output_format", "text"},
+             {"output", pictures.empty() ? text : "<pre>" + escape_markup(text) + "</pre>\n" + pictures},
+             {"output_format", pictures.empty() ? "text" : "html"},
              {"visibility", "visible"}});
     }
     std::string output = fmt::format("{}: {:g} of {:g} points", word(result, "assignment"),

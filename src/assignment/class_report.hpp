@@ -17,8 +17,9 @@ std::string junit_of(const std::vector<nlohmann::ordered_json>& results);
 /// mistakes, and the students with links to students/KEY.html.
 std::string overview_html(const std::vector<nlohmann::ordered_json>& results);
 
-/// Gradescope's results.json ("Autograder Specifications"): a test for each task. A result whose tasks are
-/// not all marked is a partial one.
+/// Gradescope's results.json ("Autograder Specifications"): a test for each task, with the pictures of checks
+/// that failed where the result has them, 512 KiB at most. A result whose tasks are not all marked is a
+/// partial one.
 nlohmann::ordered_json gradescope_of(const nlohmann::ordered_json& result);
 
 /// The output of vpl_evaluate.sh of Moodle's Virtual Programming Lab: comments, and a grade out of

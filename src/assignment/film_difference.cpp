@@ -1,13 +1,10 @@
 #include "assignment/film_difference.hpp"
 
-#include "core/file.hpp"
 #include "golden/page.hpp"
 #include "image/display.hpp"
-#include "image/file.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 
 namespace sr::assignment {
 
@@ -93,11 +90,7 @@ std::string png_of(const image::Image& film, const image::Image& exposed,
             p[0] = 1.0f;
             p[1] = p[2] = 0.1f;
         }
-    const auto file = std::filesystem::temp_directory_path() / "tick.png";
-    image::write(shown, file, image::SampleType::integer8);
-    const auto bytes = read_file(file, file.string());
-    std::filesystem::remove(file);
-    return golden::base64({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    return golden::png_data(shown);
 }
 
 } // namespace sr::assignment

@@ -62,7 +62,8 @@ public:
           basis_(fingerprint_of(options.check.grading->assignment)
                  + fingerprint_of(options.check.grading->hidden)),
           results_(submissions_.submissions.size()) {
-        for (const char* part : {"results", "students"}) fs::create_directories(options.output / part);
+        for (const char* part : {"results", "students", "gradescope"})
+            fs::create_directories(options.output / part);
     }
 
     std::optional<std::vector<ordered_json>> run() {
@@ -163,6 +164,9 @@ private:
                             {"fingerprint", fingerprint_before}};
         graded.update(without_pictures(*result));
         image::write_text(options_.output / "students" / (submission.key + ".html"), report_html(*result));
+        image::write_text(options_.output / "gradescope" / (submission.key + ".json"),
+                          gradescope_of(*result).dump(1, ' ', false, ordered_json::error_handler_t::replace)
+                              + "\n");
         image::write_text(result_file(submission),
                           graded.dump(1, ' ', false, ordered_json::error_handler_t::replace) + "\n");
         results_[i] = std::move(graded);
@@ -204,11 +208,6 @@ std::optional<std::vector<ordered_json>> grade_class(const GradeOptions& options
     auto results = Grader(options).run();
     for (const char* file : {".values", ".values.log"}) fs::remove(options.output / file, failure);
     if (!results) return std::nullopt;
-    fs::create_directories(options.output / "gradescope");
-    for (const ordered_json& result : *results)
-        image::write_text(options.output / "gradescope" / (result["key"].get<std::string>() + ".json"),
-                          gradescope_of(result).dump(1, ' ', false, ordered_json::error_handler_t::replace)
-                              + "\n");
     add_duplicates(*results); // for the teacher alone
     image::write_text(options.output / "marks.csv", csv_of(*results));
     image::write_text(options.output / "junit.xml", junit_of(*results));

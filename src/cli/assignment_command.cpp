@@ -67,7 +67,7 @@ assignment::CheckOptions options_of(const AssignmentArguments& arguments) {
     assignment::CheckOptions options;
     options.program = running_program();
     options.time_limit = arguments.time_limit;
-    options.keeps_pictures = !arguments.report.empty();
+    options.keeps_pictures = !arguments.report.empty() || !arguments.gradescope.empty();
     if (arguments.graded_as.empty()) return options;
     assignment::Grading grading;
     grading.assignment = fs::absolute(assignment::assignment_named(arguments.graded_as));
@@ -90,7 +90,7 @@ void write_partial_results(assignment::CheckOptions& options, const std::string&
         (*partial)["points"] = (*partial)["points"].get<double>() + task["points"].get<double>();
         if (!task["extra"].get<bool>())
             (*partial)["of"] = (*partial)["of"].get<double>() + task["of"].get<double>();
-        write_gradescope(file, assignment::without_pictures(*partial));
+        write_gradescope(file, *partial);
     };
 }
 
@@ -106,7 +106,7 @@ bool show(const ordered_json& result, const AssignmentArguments& arguments) {
     flush_output();
     if (!arguments.report.empty()) image::write_text(arguments.report, assignment::report_html(result));
     if (!arguments.junit.empty()) image::write_text(arguments.junit, assignment::junit_of({bare}));
-    if (!arguments.gradescope.empty()) write_gradescope(arguments.gradescope, bare);
+    if (!arguments.gradescope.empty()) write_gradescope(arguments.gradescope, result);
     return std::ranges::all_of(result["tasks"], [](const ordered_json& task) {
         return task["extra"].get<bool>() || task["status"] == "passed";
     });

@@ -4,6 +4,7 @@
 #include "core/error.hpp"
 #include "core/markup.hpp"
 #include "golden/sha256.hpp"
+#include "image/texture_formats.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -106,8 +107,79 @@ nlohmann::ordered_json pack_pixels(const image::Image& image) {
             {"data", base64(deflated(byte_planes(image, channels, scale)))}};
 }
 
+namespace {
+
+/// The bytes that zlib inflates to exactly this size.
+std::optional<std::string> inflated(const std::string& bytes, std::size_t size) {
+    std::string result(size, '\0');
+    uLongf length = size;
+    const int status = uncompress(reinterpret_cast<Bytef*>(result.data()), &length,
+                                  reinterpret_cast<const Bytef*>(bytes.data()), bytes.size());
+    if (status != Z_OK || length != size) return std::nullopt;
+    return result;
+}
+
+} // namespace
+
+std::optional<image::Image> unpack_pixels(const nlohmann::ordered_json& packed) {
+    constexpr std::int64_t max_values = 1 << 24, max_side = 1 << 14;
+    if (!packed.is_object()) return std::nullopt;
+    const auto whole = [&](const char* key) {
+        const auto found = packed.find(key);
+        return found != packed.end() && found->is_number_integer() ? found->get<std::int64_t>() : 0;
+    };
+    const std::int64_t width = whole("width"), height = whole("height"), channels = whole("channels");
+    const auto scale = packed.find("scale"), data = packed.find("data");
+    if (width < 1 || width > max_side || height < 1 || height > max_side || channels < 1 || channels > 4
+        || width * height * channels > max_values || scale == packed.end() || !scale->is_number()
+        || data == packed.end() || !data->is_string())
+        return std::nullopt;
+    const auto count = static_cast<std::size_t>(width * height), stride = static_cast<std::size_t>(channels);
+    const auto bytes = decoded_base64(data->get_ref<const std::string&>());
+    const auto planes = bytes ? inflated(*bytes, 2 * stride * count) : std::nullopt;
+    if (!planes) return std::nullopt;
+    image::Image image(static_cast<int>(width), static_cast<int>(height), static_cast<int>(channels));
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>((*planes)[i]); };
+    for (std::size_t c = 0; c < stride; ++c)
+        for (std::size_t i = 0; i < count; ++i) {
+            const int half = byte(2 * c * count + i) << 8 | byte((2 * c + 1) * count + i);
+            image.pixels[i * stride + c] =
+                glm::unpackHalf1x16(static_cast<std::uint16_t>(half)) / scale->get<float>();
+        }
+    return image;
+}
+
+std::string png_data(const image::Image& shown) {
+    const auto bytes = image::encode_png(shown, "picture of a report");
+    return base64({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+}
+
+namespace {
+
+constexpr std::string_view base64_digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+
+} // namespace
+
+std::optional<std::string> decoded_base64(std::string_view text) {
+    if (text.size() % 4 != 0) return std::nullopt;
+    const std::size_t padding = text.ends_with("==") ? 2 : text.ends_with("=") ? 1 : 0;
+    std::string bytes;
+    bytes.reserve(text.size() / 4 * 3);
+    for (std::size_t i = 0; i < text.size(); i += 4) {
+        std::uint32_t group = 0;
+        for (std::size_t k = i; k < i + 4; ++k) {
+            const std::size_t digit = k < text.size() - padding ? base64_digits.find(text[k]) : 0;
+            if (digit == std::string_view::npos) return std::nullopt;
+            group = group << 6 | static_cast<std::uint32_t>(digit);
+        }
+        for (const int shift : {16, 8, 0}) bytes += static_cast<char>(group >> shift & 0xff);
+    }
+    bytes.resize(bytes.size() - padding);
+    return bytes;
+}
+
 std::string base64(std::string_view bytes) {
-    constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    constexpr std::string_view digits = base64_digits;
     std::string text;
     text.reserve((bytes.size() + 2) / 3 * 4);
     for (std::size_t i = 0; i < bytes.size(); i += 3) {

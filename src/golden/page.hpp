@@ -3,6 +3,7 @@
 #include "image/image.hpp"
 
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,8 +22,17 @@ std::string shell_line(const std::vector<std::string>& words);
 /// base64. A half has 11 significant bits: the error is within 0.05 %.
 nlohmann::ordered_json pack_pixels(const image::Image& image);
 
+/// The inverse of pack_pixels(). Absent for JSON of another form, or of more than 2²⁴ values.
+std::optional<image::Image> unpack_pixels(const nlohmann::ordered_json& packed);
+
+/// A PNG of values in 0..1 that are encoded for display, as base64.
+std::string png_data(const image::Image& shown);
+
 /// RFC 4648 section 4.
 std::string base64(std::string_view bytes);
+
+/// The inverse. Absent for text that base64() does not make.
+std::optional<std::string> decoded_base64(std::string_view text);
 
 /// The *.css and *.js files of a folder as they were when the program was built, in the order of their names.
 struct ReportPage {

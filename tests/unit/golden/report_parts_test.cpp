@@ -7,6 +7,7 @@
 #include "unit/golden/suite_support.hpp"
 
 #include <limits>
+#include <nlohmann/json.hpp>
 
 using namespace sr;
 using namespace sr::testing;
@@ -52,6 +53,30 @@ const Test any_range("unit.golden.report.packs_any_range", [] {
         EXPECT_GE(largest * scale, 16384.0f);
         EXPECT_LT(largest * scale, 32768.0f);
     }
+});
+
+const Test pixels_return("unit.golden.report.unpacks_what_it_packs", [] {
+    image::Image image(3, 2, 4);
+    for (std::size_t i = 0; i < image.pixels.size(); ++i) image.pixels[i] = static_cast<float>(i) * 1e4f;
+    const auto packed = golden::pack_pixels(image);
+    const auto same = golden::unpack_pixels(packed);
+    ASSERT_TRUE(same);
+    EXPECT_EQ(same->width, 3);
+    for (std::size_t i = 0; i < image.pixels.size(); ++i)
+        EXPECT_NEAR(same->pixels[i], image.pixels[i], 5e-4f * image.pixels[i]);
+    EXPECT_EQ(golden::decoded_base64("Zm9vYg=="), "foob");
+    EXPECT_FALSE(golden::decoded_base64("Zm9=Yg=="));
+    for (const char* change : {"data", "width", "channels", "scale"}) {
+        auto broken = packed;
+        broken[change] =
+            change == std::string("data") ? nlohmann::ordered_json("Zm9v") : nlohmann::ordered_json("3");
+        EXPECT_FALSE(golden::unpack_pixels(broken)) << change;
+    }
+    auto large = packed;
+    large["width"] = 1 << 14;
+    large["height"] = 1 << 14;
+    EXPECT_FALSE(golden::unpack_pixels(large));
+    EXPECT_TRUE(golden::decoded_base64(golden::png_data(image))->starts_with("\x89PNG"));
 });
 
 const Test self_contained("unit.golden.report.needs_nothing_from_outside", [] {
