@@ -157,7 +157,8 @@ Changes App::update(double seconds) {
 bool App::belongs_to_panel(const Event& event) const {
     if (!std::holds_alternative<ButtonEvent>(event) && !std::holds_alternative<ScrollEvent>(event))
         return false;
-    if (workspace_.question) return true;
+    const auto* button = std::get_if<ButtonEvent>(&event);
+    if (workspace_.question) return !button || button->is_down; // a drag ends where its button is released
     return ui_.has_pointer()
            && std::ranges::none_of(tools_, [](const auto& tool) { return tool->holds_pointer(); });
 }
@@ -312,12 +313,12 @@ Changes App::draw_panels() {
         message_area({fmt::format("loading {} ...", workspace_.options.scene), {}, {}});
         return {};
     }
+    history_panel(has_history_, messages.history());
     if (!has_panels_) return {};
     Changes changes;
     const Overlay overlay{workspace_.projection(), ui_.scale()};
     for (const auto& tool : tools_) changes |= tool->draw(overlay);
     message_area({progress_of(workspace_.scene->render()), under_pointer(), messages.status()});
-    history_panel(has_history_, messages.history());
     return changes | draw_main_panel();
 }
 

@@ -47,6 +47,9 @@ Reference::Reference(std::string name, image::Image film, std::string camera, bo
 void Workspace::ask(Question asked) {
     messages.log("Asked: " + asked.text);
     question = std::move(asked);
+    // A question that nobody sees is no question. A maximised window stays so.
+    if (glfwGetWindowAttrib(window.handle(), GLFW_ICONIFIED)) glfwRestoreWindow(window.handle());
+    glfwShowWindow(window.handle());
 }
 
 void Workspace::answer(const Answer& given) {

@@ -6,12 +6,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
-#include <charconv>
-#include <csignal>
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <functional>
 #include <nlohmann/json.hpp>
+#include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace sr::viewer {
@@ -118,13 +118,33 @@ std::string stamp_of(const std::string& file) {
     return fmt::format("{} {}", time, fs::file_size(file, ignored));
 }
 
-/// True unless the process that wrote the journal still runs. `name`: its file's, PREFIX-PROCESS.json.
-bool is_lost(const std::string& name, const std::string& prefix) {
-    int process = 0;
-    const char* const end = name.data() + name.size();
-    const auto read = std::from_chars(name.data() + prefix.size(), end, process);
-    const bool is_number = read.ec == std::errc() && std::string_view(read.ptr, end) == ".json";
-    return is_number && process > 0 && kill(process, 0) != 0 && errno == ESRCH;
+fs::path lock_of(fs::path journal) { return journal.replace_extension(".lock"); }
+
+/// Locks the lock of a journal. @return its descriptor; -1 if another run holds it or it cannot be made
+int locked(const fs::path& journal) {
+    const fs::path file = lock_of(journal);
+    const int descriptor = open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
+    if (descriptor < 0) return -1;
+    struct stat held {
+    }, named{};
+    const bool is_held = flock(descriptor, LOCK_EX | LOCK_NB) == 0 && fstat(descriptor, &held) == 0;
+    // A run that has ended meanwhile may have removed the file that was opened.
+    if (is_held && stat(file.c_str(), &named) == 0 && held.st_ino == named.st_ino) return descriptor;
+    close(descriptor);
+    return -1;
+}
+
+void unlock(const fs::path& journal, int descriptor) {
+    std::error_code ignored;
+    fs::remove(lock_of(journal), ignored); // while it is held, so that nobody else's is removed
+    close(descriptor);
+}
+
+/// True unless the run that wrote the journal still lives.
+bool is_lost(const fs::path& journal) {
+    const int descriptor = locked(journal);
+    if (descriptor >= 0) unlock(journal, descriptor);
+    return descriptor >= 0;
 }
 
 } // namespace
@@ -134,8 +154,22 @@ Journal::Journal(const std::string& scene_file) : scene_file_(scene_file) {
     const fs::path whole = fs::weakly_canonical(scene_file, failure);
     const fs::path folder = state_folder();
     if (failure || folder.empty()) return;
-    prefix_ = fmt::format("{}-{:016x}-", whole.stem().string(), std::hash<std::string>{}(whole.string()));
-    file_ = folder / fmt::format("{}{}.json", prefix_, getpid());
+    constexpr std::size_t max_stem = 100; // of the 255 bytes that a file's name has
+    prefix_ = fmt::format("{}-{:016x}-", whole.stem().string().substr(0, max_stem),
+                          std::hash<std::string>{}(whole.string()));
+    constexpr int max_runs = 1000; // journals that nobody has answered
+    for (int run = 1; run <= max_runs; ++run) {
+        const fs::path journal = folder / fmt::format("{}{}.json", prefix_, run);
+        if (fs::exists(journal, failure)) continue; // another run's, which lives or has lost it
+        lock_ = locked(journal);
+        if (lock_ < 0) continue;
+        file_ = journal;
+        return;
+    }
+}
+
+Journal::~Journal() {
+    if (lock_ >= 0) unlock(file_, lock_);
 }
 
 std::optional<LostEdits> Journal::find(const std::vector<LightEdit>& fresh) const {
@@ -145,7 +179,8 @@ std::optional<LostEdits> Journal::find(const std::vector<LightEdit>& fresh) cons
     for (fs::directory_iterator entry(file_.parent_path(), failure);
          !failure && entry != fs::directory_iterator(); entry.increment(failure)) {
         const std::string name = entry->path().filename().string();
-        if (!name.starts_with(prefix_) || !is_lost(name, prefix_)) continue;
+        const bool is_journal = name.starts_with(prefix_) && entry->path().extension() == ".json";
+        if (!is_journal || entry->path() == file_ || !is_lost(entry->path())) continue;
         if (!newest || fs::last_write_time(*newest, ignored) < fs::last_write_time(entry->path(), ignored))
             newest = entry->path();
     }
@@ -164,10 +199,11 @@ std::optional<LostEdits> Journal::find(const std::vector<LightEdit>& fresh) cons
 
 void Journal::write(const LightEditor& editor) const {
     if (!editor.is_unsaved()) return remove();
-    json journal{{"file", scene_file_}, {"stamp", stamp_of(scene_file_)}, {"edits", json::array()}};
+    json journal{{"stamp", stamp_of(scene_file_)}, {"edits", json::array()}};
     for (const LightEdit& edit : editor.edits())
         if (edit.is_news()) journal["edits"].push_back(json_of(edit));
-    write_lines(file_, {journal.dump()});
+    // A name of a light that is no UTF-8 loses those letters, not the edits.
+    write_lines(file_, {journal.dump(-1, ' ', false, json::error_handler_t::replace)});
 }
 
 void Journal::remove() const {

@@ -15,18 +15,19 @@ struct LostEdits {
     bool has_file_changed = false; // since
 };
 
-/// A file in $XDG_STATE_HOME/steradian (or ~/.local/state/steradian) for each scene file and process. What
-/// cannot be written is not kept, without an error.
+/// A file in $XDG_STATE_HOME/steradian (or ~/.local/state/steradian) for each scene file and run. A lock
+/// beside it is held while the run lives; the system releases it when the run ends in any way. What cannot be
+/// written is not kept, without an error.
 class Journal {
 public:
     explicit Journal(const std::string& scene_file);
-    ~Journal() = default;
+    ~Journal();
     Journal(const Journal&) = delete;
     Journal& operator=(const Journal&) = delete;
 
     const std::string& scene_file() const { return scene_file_; }
 
-    /// Finds the newest journal of the scene file whose process has ended. `fresh`: the edits of the file as
+    /// Finds the newest journal of the scene file whose run has ended. `fresh`: the edits of the file as
     /// it is. A journal that cannot be read is no journal.
     std::optional<LostEdits> find(const std::vector<LightEdit>& fresh) const;
 
@@ -38,6 +39,7 @@ private:
     std::string scene_file_;
     std::filesystem::path file_; // empty: there is no place for it
     std::string prefix_;         // of the names of all journals of the scene file
+    int lock_ = -1;              // descriptor of the lock of file_
 };
 
 } // namespace sr::viewer

@@ -40,6 +40,8 @@ private:
     Changes apply_to_code(const TickQuestion& facts);
     Changes apply_to_scene(const TickQuestion& facts);
     Changes go_to_pixel(const TickQuestion& facts);
+    std::filesystem::path emptied_folder();
+    bool is_busy() const;
     void draw_question(const TickQuestion& question);
 
     std::stop_source stop_;
@@ -60,6 +62,10 @@ std::filesystem::path made_folder() {
     if (!mkdtemp(name.data()))
         throw Error({name}, "cannot be made", "name a folder that can be written in $TMPDIR");
     return name;
+}
+
+bool needs_other_scene(const TickQuestion& question) {
+    return question["kind"] == "parameter" && !question["facts"]["pointer"].get<std::string>().empty();
 }
 
 /// The file with the changed line. @throws Error if the student has changed that line since
@@ -118,6 +124,8 @@ Changes Tick::update(double /*seconds*/) {
 std::optional<Changes> Tick::handle(const Event& event) {
     const auto command = command_in(event);
     if (questions_.empty() || !command) return std::nullopt;
+    const bool changes = command == Command::next_question || command == Command::try_question;
+    if (changes && is_busy()) return Change::redraw;
     try {
         if (command == Command::next_question) return go_to_next();
         if (command == Command::try_question) return is_changed_ ? take_back() : try_change();
@@ -131,11 +139,32 @@ std::optional<Changes> Tick::handle(const Event& event) {
     return Change::redraw;
 }
 
+/// Says why the key can do nothing now: a scene is loading, or another scene would drop unsaved edits.
+bool Tick::is_busy() const {
+    const bool opens = is_changed_ ? !own_scene_.empty() : needs_other_scene(questions_[at_]);
+    if (ws_.loading)
+        ws_.messages.notify("A file is loading. Try again when it is done.");
+    else if (opens && ws_.scene->lights().is_unsaved())
+        ws_.messages.notify("The scene has unsaved edits. Save them (Ctrl S) or undo them (Ctrl Z) first.");
+    else
+        return false;
+    return true;
+}
+
+/// The folder of one change. Files of the change before are removed: their lines are not replaced any more.
+std::filesystem::path Tick::emptied_folder() {
+    if (scratch_.empty()) scratch_ = made_folder();
+    const std::filesystem::path folder = scratch_ / "change";
+    std::filesystem::remove_all(folder);
+    std::filesystem::create_directories(folder);
+    return folder;
+}
+
 Changes Tick::go_to_next() {
     const Changes changes = is_changed_ ? take_back() : Changes(Change::redraw);
     at_ = (at_ + 1) % questions_.size();
     shows_answer_ = false;
-    ws_.messages.notify(fmt::format("TickQuestion {} of {}.", at_ + 1, questions_.size()));
+    ws_.messages.notify(fmt::format("Question {} of {}.", at_ + 1, questions_.size()));
     return changes;
 }
 
@@ -162,9 +191,7 @@ Changes Tick::go_to_pixel(const TickQuestion& facts) {
 
 /// Shows the scene by the student's code with a line replaced, or another parameter.
 Changes Tick::apply_to_code(const TickQuestion& line) {
-    if (scratch_.empty()) scratch_ = made_folder();
-    const std::filesystem::path folder = scratch_ / "shaders";
-    std::filesystem::create_directories(folder);
+    const std::filesystem::path folder = emptied_folder();
     const std::string file = line["file"];
     image::write_text(folder / file, with_line(std::filesystem::path(ws_.options.submission) / file, line));
     ws_.options.changed_code = folder.string();
@@ -191,11 +218,11 @@ Changes Tick::apply_to_scene(const TickQuestion& facts) {
                                                          facts["to"].dump())}});
         throw Error({file.string()}, "has no such parameter", "make the folder anew");
     }
-    if (scratch_.empty()) scratch_ = made_folder();
+    const std::filesystem::path folder = emptied_folder();
     own_scene_ = ws_.scene->loaded().file;
     auto gltf = TickQuestion::parse(read_text(own_scene_));
     gltf[TickQuestion::json_pointer(pointer)] = facts["to"];
-    const std::filesystem::path file = scratch_ / std::filesystem::path(own_scene_).filename();
+    const std::filesystem::path file = folder / std::filesystem::path(own_scene_).filename();
     image::write_text(file, gltf.dump());
     is_changed_ = true;
     ws_.open(file.string());
@@ -237,7 +264,7 @@ Changes Tick::draw(const Overlay& overlay) {
         ImGui::PushTextWrapPos();
         if (making_.valid()) ImGui::TextDisabled("Questions are being made ...");
         if (!questions_.empty()) {
-            ImGui::TextUnformatted(fmt::format("TickQuestion {} of {}: {}", at_ + 1, questions_.size(),
+            ImGui::TextUnformatted(fmt::format("Question {} of {}: {}", at_ + 1, questions_.size(),
                                                questions_[at_]["title"].get<std::string>())
                                        .c_str());
             draw_question(questions_[at_]);

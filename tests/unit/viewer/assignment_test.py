@@ -10,7 +10,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-from driver import Display, Viewer
+from driver import Display, Viewer, skip_without
 
 STERADIAN, ASSIGNMENTS, SCRATCH = (Path(argument).resolve() for argument in sys.argv[1:])
 FOLDER = SCRATCH / "my-a3"
@@ -42,9 +42,7 @@ def factor_of(picture: Path, reference: Path) -> float:
 
 
 def main():
-    if not (shutil.which("Xvfb") and shutil.which("xdotool") and shutil.which("oiiotool")):
-        print("SKIPPED: Xvfb, xdotool or oiiotool is not installed")
-        sys.exit(77)
+    skip_without("oiiotool")
     shutil.rmtree(SCRATCH, ignore_errors=True)
     SCRATCH.mkdir(parents=True)
     steradian("assignment", "new", "a3", FOLDER, "--student", "12345")
@@ -52,8 +50,7 @@ def main():
     right = solution("microfacets.glsl")
     (FOLDER / "microfacets.glsl").write_text(right.replace("a2 / (pi * d * d)", "a2 / (d * d)"))
     reference = SCRATCH / "reference.exr"
-    display = Display(SCRATCH / "display", 320, 240)
-    try:
+    with Display(SCRATCH / "display", 320, 240) as display:
         viewer = Viewer(display, STERADIAN, SCRATCH / "run", "--assignment", FOLDER, "--size", SIZE, "--samples", "2")
         viewer.wait(lambda: "Shaders reloaded." in viewer.errors(), "a check that ends")
         viewer.changed_by(lambda: None) if viewer.converged() < 2 else None
@@ -76,8 +73,6 @@ def main():
         viewer.key("b")
         viewer.wait(lambda: sum(viewer.screen(*places[1])) > 1.5 * sum(before), "the reference's picture beside", 20)
         viewer.close()
-    finally:
-        display.close()
 
 
 if __name__ == "__main__":

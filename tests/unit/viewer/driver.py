@@ -1,10 +1,21 @@
 """Drives the viewer as a person would: a display of its own, real key and mouse events, a look at the screen."""
+import importlib.util
 import os
 import shutil
 import struct
 import subprocess
+import sys
 import time
 from pathlib import Path
+
+
+def skip_without(*programs: str, modules: tuple[str, ...] = ()):
+    """Ends a test as skipped, with status 77, where a program or a Python module that it needs is missing."""
+    missing = [name for name in ("Xvfb", "xdotool", *programs) if not shutil.which(name)]
+    missing += [name for name in modules if not importlib.util.find_spec(name)]
+    if missing:
+        print(f"SKIPPED: {', '.join(missing)} missing: tools/setup")
+        sys.exit(77)
 
 
 class Display:
@@ -25,6 +36,12 @@ class Display:
         self.environment = {**os.environ, "DISPLAY": f":{number}", "XDG_CONFIG_HOME": str(folder / "config"),
                             "XDG_STATE_HOME": str(folder / "state")}
         self.environment.pop("WAYLAND_DISPLAY", None)
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.close()
 
     def do(self, *arguments) -> str:
         """xdotool, which makes real events (XTEST)."""
@@ -82,6 +99,10 @@ class Viewer:
                 raise AssertionError(f"the viewer ended with {self.process.returncode}: {self.errors()}")
             time.sleep(0.03)
         raise AssertionError(f"waited {seconds} s for {what}; title: {self.title()}; {self.errors()}")
+
+    def said(self, text: str, count: int = 1, seconds: float = 20):
+        """Until it has said this text so many times."""
+        self.wait(lambda: self.errors().count(text) >= count, text, seconds)
 
     def title(self) -> str:
         return self.display.do("getwindowname", self.window)

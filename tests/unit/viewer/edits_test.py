@@ -9,20 +9,10 @@ import shutil
 import sys
 from pathlib import Path
 
-from driver import Display, Viewer
-
-try:
-    from Xlib import display as xlib
-    from Xlib.protocol.event import ClientMessage
-except ImportError:
-    xlib = None
+from driver import Display, Viewer, skip_without
 
 STERADIAN, SCENES, SCRATCH = (Path(argument).resolve() for argument in sys.argv[1:])
 OPTIONS = "--size", "400x300", "--samples", "1", "--visibility", "none", "--exposure", "8"
-
-
-def said(viewer: Viewer, text: str, count: int = 1):
-    viewer.wait(lambda: viewer.errors().count(text) >= count, text, 20)
 
 
 def is_unsaved(viewer: Viewer, expected: bool):
@@ -35,6 +25,8 @@ def journals(display: Display) -> list[Path]:
 
 def close(display: Display, viewer: Viewer):
     """Asks the window to close, as a window manager does."""
+    from Xlib import display as xlib
+    from Xlib.protocol.event import ClientMessage
     connection = xlib.Display(display.environment["DISPLAY"])
     window = connection.create_resource_object("window", int(viewer.window))
     protocols, delete = (connection.intern_atom(name) for name in ("WM_PROTOCOLS", "WM_DELETE_WINDOW"))
@@ -49,19 +41,47 @@ def asking(display: Display, viewer: Viewer, other: Path):
     viewer.key("Tab", "space")
     is_unsaved(viewer, True)
     viewer.key("ctrl+q")
-    said(viewer, "unsaved edits. Quit?")
+    viewer.said("unsaved edits. Quit?")
     viewer.key("t", "space", "Escape")  # only the answer counts
     viewer.key("F5")
-    said(viewer, "unsaved edits. Reload it?")
+    viewer.said("unsaved edits. Reload it?")
     viewer.key("Escape")
     close(display, viewer)
-    said(viewer, "unsaved edits. Quit?", 2)
+    viewer.said("unsaved edits. Quit?", 2)
     viewer.key("Escape", "ctrl+o")
     viewer.type(str(other))
-    said(viewer, "unsaved edits. Open veach.gltf?")
+    viewer.said("unsaved edits. Open veach.gltf?")
     viewer.key("Escape", "Escape")
     is_unsaved(viewer, True)
     assert "scene.gltf" in viewer.title() and "tone" not in viewer.errors(), viewer.errors()
+
+
+def dragging(display: Display, viewer: Viewer):
+    """A drag whose button is released under a question has ended: the pointer moves nothing afterwards."""
+    asked, copied = (viewer.errors().count(text) for text in ("unsaved edits. Quit?", "Copied: "))
+    display.do("mousemove", 200, 150, "mousedown", 1, "mousemove", 210, 150, "mousemove", 220, 160)
+    close(display, viewer)
+    viewer.said("unsaved edits. Quit?", asked + 1)
+    display.do("mouseup", 1)
+    viewer.key("Escape", "ctrl+c")
+    viewer.said("Copied: ", copied + 1)
+    viewer.move(300, 200)
+    viewer.key("ctrl+c")
+    viewer.said("Copied: ", copied + 2)
+    first, second = viewer.errors().split("Copied: ")[-2:]
+    assert first.splitlines()[0] == second.splitlines()[0], (first, second)
+    viewer.key("0")
+
+
+def hiding(display: Display, viewer: Viewer):
+    """A window that is not seen shows itself to ask."""
+    asked = viewer.errors().count("unsaved edits. Quit?")
+    display.do("windowunmap", "--sync", viewer.window)
+    close(display, viewer)
+    viewer.said("unsaved edits. Quit?", asked + 1)
+    viewer.wait(lambda: display.do("search", "--onlyvisible", "--name", "Steradian"), "a window that is seen again")
+    display.do("windowfocus", "--sync", viewer.window)
+    viewer.key("Escape")
 
 
 def saving(viewer: Viewer, scene: Path):
@@ -71,14 +91,14 @@ def saving(viewer: Viewer, scene: Path):
     other.write_text("{}")
     viewer.key("ctrl+s", "ctrl+a")
     viewer.type(str(scene))
-    said(viewer, "is the open file")
+    viewer.said("is the open file")
     viewer.type("")  # the field has the keyboard again, with the path
-    said(viewer, "is the open file", 2)
+    viewer.said("is the open file", 2)
     viewer.wait(lambda: viewer.errors().count("text field focused") > viewer.fields, "the field again", 20)
     viewer.fields += 1
     viewer.key("Escape", "ctrl+s", "ctrl+a")
     viewer.type(str(other))
-    said(viewer, "exists already. Replace it?")
+    viewer.said("exists already. Replace it?")
     viewer.key("Escape")
     assert scene.read_bytes() == before and other.read_text() == "{}", "overwritten without an answer"
     is_unsaved(viewer, True)
@@ -87,9 +107,9 @@ def saving(viewer: Viewer, scene: Path):
     viewer.wait(edited.exists, "a saved file", 20)
     is_unsaved(viewer, False)
     viewer.key("ctrl+z")
-    said(viewer, "Undone: disabling ")
+    viewer.said("Undone: disabling ")
     viewer.key("ctrl+shift+z")
-    said(viewer, "Redone: disabling ")
+    viewer.said("Redone: disabling ")
     is_unsaved(viewer, False)
 
 
@@ -97,9 +117,9 @@ def opening(viewer: Viewer, other: Path):
     """A path that cannot be opened stays in the field, which keeps the keyboard."""
     viewer.key("ctrl+o")
     viewer.type(f"{other}x")
-    said(viewer, "veach.gltfx")
+    viewer.said("veach.gltfx")
     viewer.type("")  # tries the same path again
-    said(viewer, "veach.gltfx", 2)
+    viewer.said("veach.gltfx", 2)
     viewer.type(str(other))  # in the place of the path, which is selected
     viewer.wait(lambda: "veach.gltf" in viewer.title(), "the file that was meant", 20)
 
@@ -112,13 +132,13 @@ def crashing(viewer: Viewer, display: Display, scene: Path):
     viewer.process.kill()
     viewer.process.wait()
     viewer = Viewer(display, STERADIAN, SCRATCH / "again", scene, *OPTIONS)
-    said(viewer, "Asked: An earlier run ended without saving 1 edited light of veach.gltf.")
+    viewer.said("Asked: An earlier run ended without saving 1 edited light of veach.gltf.")
     viewer.key("r")
-    said(viewer, "The edits are recovered.")
+    viewer.said("The edits are recovered.")
     is_unsaved(viewer, True)
     copy = scene.with_name("veach_edited.gltf")
     viewer.key("ctrl+q")
-    said(viewer, "Quit?")
+    viewer.said("Quit?")
     viewer.key("s")
     viewer.process.communicate(timeout=30)
     assert viewer.process.returncode == 0, viewer.errors()
@@ -128,23 +148,20 @@ def crashing(viewer: Viewer, display: Display, scene: Path):
 
 
 def main() -> int:
-    if not shutil.which("Xvfb") or not shutil.which("xdotool") or not xlib:
-        print("SKIPPED: Xvfb, xdotool and python-xlib are needed: tools/setup")
-        return 77
+    skip_without(modules=("Xlib",))
     shutil.rmtree(SCRATCH, ignore_errors=True)
-    display = Display(SCRATCH / "display", 800, 600)
-    scene, other = SCRATCH / "scene.gltf", SCRATCH / "veach.gltf"
-    shutil.copy(SCENES / "cornell.gltf", scene)
-    shutil.copy(SCENES / "veach.gltf", other)
-    try:
+    with Display(SCRATCH / "display", 800, 600) as display:
+        scene, other = SCRATCH / "scene.gltf", SCRATCH / "veach.gltf"
+        shutil.copy(SCENES / "cornell.gltf", scene)
+        shutil.copy(SCENES / "veach.gltf", other)
         viewer = Viewer(display, STERADIAN, SCRATCH / "run", scene, *OPTIONS)
         viewer.done()
         asking(display, viewer, other)
+        dragging(display, viewer)
+        hiding(display, viewer)
         saving(viewer, scene)
         opening(viewer, other)
         crashing(viewer, display, other)
-    finally:
-        display.close()
     return 0
 
 

@@ -10,7 +10,7 @@ import shutil
 import sys
 from pathlib import Path
 
-from driver import Display, Viewer
+from driver import Display, Viewer, skip_without
 
 STERADIAN, SCENES, SCRATCH = (Path(argument).resolve() for argument in sys.argv[1:])
 LIGHTS = 100
@@ -56,21 +56,16 @@ def hiding(viewer: Viewer):
 
 
 def main() -> int:
-    if not shutil.which("Xvfb") or not shutil.which("xdotool"):
-        print("Xvfb and xdotool are needed: sudo apt-get install xvfb xdotool")
-        return 77
+    skip_without()
     shutil.rmtree(SCRATCH, ignore_errors=True)
-    display = Display(SCRATCH / "display", 640, 400)
-    scene = SCRATCH / "many.gltf"
-    scene.write_text(json.dumps(many_lights()))
-    try:
+    with Display(SCRATCH / "display", 640, 400) as display:
+        scene = SCRATCH / "many.gltf"
+        scene.write_text(json.dumps(many_lights()))
         viewer = Viewer(display, STERADIAN, SCRATCH / "run", scene, "--size", "640x400", "--samples", "100000", "--exposure", "8")
         viewer.wait(lambda: "many.gltf" in viewer.title(), "a picture")
         probing(viewer)
         hiding(viewer)
         viewer.close()
-    finally:
-        display.close()
     return 0
 
 

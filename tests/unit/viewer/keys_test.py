@@ -10,7 +10,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-from driver import Display, Viewer
+from driver import Display, Viewer, skip_without
 
 STERADIAN, SCENES, SCRATCH = (Path(argument).resolve() for argument in sys.argv[1:])
 OPTIONS = "--size", "400x300", "--samples", "1", "--visibility", "none", "--exposure", "8"
@@ -19,10 +19,6 @@ OPTIONS = "--size", "400x300", "--samples", "1", "--visibility", "none", "--expo
 def layout(display: Display, name: str):
     """Sets the layout. xdotool then presses the key that has the label."""
     subprocess.run(["setxkbmap", "-display", display.environment["DISPLAY"], name], check=True)
-
-
-def said(viewer: Viewer, text: str, count: int = 1):
-    viewer.wait(lambda: viewer.errors().count(text) >= count, text, 20)
 
 
 def camera_of(viewer: Viewer) -> str:
@@ -42,50 +38,56 @@ def azerty(viewer: Viewer):
     viewer.changed_by(lambda: viewer.key("a"))
 
 
+def history(viewer: Viewer):
+    """M lists the messages while the panels are hidden, too. On AZERTY it is beside L."""
+    viewer.pause()
+    before = viewer.screen(200, 150)
+    viewer.key("m")
+    viewer.wait(lambda: viewer.screen(200, 150) != before, "a list of messages over the picture")
+    viewer.key("m")
+    viewer.wait(lambda: viewer.screen(200, 150) == before, "the picture again")
+
+
 def qwertz(viewer: Viewer):
     """Ctrl Z undoes and Ctrl Y redoes, which are in each other's places."""
     viewer.key("Tab", "space", "ctrl+z")
-    said(viewer, "Undone: ")
+    viewer.said("Undone: ")
     viewer.key("ctrl+y")
-    said(viewer, "Redone: ")
+    viewer.said("Redone: ")
     viewer.key("ctrl+z")
-    said(viewer, "Undone: ", 2)
+    viewer.said("Undone: ", 2)
 
 
 def cancelling(viewer: Viewer):
     """An Esc cancels one thing, the innermost first. Keys that follow a refused command do nothing."""
     camera, before = camera_of(viewer), viewer.errors()
     viewer.key("b")
-    said(viewer, "Reference kept.")
+    viewer.said("Reference kept.")
     viewer.key("g", "x", "1", "Return")
-    said(viewer, "Emissive surfaces cannot be moved.")
+    viewer.said("Emissive surfaces cannot be moved.")
     viewer.key("F1", "Escape", "Escape", "b")  # help, comparison; a light is selected still
-    said(viewer, "Comparison: wipe.")
+    viewer.said("Comparison: wipe.")
     viewer.changed_by(lambda: viewer.key("space"))
     assert viewer.title().startswith("*") and camera_of(viewer) == camera, "another view, or the light is not selected"
     viewer.key("ctrl+z")
-    said(viewer, "Undone: ", 3)
+    viewer.said("Undone: ", 3)
     after = viewer.errors()[len(before):]
     assert "text field" not in after, after
 
 
 def main() -> int:
-    if not all(map(shutil.which, ("Xvfb", "xdotool", "setxkbmap"))):
-        print("SKIPPED: Xvfb, xdotool and setxkbmap are needed: sudo apt-get install xvfb xdotool x11-xkb-utils")
-        return 77
+    skip_without("setxkbmap")
     shutil.rmtree(SCRATCH, ignore_errors=True)
-    display = Display(SCRATCH / "display", 800, 600)
-    try:
+    with Display(SCRATCH / "display", 800, 600) as display:
         layout(display, "fr")
         viewer = Viewer(display, STERADIAN, SCRATCH / "fr", SCENES / "cornell.gltf", *OPTIONS)
         viewer.done()
         azerty(viewer)
+        history(viewer)
         layout(display, "de")
         qwertz(viewer)
         cancelling(viewer)
         viewer.close()
-    finally:
-        display.close()
     return 0
 
 

@@ -11,13 +11,8 @@ import subprocess
 import sys
 from pathlib import Path
 
-from driver import Display, Viewer
+from driver import Display, Viewer, skip_without
 from viewer_test import SAMPLES, SCENES, SCRATCH, SIZE, STERADIAN, rendered, same
-
-try:
-    from drop import drop
-except ImportError:
-    drop = None
 
 
 OPTIONS = "--energy-compensation"
@@ -72,6 +67,7 @@ def varying(viewer: Viewer, scene: Path):
 
 def dropping(viewer: Viewer, display: Display):
     """A picture is compared with, a scene is opened, anything else is one line over the picture."""
+    from drop import drop
     window = int(viewer.window)
     picture, text = SCRATCH / "my picture.png", SCRATCH / "notes.txt"
     subprocess.run(["oiiotool", "--pattern", "constant:color=0.2,0.6,0.4", SIZE, "3", "-d", "uint8", "-o", picture], check=True)
@@ -86,14 +82,11 @@ def dropping(viewer: Viewer, display: Display):
 
 
 def main() -> int:
-    if not shutil.which("Xvfb") or not shutil.which("xdotool") or not drop:
-        print("Xvfb, xdotool and python-xlib are needed: tools/setup")
-        return 77
+    skip_without(modules=("Xlib",))
     shutil.rmtree(SCRATCH, ignore_errors=True)
-    display = Display(SCRATCH / "display", 800, 600)
-    scene = SCRATCH / "scene.gltf"
-    shutil.copy(SCENES / "motion.gltf", scene)
-    try:
+    with Display(SCRATCH / "display", 800, 600) as display:
+        scene = SCRATCH / "scene.gltf"
+        shutil.copy(SCENES / "motion.gltf", scene)
         viewer = Viewer(display, STERADIAN, SCRATCH / "run", scene, "--size", SIZE, "--samples", SAMPLES, "--gl-debug",
                         "--exposure", "3", "--at", "0.25", OPTIONS)
         viewer.done()
@@ -103,8 +96,6 @@ def main() -> int:
         varying(viewer, scene)
         dropping(viewer, display)
         viewer.close()
-    finally:
-        display.close()
     return 0
 
 

@@ -12,7 +12,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-from driver import Display, Viewer
+from driver import Display, Viewer, skip_without
 
 STERADIAN, SCENES, SCRATCH = (Path(argument).resolve() for argument in sys.argv[1:])
 WIDTH, HEIGHT = 400, 300  # of the window
@@ -253,17 +253,14 @@ def losing_the_display():
 
 
 def main() -> int:
-    if not shutil.which("Xvfb") or not shutil.which("xdotool"):
-        print("Xvfb and xdotool are needed: sudo apt-get install xvfb xdotool")
-        return 77
+    skip_without()
     shutil.rmtree(SCRATCH, ignore_errors=True)
     no_display()
     losing_the_display()
-    display = Display(SCRATCH / "display", 800, 600)
-    scene, shader = SCRATCH / "scene.gltf", SCRATCH / "shaders" / "brdf" / "f_r.glsl"
-    shader.parent.mkdir(parents=True)
-    shutil.copy(SCENES / "cornell.gltf", scene)
-    try:
+    with Display(SCRATCH / "display", 800, 600) as display:
+        scene, shader = SCRATCH / "scene.gltf", SCRATCH / "shaders" / "brdf" / "f_r.glsl"
+        shader.parent.mkdir(parents=True)
+        shutil.copy(SCENES / "cornell.gltf", scene)
         no_file(display)
         viewer = Viewer(display, STERADIAN, SCRATCH / "run", scene, "--size", SIZE, "--samples", SAMPLES, "--gl-debug",
                         "--exposure", "8", "--shaders", shader.parent.parent)
@@ -278,8 +275,6 @@ def main() -> int:
         gripping(viewer, SCRATCH)
         keys_beside_fields(viewer)
         converging_by_error(display)
-    finally:
-        display.close()
     return 0
 
 
