@@ -27,7 +27,7 @@ using output::IlluminanceGrid;
 
 constexpr int longest_side = 64; // cells, where neither --grid nor --spacing is given
 constexpr int max_cells = 4096;  // along a side: the size of a picture that every driver takes
-constexpr int isoline_count = 8;
+constexpr int isoline_count = 10;
 
 /// The receiver that --plane states, in the file's world.
 struct StatedPlane {
@@ -391,12 +391,13 @@ void add_illuminance_command(CLI::App& app) {
     command->footer(
         "E is direct light: shadows count, light that walls reflect does not. The plane itself casts no "
         "shadow on\n"
-        "its front, and each cell is the mean over its area.\n\n"
+        "its front. Each cell is the mean over its area. Cells within furniture are dark, and count: with\n"
+        "--visibility none the plane is that of an empty room.\n\n"
         "Examples:\n"
-        "  steradian illuminance office.glb\n"
-        "  steradian illuminance office.glb --height 0.75 --border 0.5 -o plan.svg -o cells.csv\n"
-        "  steradian illuminance office.glb --plane \"0,0.8,0;4,0,0;0,0,-3\" --spacing 0.25 --by-light\n"
-        "  steradian illuminance office.glb --isolines 200,300,500 -o plan.svg --json | jq .min_over_mean");
+        "  steradian illuminance $(steradian samples office)\n"
+        "  steradian illuminance office.gltf --height 0.76 --border 0.5 -o plan.svg -o cells.csv\n"
+        "  steradian illuminance office.gltf --plane \"-2,0.76,-1;1,0,0;0,0,-1\" --spacing 0.1 --by-light\n"
+        "  steradian illuminance office.gltf --isolines 200,300,500 -o plan.svg --json | jq .min_over_mean");
     command->callback([options] {
         const ExitStatus status = illuminance(*options);
         if (status != done) throw CLI::RuntimeError(status);

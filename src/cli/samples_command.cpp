@@ -27,7 +27,7 @@ struct Sample {
 };
 
 /// The files of assets/scenes, in the order in which people look at them.
-constexpr std::array<Sample, 9> samples{{
+constexpr std::array<Sample, 10> samples{{
     {"default", "a robot with a lantern among five materials, under neon tubes and two area lights"},
     {"cornell", "the Cornell box from its measurements: Lambert's surfaces under one lamp of 800 lm"},
     {"spheres", "dielectric, half metallic and metallic balls of roughness 0.05 to 1"},
@@ -36,6 +36,7 @@ constexpr std::array<Sample, 9> samples{{
     {"glass", "coloured panes, a bottle, a block that attenuates and leaves lit from behind"},
     {"zoo", "one light of each kind that glTF has, over the same ball, block and cone"},
     {"emitters", "disk, sphere, tube, polygon, a picture that emits and a lamp with an IES profile"},
+    {"office", "four desks under six panels of 3600 lm, to measure with steradian illuminance"},
     {"motion", "skins, morph targets, moving lights and a variant, in 2 s of animation"},
 }};
 
