@@ -9,12 +9,12 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdlib>
 #include <filesystem>
 #include <fmt/format.h>
 #include <future>
 #include <imgui.h>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <regex>
 #include <sstream>
 #include <string>
@@ -46,21 +46,14 @@ private:
     std::future<TickQuestion> making_; // the examination
     std::vector<TickQuestion> questions_;
     std::vector<std::string> missing_;
-    std::filesystem::path scratch_; // changed files; made when first needed
-    std::string own_scene_;         // the scene while another one is shown; empty: it is shown
+    std::optional<ScratchFolder> scratch_; // changed files; made when first needed
+    std::string own_scene_;                // the scene while another one is shown; empty: it is shown
     std::size_t at_ = 0;
     bool shows_answer_ = false;
     bool is_changed_ = false;
 };
 
 namespace {
-
-std::filesystem::path made_folder() {
-    std::string name = (std::filesystem::temp_directory_path() / "steradian-view-tick-XXXXXX").string();
-    if (!mkdtemp(name.data()))
-        throw Error({name}, "cannot be made", "name a folder that can be written in $TMPDIR");
-    return name;
-}
 
 /// The file with the changed line. @throws Error if the student has changed that line since
 std::string with_line(const std::filesystem::path& file, const TickQuestion& line) {
@@ -102,8 +95,6 @@ Tick::Tick(Workspace& workspace) : Tool(workspace) {
 Tick::~Tick() {
     stop_.request_stop(); // the future waits for the thread
     if (making_.valid()) making_.wait();
-    std::error_code ignored;
-    if (!scratch_.empty()) std::filesystem::remove_all(scratch_, ignored);
 }
 
 Changes Tick::update(double /*seconds*/) {
@@ -162,8 +153,8 @@ Changes Tick::go_to_pixel(const TickQuestion& facts) {
 
 /// Shows the scene by the student's code with a line replaced, or another parameter.
 Changes Tick::apply_to_code(const TickQuestion& line) {
-    if (scratch_.empty()) scratch_ = made_folder();
-    const std::filesystem::path folder = scratch_ / "shaders";
+    if (!scratch_) scratch_.emplace("view-tick");
+    const std::filesystem::path folder = scratch_->path() / "shaders";
     std::filesystem::create_directories(folder);
     const std::string file = line["file"];
     image::write_text(folder / file, with_line(std::filesystem::path(ws_.options.submission) / file, line));
@@ -191,11 +182,11 @@ Changes Tick::apply_to_scene(const TickQuestion& facts) {
                                                          facts["to"].dump())}});
         throw Error({file.string()}, "has no such parameter", "make the folder anew");
     }
-    if (scratch_.empty()) scratch_ = made_folder();
+    if (!scratch_) scratch_.emplace("view-tick");
     own_scene_ = ws_.scene->loaded().file;
     auto gltf = TickQuestion::parse(read_text(own_scene_));
     gltf[TickQuestion::json_pointer(pointer)] = facts["to"];
-    const std::filesystem::path file = scratch_ / std::filesystem::path(own_scene_).filename();
+    const std::filesystem::path file = scratch_->path() / std::filesystem::path(own_scene_).filename();
     image::write_text(file, gltf.dump());
     is_changed_ = true;
     ws_.open(file.string());
