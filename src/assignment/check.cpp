@@ -4,6 +4,7 @@
 #include "assignment/mark.hpp"
 #include "assignment/tick.hpp"
 #include "core/error.hpp"
+#include "core/file.hpp"
 #include "core/limits.hpp"
 #include "gl/context.hpp"
 #include "golden/process.hpp"
@@ -25,24 +26,6 @@ namespace {
 using nlohmann::ordered_json;
 
 namespace fs = std::filesystem;
-
-/// A folder for the results of children, which goes with it.
-struct ResultsFolder {
-    fs::path path;
-
-    ResultsFolder() {
-        std::string name = (fs::temp_directory_path() / "steradian-check-XXXXXX").string();
-        if (!mkdtemp(name.data()))
-            throw Error({name}, "cannot be made", "name a folder that can be written in $TMPDIR");
-        path = name;
-    }
-    ~ResultsFolder() {
-        std::error_code ignored;
-        fs::remove_all(path, ignored);
-    }
-    ResultsFolder(const ResultsFolder&) = delete;
-    ResultsFolder& operator=(const ResultsFolder&) = delete;
-};
 
 /// The path of the submission in texts becomes its name, or nothing before a file in it.
 void leave_out_path(ordered_json& json, const std::string& path, const std::string& name) {
@@ -117,13 +100,13 @@ std::string first_line(const fs::path& file) {
 /// All tasks, or fewer if the check was stopped.
 Marked marked_by_children(const Assignment& assignment, const fs::path& submission,
                           const CheckOptions& options) {
-    const ResultsFolder scratch;
+    const ScratchFolder scratch("check");
     Marked marked;
     ordered_json& tasks = marked.tasks;
     while (tasks.size() < assignment.tasks.size() && !options.stop.stop_requested()) {
-        const fs::path log = scratch.path / "log";
+        const fs::path log = scratch.path() / "log";
         MarkRequest request{fs::absolute(submission),
-                            scratch.path / fmt::format("{}.jsonl", tasks.size()),
+                            scratch.path() / fmt::format("{}.jsonl", tasks.size()),
                             {},
                             options.keeps_pictures,
                             options.grading};

@@ -32,9 +32,7 @@ std::string plain(const std::string& text) {
 
 /// The value behind "key:" of a line of YAML, without quotes.
 std::string value_of(const std::string& line, std::size_t colon) {
-    std::string value = line.substr(colon);
-    value.erase(0, value.find_first_not_of(" \t"));
-    value.erase(value.find_last_not_of(" \t\r") + 1);
+    const std::string value(trimmed(std::string_view(line).substr(colon)));
     const bool is_quoted =
         value.size() > 1 && (value[0] == '"' || value[0] == '\'') && value.back() == value[0];
     return is_quoted ? value.substr(1, value.size() - 2) : value;
@@ -78,16 +76,11 @@ HandedIn handed_in(const fs::path& path, const std::map<std::string, Person>& pe
     return {plain(stem), stem, "", path};
 }
 
-std::string digest_of_text(const std::string& text) {
-    return golden::hexadecimal(
-        golden::sha256({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}));
-}
-
 } // namespace
 
 std::string digest_of(const fs::path& file) {
     try {
-        return digest_of_text(read_text(file));
+        return golden::sha256_text(read_text(file));
     } catch (const Error&) {
         return {};
     }
@@ -150,7 +143,7 @@ std::string fingerprint_of(const fs::path& submission) {
     std::ranges::sort(lines);
     std::string text;
     for (const std::string& line : lines) text += line + "\n";
-    return digest_of_text(text);
+    return golden::sha256_text(text);
 }
 
 } // namespace sr::assignment

@@ -1,6 +1,7 @@
 #include "assignment/code_changes.hpp"
 
 #include "assignment/regions.hpp"
+#include "core/text.hpp"
 
 #include <array>
 #include <cctype>
@@ -16,11 +17,6 @@ namespace {
 constexpr std::size_t max_line = 400; // longer lines are no handwriting; std::regex recurses
 
 bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
-
-std::string trimmed(const std::string& text) {
-    const std::size_t first = text.find_first_not_of(" \t\r\n");
-    return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(" \t\r\n") + 1 - first);
-}
 
 /// The offset behind the bracket that closes the one at `open`; npos if it is not on this line.
 std::size_t behind_partner(const std::string& line, std::size_t open) {
@@ -55,7 +51,7 @@ std::vector<Call> calls_of(const std::string& line, const std::string& function)
             else
                 call.arguments.back() += line[i];
         }
-        for (std::string& argument : call.arguments) argument = trimmed(argument);
+        for (std::string& argument : call.arguments) argument = std::string(trimmed(argument));
         calls.push_back(call);
     }
     return calls;
@@ -113,8 +109,8 @@ private:
         std::string to = line_;
         to.replace(begin, end - begin, replacement);
         if (trimmed(to) == trimmed(line_)) return;
-        changes_.push_back(
-            {name, number_, trimmed(line_), trimmed(to), trimmed(line_.substr(begin, end - begin))});
+        changes_.push_back({name, number_, std::string(trimmed(line_)), std::string(trimmed(to)),
+                            std::string(trimmed(line_.substr(begin, end - begin)))});
     }
 
     /// max(0, x), max(x, 0) and clamp(x, 0, 1) become (x).
@@ -171,7 +167,7 @@ std::vector<CodeChange> code_changes(const Code& code) {
     std::istringstream lines(without_comments(code.text));
     int number = code.line;
     for (std::string line; std::getline(lines, line); ++number) {
-        const std::string content = trimmed(line);
+        const std::string content(trimmed(line));
         if (content.empty() || content.starts_with('#') || content.size() > max_line) continue;
         LineChanges(line, number, changes).add_all();
     }

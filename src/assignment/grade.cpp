@@ -84,8 +84,7 @@ private:
         const std::string text = fmt::format("{} {} {} {} {} {} {}", basis_, submission.key, submission.name,
                                              submission.id, options_.check.time_limit,
                                              options_.check.grading->memory, fingerprint_of(submission.path));
-        return golden::hexadecimal(
-            golden::sha256({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}));
+        return golden::sha256_text(text);
     }
 
     fs::path result_file(const HandedIn& submission) const {

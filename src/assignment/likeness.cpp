@@ -2,6 +2,7 @@
 
 #include "assignment/submission.hpp"
 #include "core/error.hpp"
+#include "core/file.hpp"
 #include "core/markup.hpp"
 #include "golden/process.hpp"
 #include "image/whole_file.hpp"
@@ -41,24 +42,6 @@ for a in range(count):
             print(json.dumps({"a": b, "b": a, "shares": [float(share) for share in shares],
                               "common": [stretches(codes[b], slices[0]), stretches(codes[a], slices[1])]}))
 )";
-
-/// A folder for the texts, which goes with it.
-struct TextsFolder {
-    fs::path path;
-
-    TextsFolder() {
-        std::string name = (fs::temp_directory_path() / "steradian-likeness-XXXXXX").string();
-        if (!mkdtemp(name.data()))
-            throw Error({name}, "cannot be made", "name a folder that can be written in $TMPDIR");
-        path = name;
-    }
-    ~TextsFolder() {
-        std::error_code ignored;
-        fs::remove_all(path, ignored);
-    }
-    TextsFolder(const TextsFolder&) = delete;
-    TextsFolder& operator=(const TextsFolder&) = delete;
-};
 
 /// The code of all regions, in the order of the tasks.
 std::string text_of_regions(const Assignment& assignment, const Submission& submission) {
@@ -154,22 +137,22 @@ std::optional<Likeness> likeness_of(const Assignment& assignment, const Likeness
     const ClassFolder folder = class_folder(options.submissions);
     likeness.remarks = folder.remarks;
     read_codes(assignment, folder, likeness);
-    const TextsFolder scratch;
-    image::write_text(scratch.path / "template.glsl",
+    const ScratchFolder scratch("likeness");
+    image::write_text(scratch.path() / "template.glsl",
                       text_of_regions(assignment, empty_submission(assignment)));
     for (std::size_t i = 0; i < likeness.codes.size(); ++i)
-        image::write_text(scratch.path / fmt::format("{}.glsl", i), likeness.codes[i].text);
-    const fs::path log = scratch.path / "log";
+        image::write_text(scratch.path() / fmt::format("{}.glsl", i), likeness.codes[i].text);
+    const fs::path log = scratch.path() / "log";
     // Fingerprints are hashes of Python, which differ from run to run unless this is set.
     const std::vector<std::string> words{"env",
                                          "PYTHONHASHSEED=0",
                                          options.python,
                                          "-c",
                                          script,
-                                         scratch.path.string(),
+                                         scratch.path().string(),
                                          std::to_string(likeness.codes.size()),
                                          fmt::format("{}", options.least)};
-    const auto end = golden::run_process({words, scratch.path, log, options.time_limit, options.stop, {}});
+    const auto end = golden::run_process({words, scratch.path(), log, options.time_limit, options.stop, {}});
     if (options.stop.stop_requested()) return std::nullopt;
     if (end.way == golden::ProcessEnd::Way::exited && (end.status == not_installed || end.status == 127))
         throw Error(

@@ -12,8 +12,7 @@ namespace {
 
 /// A number in [0, 1) from a text, evenly spread over texts.
 double fraction_of(const std::string& text) {
-    const golden::Digest digest =
-        golden::sha256({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+    const golden::Digest digest = golden::sha256(text);
     double fraction = 0.0;
     for (int i = 5; i >= 0; --i) fraction = (fraction + digest[static_cast<std::size_t>(i)]) / 256.0;
     return fraction;

@@ -2,6 +2,7 @@
 
 #include "compare/compare.hpp"
 #include "core/error.hpp"
+#include "core/file.hpp"
 #include "gltf/asset.hpp"
 
 #include <algorithm>
@@ -10,25 +11,11 @@
 #include <fmt/format.h>
 #include <fstream>
 #include <sstream>
-#include <unistd.h>
 
 namespace sr::assignment {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A folder of its own that goes with it.
-struct ScratchFolder {
-    fs::path path = fs::temp_directory_path() / fmt::format("steradian-assignment-{}", getpid());
-
-    ScratchFolder() { fs::create_directories(path); }
-    ~ScratchFolder() {
-        std::error_code ignored;
-        fs::remove_all(path, ignored);
-    }
-    ScratchFolder(const ScratchFolder&) = delete;
-    ScratchFolder& operator=(const ScratchFolder&) = delete;
-};
 
 /// The scene with the student's own numbers in the place of "{{name}}", which takes the quotation marks
 /// along.
@@ -39,10 +26,10 @@ scene::Scene scene_of(const fs::path& file, const Parameters& parameters) {
     bytes << stream.rdbuf();
     const std::string text = bytes.str();
     if (text.find("{{") == std::string::npos) return gltf::load(file).scene;
-    const ScratchFolder folder;
-    std::ofstream(folder.path / file.filename(), std::ios::binary)
+    const ScratchFolder folder("scene");
+    std::ofstream(folder.path() / file.filename(), std::ios::binary)
         << substituted_json(text, parameters, file.string());
-    return gltf::load(folder.path / file.filename()).scene;
+    return gltf::load(folder.path() / file.filename()).scene;
 }
 
 compare::Comparison compare_images(const image::Image& picture, const image::Image& reference,

@@ -13,11 +13,6 @@
 namespace sr::assignment {
 namespace {
 
-std::string digest_of_bytes(const std::string& bytes) {
-    return golden::hexadecimal(
-        golden::sha256({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}));
-}
-
 constexpr std::size_t key_bytes = 64;
 
 } // namespace
@@ -25,7 +20,7 @@ constexpr std::size_t key_bytes = 64;
 std::string key_of(const std::vector<std::string>& parts) {
     std::string text;
     for (const std::string& part : parts) text += fmt::format("{} {}\n", part.size(), part);
-    return digest_of_bytes(text);
+    return golden::sha256_text(text);
 }
 
 const std::vector<double>* ReferenceValues::find(const std::string& key) const {
@@ -47,7 +42,7 @@ std::string ReferenceValues::save(const std::filesystem::path& file) const {
         bytes.append(reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(double));
     }
     image::write_text(file, bytes);
-    return digest_of_bytes(bytes);
+    return golden::sha256_text(bytes);
 }
 
 bool ReferenceValues::load(const std::filesystem::path& file, const std::string& digest) {
@@ -57,7 +52,7 @@ bool ReferenceValues::load(const std::filesystem::path& file, const std::string&
     } catch (const Error&) {
         return false;
     }
-    if (digest_of_bytes(bytes) != digest) return false;
+    if (golden::sha256_text(bytes) != digest) return false;
     for (std::size_t at = 0; at < bytes.size();) {
         std::uint64_t count = 0;
         if (bytes.size() - at < key_bytes + sizeof count) return false;

@@ -2,6 +2,7 @@
 
 #include "assignment/questions.hpp"
 #include "core/error.hpp"
+#include "core/file.hpp"
 #include "glsl/untrusted.hpp"
 #include "golden/process.hpp"
 
@@ -102,24 +103,6 @@ ordered_json code_of(const Assignment& assignment, const Submission& submission)
     return code;
 }
 
-/// A folder for the child's results, which goes with it.
-struct QuestionsFolder {
-    fs::path path;
-
-    QuestionsFolder() {
-        std::string name = (fs::temp_directory_path() / "steradian-tick-XXXXXX").string();
-        if (!mkdtemp(name.data()))
-            throw Error({name}, "cannot be made", "name a folder that can be written in $TMPDIR");
-        path = name;
-    }
-    ~QuestionsFolder() {
-        std::error_code ignored;
-        fs::remove_all(path, ignored);
-    }
-    QuestionsFolder(const QuestionsFolder&) = delete;
-    QuestionsFolder& operator=(const QuestionsFolder&) = delete;
-};
-
 std::vector<ordered_json> lines_in(const fs::path& file) {
     std::vector<ordered_json> lines;
     std::ifstream stream(file, std::ios::binary);
@@ -132,8 +115,8 @@ std::vector<ordered_json> lines_in(const fs::path& file) {
 /// Adds what a child writes about the tasks to the examination.
 void add_questions(ordered_json& examination, const fs::path& submission, const CheckOptions& options,
                    const std::vector<std::string>& tasks, const std::string& seed) {
-    const QuestionsFolder scratch;
-    MarkRequest request{fs::absolute(submission), scratch.path / "questions.jsonl", tasks, false,
+    const ScratchFolder scratch("tick");
+    MarkRequest request{fs::absolute(submission), scratch.path() / "questions.jsonl", tasks, false,
                         options.grading};
     request.tick_seed = seed;
     constexpr int count = 4;
@@ -145,7 +128,7 @@ void add_questions(ordered_json& examination, const fs::path& submission, const 
     std::uintmax_t size = 0;
     auto since = std::chrono::steady_clock::now();
     const auto end = golden::run_process(
-        {words, fs::current_path(), scratch.path / "log", 3600.0, ending.get_token(), [&] {
+        {words, fs::current_path(), scratch.path() / "log", 3600.0, ending.get_token(), [&] {
              std::error_code ignored;
              const auto now = std::chrono::steady_clock::now();
              const auto found = fs::file_size(request.results, ignored);

@@ -2,6 +2,7 @@
 #include "cli/doctor_trials.hpp"
 #include "cli/version.hpp"
 #include "core/error.hpp"
+#include "core/file.hpp"
 #include "core/output.hpp"
 
 #include <CLI/CLI.hpp>
@@ -59,27 +60,6 @@ constexpr std::array<OptionalLibrary, 4> optional_libraries{{
     {"libwebp", "reads glTF's EXT_texture_webp", "libwebp-dev"},
     {"libseccomp", "confines students' code", "libseccomp-dev"},
 }};
-
-/// A folder for temporary files, removed with everything in it.
-class ScratchFolder {
-public:
-    ScratchFolder() : name_((fs::temp_directory_path() / "steradian-doctor-XXXXXX").string()) {
-        if (!mkdtemp(name_.data()))
-            throw Error({fs::temp_directory_path().string()}, "no folder can be made in it",
-                        "name another folder in $TMPDIR");
-    }
-    ~ScratchFolder() {
-        std::error_code ignored;
-        fs::remove_all(name_, ignored);
-    }
-    ScratchFolder(const ScratchFolder&) = delete;
-    ScratchFolder& operator=(const ScratchFolder&) = delete;
-
-    fs::path path() const { return name_; }
-
-private:
-    std::string name_;
-};
 
 /// Returns the program of this name in PATH; empty if there is none.
 std::string program_in_path(std::string_view name) {
@@ -147,7 +127,7 @@ std::string system_font() {
 }
 
 ordered_json diagnosis() {
-    const ScratchFolder scratch;
+    const ScratchFolder scratch("doctor");
     ordered_json tried = ordered_json::array();
     for (const char* name : backends) {
         ordered_json entry{{"name", name}};

@@ -64,7 +64,7 @@ ExitStatus conclude(const golden::RunResult& result, const golden::RunRecord& re
     write_report(result, suite, output);
     print_data("{} in {:.1f} s; {}\n", golden::count_text(ran), seconds,
                shown(golden::report_file(output).string()));
-    if (std::ranges::any_of(ran.tests, &golden::TestResult::has_unreadable_file)) return worlds_fault;
+    if (ran.count(golden::Outcome::unreadable) > 0) return worlds_fault;
     if (ran.passed()) return done;
     const auto good = ran.count(golden::Outcome::passed) + ran.count(golden::Outcome::flaky);
     if (good < static_cast<int>(ran.tests.size())) return failed_check;
@@ -249,25 +249,32 @@ void add_run(CLI::App& app, const std::shared_ptr<GoldenArguments>& arguments) {
         ->check(CLI::Range(0, 10))
         ->capture_default_str();
     add_allow_flaky(*command, *arguments);
+    CLI::Option* shard = command->add_option_function<std::string>(
+        "--shard",
+        [arguments](const std::string& text) {
+            arguments->run.shard = golden::parsed_shard(text);
+            if (!arguments->run.shard)
+                throw CLI::ValidationError("--shard", "write K/N, such as 2/8, with K from 1 to N");
+        },
+        "only part K of N of the tests; golden merge puts the parts together");
+    shard->type_name("K/N");
     command
         ->add_option_function<std::string>(
-            "--shard",
-            [arguments](const std::string& text) {
-                arguments->run.shard = golden::parsed_shard(text);
-                if (!arguments->run.shard)
-                    throw CLI::ValidationError("--shard", "write K/N, such as 2/8, with K from 1 to N");
-            },
-            "only part K of N of the tests; golden merge puts the parts together")
-        ->type_name("K/N");
+            "--times",
+            [arguments](const std::string& file) { arguments->run.seconds = golden::read_durations(file); },
+            "balance the shards by durations: the run.json of an earlier run")
+        ->needs(shard)
+        ->type_name("FILE");
     command->footer(
         "Writes results.json, run.json, junit.xml, summary.md and report.html. With --filter or --tag, the\n"
         "results of other tests that an earlier run left in DIR stay in results.json and report.html, "
         "marked.\n"
-        "Exit status 0 if every test passed, 1 if one did not, 3 if a candidate or golden is no image that "
-        "can\n"
-        "be read, 4 if every test passed, but some only when they were tried again.\n"
+        "Exit status 0 if every test passed, 1 if one did not, 3 if a candidate or golden is unreadable (no "
+        "image),\n"
+        "4 if every test passed, but some only when they were tried again.\n"
         "Examples:\n  steradian golden run suite.json\n  steradian golden run suite.json -j 4 --filter "
-        "'cornell*' -o out\n  steradian golden run suite.json --shard 2/8 --retries 1 -o shard-2");
+        "'cornell*' -o out\n  steradian golden run suite.json --shard 2/8 --times merged/run.json --retries "
+        "1 -o shard-2");
     command->callback([arguments] {
         if (const ExitStatus status = run_suite(*arguments); status != done) throw CLI::RuntimeError(status);
     });
@@ -344,9 +351,10 @@ void add_history(CLI::App& app, const std::shared_ptr<GoldenArguments>& argument
     command->add_option("DIRS", arguments->folders, "output folders of golden run and golden merge")
         ->required();
     command->add_flag("--json", arguments->json, "print JSON");
-    command->footer(
-        "The earliest run comes first: . passed, F differs, M missing, B broken, ~ flaky, - not run.\n"
-        "Example:\n  steradian golden history artifacts/*");
+    command->footer("The earliest run comes first: . passed, F differs, M missing, B broken, U unreadable, ~ "
+                    "flaky, - not "
+                    "run.\n"
+                    "Example:\n  steradian golden history artifacts/*");
     command->callback([arguments] {
         const auto runs = golden::read_history(arguments->folders);
         if (arguments->json)

@@ -4,6 +4,7 @@
 #include "core/limits.hpp"
 
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -102,6 +103,20 @@ void require_regular_file(const fs::path& file) {
     const std::string name = file.string(), none;
     const OpenFile opened(file, name, none);
     check_limit(Limit::file_bytes, opened.size(), name);
+}
+
+ScratchFolder::ScratchFolder(std::string_view name) {
+    const fs::path parent = fs::temp_directory_path();
+    std::string made = (parent / fmt::format("steradian-{}-XXXXXX", name)).string();
+    if (!mkdtemp(made.data()))
+        throw Error({parent.string()}, "no folder can be made in it",
+                    "name a folder that can be written in $TMPDIR");
+    path_ = made;
+}
+
+ScratchFolder::~ScratchFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
 }
 
 } // namespace sr

@@ -1,8 +1,10 @@
 #pragma once
-// Files that are read whole. Only regular files are: a FIFO or a device may block for ever or never end.
+// Files that are read whole, and a folder for temporary ones. Only regular files are read: a FIFO or a device
+// may block for ever or never end.
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace sr {
@@ -18,5 +20,21 @@ std::string read_text(const std::filesystem::path& file);
 
 /// @throws Error as read_file() does, for a file that a library will open by its path
 void require_regular_file(const std::filesystem::path& file);
+
+/// A folder for temporary files, for this user alone. It is removed with everything in it.
+class ScratchFolder {
+public:
+    /// @param name part of the folder's name
+    /// @throws Error if it cannot be made
+    explicit ScratchFolder(std::string_view name);
+    ~ScratchFolder();
+    ScratchFolder(const ScratchFolder&) = delete;
+    ScratchFolder& operator=(const ScratchFolder&) = delete;
+
+    const std::filesystem::path& path() const { return path_; }
+
+private:
+    std::filesystem::path path_;
+};
 
 } // namespace sr

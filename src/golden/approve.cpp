@@ -330,14 +330,16 @@ bool ApprovalPlan::is_allowed(bool force) const {
 }
 
 ApprovalPlan plan_approval(const Suite& suite, const ApproveOptions& options) {
-    const RunResult run = read_results(options.output);
-    std::error_code ignored;
-    if (!fs::equivalent(run.suite_file, suite.file, ignored) && run.suite_file != suite.file.string())
+    const RunResult all = read_results(options.output), run = all.of_this_run();
+    if (!are_of(all, options.output, suite))
         throw Error({results_file(options.output).string()},
                     fmt::format("the last run there was of {}", run.suite_file),
                     "run this suite, or name its output folder with --output");
     if (!options.alternate.empty()) check_label(options.alternate);
     ApprovalPlan plan;
+    if (const auto earlier = all.tests.size() - run.tests.size())
+        plan.remarks.push_back(
+            fmt::format("{} tests of an earlier run are left out: the last one did not run them", earlier));
     const auto laws = law_record(suite, options, plan.remarks);
     const std::optional<Review> review = review_of(run, options, plan.remarks);
     for (const TestResult& result : choose(run, options, review)) {

@@ -10,7 +10,7 @@ namespace sr::golden {
 
 struct ApproveOptions {
     std::filesystem::path output;    // of the run
-    std::vector<std::string> names;  // patterns of tests; empty: every test that did not pass
+    std::vector<std::string> names;  // patterns of tests of the last run; empty: all that did not pass
     std::vector<std::string> except; // patterns of tests that are left as they are
     std::filesystem::path review;    // what a person decided in the report (read_review()); empty: none
     std::filesystem::path laws;      // JUnit XML of law and truth tests; empty: the suite's, if it names one
@@ -73,7 +73,8 @@ struct Review {
 /// Reads a file that the report exported. @throws Error with its place if it is none, or decides a test twice
 Review read_review(const std::filesystem::path& file);
 
-/// Plans an approval; writes nothing. Refused without regard to force: a test that the last run did not
+/// Plans an approval of tests that the last run made, not of those that it kept from an earlier one; writes
+/// nothing. Refused without regard to force: a test that the last run did not
 /// have, a candidate that is missing or is not the one that was compared (by its fingerprint), one with
 /// pixels that are not finite where the test does not allow them, a picture other than the reviewed one, a
 /// golden that is a Git LFS pointer. Refused unless forced: a failing pixel

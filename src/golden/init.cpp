@@ -1,6 +1,7 @@
 #include "golden/init.hpp"
 
 #include "core/error.hpp"
+#include "golden/page.hpp"
 #include "golden/templates.hpp"
 #include "image/whole_file.hpp"
 
@@ -39,6 +40,15 @@ struct Source {
     fs::path folder;
 };
 
+/// True for a folder whose pictures are goldens or candidates: that of a suite, or of a run.
+bool is_of_goldens(const fs::path& folder) {
+    std::error_code ignored;
+    const bool is_of_run =
+        fs::exists(folder / "results.json", ignored) && fs::exists(folder / "candidates", ignored);
+    return is_of_run
+           || (folder.filename() == "goldens" && fs::exists(folder.parent_path() / "suite.json", ignored));
+}
+
 std::vector<Source> sources_in(const fs::path& place) {
     std::error_code failure;
     if (fs::is_regular_file(place, failure)) return {{place, place.parent_path()}};
@@ -47,7 +57,7 @@ std::vector<Source> sources_in(const fs::path& place) {
                     "name scenes, pictures or a folder of them");
     std::vector<Source> found;
     for (auto entry = fs::recursive_directory_iterator(place, failure); entry != fs::end(entry); ++entry) {
-        if (entry->path().filename().string().starts_with('.')) {
+        if (entry->path().filename().string().starts_with('.') || is_of_goldens(entry->path())) {
             entry.disable_recursion_pending();
             continue;
         }
@@ -90,6 +100,33 @@ ordered_json test_json(const Source& source, bool is_scene, const fs::path& outp
     return json;
 }
 
+/// Each file once, however it was named.
+std::vector<Source> without_repetitions(std::vector<Source> sources) {
+    std::set<fs::path> seen;
+    std::erase_if(sources, [&](const Source& source) {
+        return !seen.insert(fs::weakly_canonical(source.file)).second;
+    });
+    return sources;
+}
+
+/// The suite's path in the Git repository that holds it, where a CI system starts its commands; as given
+/// where there is none.
+fs::path path_in_repository(const fs::path& suite) {
+    const fs::path file = fs::weakly_canonical(fs::absolute(suite));
+    std::error_code ignored;
+    for (fs::path folder = file.parent_path(); folder != folder.root_path(); folder = folder.parent_path())
+        if (fs::exists(folder / ".git", ignored)) return file.lexically_relative(folder);
+    return suite;
+}
+
+/// @throws Error for a path that a shell or YAML reads otherwise than it is written
+void require_plain(const fs::path& suite) {
+    const std::string path = suite.generic_string();
+    if (shell_line({path}) != path || path.front() == '-')
+        throw Error({path}, "the files for CI systems cannot name this suite without quotes",
+                    "choose a folder of letters, digits, '-', '_', '.' and '/' with --output");
+}
+
 /// The sources that have one of these formats.
 std::vector<Source> of_formats(const std::vector<Source>& sources, std::span<const char* const> formats) {
     std::vector<Source> chosen;
@@ -126,6 +163,7 @@ InitResult write_first_suite(const InitOptions& options) {
     std::vector<Source> all;
     for (const fs::path& source : options.sources)
         std::ranges::move(sources_in(source), std::back_inserter(all));
+    all = without_repetitions(std::move(all));
     std::vector<Source> chosen = of_formats(all, scene_formats);
     const bool is_scenes = !chosen.empty();
     if (!is_scenes) chosen = of_formats(all, picture_formats); // beside scenes, pictures are textures
@@ -136,12 +174,13 @@ InitResult write_first_suite(const InitOptions& options) {
     if (chosen.size() > max_tests)
         throw Error({place}, fmt::format("{} files are too many for a first suite", chosen.size()),
                     fmt::format("name at most {}", max_tests));
-    const fs::path suite = options.output / "suite.json";
+    const fs::path suite = options.output / "suite.json", named = path_in_repository(suite);
+    require_plain(named);
     const std::array<std::pair<fs::path, std::string>, 4> files{
         {{suite, suite_text(chosen, is_scenes, options.output)},
          {options.output / ".gitattributes", "goldens/** filter=lfs diff=lfs merge=lfs -text\n"},
-         {options.output / "github-actions.yml", filled(github_template, suite)},
-         {options.output / "gitlab-ci.yml", filled(gitlab_template, suite)}}};
+         {options.output / "github-actions.yml", filled(github_template, named)},
+         {options.output / "gitlab-ci.yml", filled(gitlab_template, named)}}};
     std::error_code failure;
     for (const auto& [file, text] : files)
         if (fs::exists(fs::symlink_status(file, failure)))

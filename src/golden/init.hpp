@@ -20,8 +20,11 @@ struct InitResult {
 /// Writes OUTPUT/suite.json, .gitattributes (goldens by Git LFS), github-actions.yml and gitlab-ci.yml: all
 /// or none. Each scene (.gltf, .glb) becomes a test that renders it. Where there is no scene, each picture
 /// becomes a test that takes the picture as the project's own program writes it.
-/// @throws Error if there is neither a scene nor a picture, there are more than 1000, one of the files is
-/// there already, or one cannot be written.
+/// Each file becomes one test, also if it is found twice; goldens and the output folders of runs are left
+/// out. The files for CI systems name the suite as seen from the Git repository, or as given where there is
+/// none.
+/// @throws Error if there is neither a scene nor a picture, there are more than 1000, a shell would need
+/// quotes for the suite's path, one of the files is there already, or one cannot be written.
 InitResult write_first_suite(const InitOptions& options);
 
 } // namespace sr::golden

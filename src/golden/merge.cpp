@@ -30,27 +30,28 @@ void require_own_file(const std::string& file, const std::string& beginning, con
                     "merge what steradian golden run wrote");
 }
 
+/// @throws Error for a picture that a run would not have written there
+void require_own_files(const TestResult& test, const fs::path& folder) {
+    const std::string name = file_name_of(test.name);
+    if (!test.candidate.empty()) require_own_file(test.candidate, "candidates/" + name, folder);
+    for (const Attempt& attempt : test.attempts)
+        if (!attempt.candidate.empty()) require_own_file(attempt.candidate, "attempts/" + name, folder);
+}
+
 /// Copies the pictures and the log of a test.
 void copy_files(const TestResult& test, const fs::path& from, const fs::path& output) {
-    const std::string name = file_name_of(test.name);
-    if (!test.candidate.empty()) {
-        require_own_file(test.candidate, "candidates/" + name, from);
-        copy_into(output, test.candidate, from);
-    }
+    if (!test.candidate.empty()) copy_into(output, test.candidate, from);
     for (const Attempt& attempt : test.attempts)
-        if (!attempt.candidate.empty()) {
-            require_own_file(attempt.candidate, "attempts/" + name, from);
-            copy_into(output, attempt.candidate, from);
-        }
-    const std::string log = "logs/" + name + ".txt";
+        if (!attempt.candidate.empty()) copy_into(output, attempt.candidate, from);
+    const std::string log = "logs/" + file_name_of(test.name) + ".txt";
     std::error_code ignored;
     if (fs::is_regular_file(from / log, ignored)) copy_into(output, log, from);
 }
 
-/// Puts shards together.
+/// Puts shards together. All is read and checked before anything is written.
 class Merger {
 public:
-    Merger(const Suite& suite, const fs::path& output) : suite_(suite), output_(output) {}
+    explicit Merger(const Suite& suite) : suite_(suite) {}
 
     /// @throws Error
     void add(const fs::path& folder) {
@@ -64,22 +65,36 @@ public:
         if (shard.suite != suite_.name)
             throw Error({folder.string()}, fmt::format("results of the suite \"{}\"", shard.suite),
                         fmt::format("merge shards of \"{}\"", suite_.name));
+        if (shard.suite_sha256 != suite_.sha256)
+            throw Error({folder.string()},
+                        fmt::format("{} was another file when the shard was run", suite_.file.string()),
+                        "merge with the suite that was run, as it was then");
         for (const TestResult& test : shard.tests)
             if (!test.is_earlier) add(test, folder);
         add_record(folder);
         ++count_;
     }
 
-    /// The chosen tests in the suite's order. @throws Error if there were no results at all
-    MergedRun take(const std::vector<GoldenTest>& chosen) {
+    /// @throws Error if no folder had results
+    void require_results() const {
         if (count_ == 0)
-            throw Error({suite_.file.string()}, "none of the folders has results of a run",
+            throw Error({suite_.file.string()},
+                        "none of the folders has results of a run; nothing was changed",
                         "name the output folders of the shards");
-        merged_.result = {suite_.name, suite_.file.string(), {}};
+    }
+
+    /// Copies the pictures and logs of all tests. @throws Error
+    void copy_to(const fs::path& output) const {
+        for (const auto& [name, found] : tests_) copy_files(found.second, found.first, output);
+    }
+
+    /// The chosen tests in the suite's order.
+    MergedRun take(const std::vector<GoldenTest>& chosen) {
+        std::vector<TestResult> tests;
         for (const GoldenTest& test : chosen) {
             const auto found = tests_.find(test.name);
             if (found != tests_.end()) {
-                merged_.result.tests.push_back(std::move(found->second.second));
+                tests.push_back(std::move(found->second.second));
                 continue;
             }
             TestResult lost;
@@ -87,8 +102,9 @@ public:
             lost.description = test.description;
             lost.tags = test.tags;
             lost.message = "no shard has run it: a shard is missing, or was not run to its end";
-            merged_.result.tests.push_back(std::move(lost));
+            tests.push_back(std::move(lost));
         }
+        merged_.result = result_of(suite_, std::move(tests));
         return std::move(merged_);
     }
 
@@ -102,7 +118,7 @@ private:
             throw Error({folder.string()},
                         fmt::format("the test {} is in {}, too", test.name, place->second.first.string()),
                         "merge each shard once");
-        copy_files(test, folder, output_);
+        require_own_files(test, folder);
     }
 
     void add_record(const fs::path& folder) {
@@ -120,7 +136,6 @@ private:
     }
 
     const Suite& suite_;
-    const fs::path& output_;
     MergedRun merged_;
     std::map<std::string, std::pair<fs::path, TestResult>> tests_; // with the folder of each
     int count_ = 0;
@@ -131,13 +146,16 @@ private:
 MergedRun merge_shards(const Suite& suite, const std::vector<fs::path>& folders, const RunOptions& options) {
     const std::vector<GoldenTest> chosen = chosen_tests(suite, options);
     std::error_code ignored;
-    for (const fs::path& folder : folders) // before its results are removed
+    Merger merger(suite);
+    for (const fs::path& folder : folders) {
         if (fs::equivalent(folder, options.output, ignored))
             throw Error({folder.string()}, "this is the output folder, too",
                         "merge into a folder of its own");
+        merger.add(folder);
+    }
+    merger.require_results();
     prepare_output(options.output);
-    Merger merger(suite, options.output);
-    for (const fs::path& folder : folders) merger.add(folder);
+    merger.copy_to(options.output);
     return merger.take(chosen);
 }
 
@@ -198,6 +216,7 @@ char letter_of(const TestResult* result) {
     case Outcome::passed: return '.';
     case Outcome::differs: return 'F';
     case Outcome::missing: return 'M';
+    case Outcome::unreadable: return 'U';
     case Outcome::broken: return 'B';
     case Outcome::flaky: return '~';
     }

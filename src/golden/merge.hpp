@@ -15,8 +15,9 @@ struct MergedRun {
 
 /// Merges the output folders of shards into the output folder of `options`: copies their candidates and logs.
 /// A chosen test that no folder has becomes `broken`, so that a shard which was lost fails the run.
-/// @throws Error if no folder has results, a folder has those of another suite, a test is in two folders or
-/// not in the suite, the shards are of different commits, or a file cannot be copied.
+/// @throws Error if no folder has results, a folder has those of another suite or of another version of its
+/// file, a test is in two folders or not in the suite, or the shards are of different commits: then nothing
+/// in the output folder has changed. Also if a file cannot be copied.
 MergedRun merge_shards(const Suite& suite, const std::vector<std::filesystem::path>& folders,
                        const RunOptions& options);
 
@@ -31,7 +32,7 @@ struct PastRun {
 /// others. @throws Error if a folder has no results, or they are of different suites.
 std::vector<PastRun> read_history(const std::vector<std::filesystem::path>& folders);
 
-/// One line a test: its outcomes from the earliest run on (". F M B ~", and "-" where it was not run), its
+/// One line a test: its outcomes from the earliest run on (". F M B ~ U", and "-" where it was not run), its
 /// share of passes, and its median time.
 std::string history_text(const std::vector<PastRun>& runs);
 

@@ -195,7 +195,7 @@ std::string base64(std::string_view bytes) {
 namespace {
 
 std::string csp_hash(std::string_view text) {
-    const Digest digest = sha256({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+    const Digest digest = sha256(text);
     return "'sha256-" + base64({reinterpret_cast<const char*>(digest.data()), digest.size()}) + "'";
 }
 

@@ -1,6 +1,7 @@
 #include "golden/report.hpp"
 
 #include "compare/compare.hpp"
+#include "core/error.hpp"
 #include "core/markup.hpp"
 #include "core/text.hpp"
 #include "golden/page.hpp"
@@ -21,11 +22,14 @@ std::vector<const TestResult*> failures_first(const RunResult& result) {
     std::vector<const TestResult*> tests;
     for (const TestResult& test : result.tests) tests.push_back(&test);
     const auto rank = [](const TestResult* test) {
-        return test->outcome == Outcome::passed    ? 4
-               : test->outcome == Outcome::flaky   ? 3
-               : test->outcome == Outcome::missing ? 2
-               : test->outcome == Outcome::broken  ? 1
-                                                   : 0;
+        switch (test->outcome) {
+        case Outcome::differs: return 0;
+        case Outcome::unreadable: return 1;
+        case Outcome::broken: return 2;
+        case Outcome::missing: return 3;
+        case Outcome::flaky: return 4;
+        default: return 5;
+        }
     };
     std::ranges::stable_sort(tests, {}, rank);
     return tests;
@@ -39,7 +43,8 @@ ordered_json commands_of(const TestResult& test, const RunResult& result, const 
         {"reproduce", fmt::format("cd {} && {}", shell_line({suite.folder.string()}), test.command)},
         {"run again", shell_line({"steradian", "golden", "run", file, "--output", output.string(), "--filter",
                                   test.name})}};
-    if (!test.candidate.empty() && test.outcome != Outcome::passed && test.outcome != Outcome::flaky)
+    const bool is_good = test.outcome == Outcome::passed || test.outcome == Outcome::flaky;
+    if (!test.candidate.empty() && !is_good && !test.is_earlier)
         commands["approve"] =
             shell_line({"steradian", "golden", "approve", file, test.name, "--output", output.string()});
     return commands;
@@ -51,18 +56,15 @@ public:
     Pictures(const Suite& suite, const fs::path& output) : suite_(suite), output_(output) {}
 
     /// Adds {"test", "golden", "errors"}: of a test that differs, the errors of its pixels over their limits.
+    /// A picture that is not the one that the run compared is left out, and "images_problem" says so.
     void add(ordered_json& json, const TestResult& test) {
         json["images_left_out"] = room_ == 0;
         json["is_display_referred"] = false;
         if (test.candidate.empty() || room_ == 0) return;
-        const image::Image candidate = image::read(output_ / test.candidate);
-        json["is_display_referred"] = compare::integer_bits(candidate) > 0;
-        json["test"] = pack_pixels(candidate);
-        if (test.comparison.is_object()) {
-            const image::Image golden = image::read(suite_.folder / test.golden);
-            ordered_json packed = pack_pixels(golden);
-            json["golden"] = packed == json["test"] ? ordered_json("equal") : std::move(packed);
-            if (test.outcome == Outcome::differs) add_errors(json, test.name, candidate, golden);
+        try {
+            add_images(json, test);
+        } catch (const std::exception& error) { // files may have changed or vanished since the run
+            json["images_problem"] = error.what();
         }
         for (const char* key : {"test", "golden", "errors"})
             if (json.contains(key) && json[key].is_object())
@@ -70,8 +72,27 @@ public:
     }
 
 private:
+    /// @throws Error if it is another picture than the run compared, or none
+    static image::Image compared(const fs::path& file, const std::string& sha256) {
+        image::Image image = image::read(file);
+        if (!sha256.empty() && fingerprint(image) != sha256)
+            throw Error({file.string()}, "the picture has changed since the run", "run the test again");
+        return image;
+    }
+
+    void add_images(ordered_json& json, const TestResult& test) const {
+        const image::Image candidate = compared(output_ / test.candidate, test.candidate_sha256);
+        json["is_display_referred"] = compare::integer_bits(candidate) > 0;
+        json["test"] = pack_pixels(candidate);
+        if (!test.comparison.is_object()) return;
+        const image::Image golden = compared(suite_.folder / test.golden, test.golden_sha256);
+        ordered_json packed = pack_pixels(golden);
+        json["golden"] = packed == json["test"] ? ordered_json("equal") : std::move(packed);
+        if (test.outcome == Outcome::differs) add_errors(json, test.name, candidate, golden);
+    }
+
     void add_errors(ordered_json& json, const std::string& name, const image::Image& candidate,
-                    const image::Image& golden) {
+                    const image::Image& golden) const {
         const auto test = std::ranges::find(suite_.tests, name, &GoldenTest::name);
         if (test == suite_.tests.end()) return;
         compare::Comparison comparison =
@@ -169,6 +190,8 @@ std::string verdict_text(const TestResult& test) {
     return text + "command: " + test.command + "\n" + test.log;
 }
 
+bool is_error(Outcome outcome) { return outcome == Outcome::broken || outcome == Outcome::unreadable; }
+
 std::string case_xml(const RunResult& result, const TestResult& test) {
     std::string xml = fmt::format("  <testcase classname=\"golden.{}\" name=\"{}\" time=\"{:.3f}\"",
                                   escape_markup(result.suite), escape_markup(test.name), test.seconds);
@@ -176,7 +199,7 @@ std::string case_xml(const RunResult& result, const TestResult& test) {
     xml += ">\n";
     if (test.outcome != Outcome::flaky)
         xml += fmt::format("    <{0} type=\"{1}\" message=\"{2}\">{3}</{0}>\n",
-                           test.outcome == Outcome::broken ? "error" : "failure", name_of(test.outcome),
+                           is_error(test.outcome) ? "error" : "failure", name_of(test.outcome),
                            escape_markup(test.message), escape_markup(verdict_text(test)));
     const char* element = test.outcome == Outcome::flaky ? "flakyFailure" : "rerunFailure";
     for (const Attempt& attempt : test.attempts)
@@ -190,7 +213,7 @@ std::string case_xml(const RunResult& result, const TestResult& test) {
 std::string junit_xml(const RunResult& result) {
     double seconds = 0.0;
     for (const TestResult& test : result.tests) seconds += test.seconds;
-    const int errors = result.count(Outcome::broken);
+    const int errors = result.count(Outcome::broken) + result.count(Outcome::unreadable);
     const int failures = result.count(Outcome::differs) + result.count(Outcome::missing);
     std::string xml = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
     xml += fmt::format("<testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"{}\" time=\"{:.3f}\">\n",
@@ -205,6 +228,7 @@ std::string count_text(const RunResult& result) {
     if (const int n = result.count(Outcome::differs)) text += fmt::format(", {} differ", n);
     if (const int n = result.count(Outcome::missing)) text += fmt::format(", {} without a golden", n);
     if (const int n = result.count(Outcome::broken)) text += fmt::format(", {} broken", n);
+    if (const int n = result.count(Outcome::unreadable)) text += fmt::format(", {} unreadable", n);
     if (const int n = result.count(Outcome::flaky)) text += fmt::format(", {} flaky", n);
     return text;
 }

@@ -12,6 +12,7 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <functional>
+#include <sstream>
 #include <unistd.h>
 
 namespace sr::golden {
@@ -20,8 +21,9 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
-constexpr int format_version = 3;
-constexpr std::array<std::string_view, 5> outcome_names{"passed", "differs", "missing", "broken", "flaky"};
+constexpr int format_version = 4;
+constexpr std::array<std::string_view, 6> outcome_names{"passed", "differs", "missing",
+                                                        "broken", "flaky",   "unreadable"};
 
 Outcome outcome_of(const ordered_json& json) {
     const auto found = std::ranges::find(outcome_names, json.get<std::string>());
@@ -44,6 +46,7 @@ ordered_json json_of(const TestResult& test) {
             {"candidate", test.candidate},
             {"candidate_sha256", test.candidate_sha256},
             {"golden", test.golden},
+            {"golden_sha256", test.golden_sha256},
             {"alternate", test.alternate},
             {"candidate_renderer", test.candidate_renderer},
             {"golden_renderer", test.golden_renderer},
@@ -66,6 +69,7 @@ TestResult test_of(const ordered_json& json) {
     json.at("candidate").get_to(test.candidate);
     json.at("candidate_sha256").get_to(test.candidate_sha256);
     json.at("golden").get_to(test.golden);
+    json.at("golden_sha256").get_to(test.golden_sha256);
     json.at("alternate").get_to(test.alternate);
     json.at("candidate_renderer").get_to(test.candidate_renderer);
     json.at("golden_renderer").get_to(test.golden_renderer);
@@ -95,9 +99,21 @@ int RunResult::passed_by_alternates() const {
 }
 
 RunResult RunResult::of_this_run() const {
-    RunResult result{suite, suite_file, {}};
-    std::ranges::copy_if(tests, std::back_inserter(result.tests), std::not_fn(&TestResult::is_earlier));
+    RunResult result = *this;
+    std::erase_if(result.tests, std::mem_fn(&TestResult::is_earlier));
     return result;
+}
+
+RunResult result_of(const Suite& suite, std::vector<TestResult> tests) {
+    return {suite.name, suite.file.string(), std::move(tests), suite.sha256, {}};
+}
+
+bool are_of(const RunResult& result, const fs::path& output, const Suite& suite) {
+    if (result.suite != suite.name) return false;
+    std::error_code ignored;
+    const fs::path file = output / result.suite_from_output;
+    if (fs::exists(file, ignored)) return fs::equivalent(file, suite.file, ignored);
+    return result.suite_sha256 == suite.sha256; // the output folder was moved, or comes from another machine
 }
 
 double RunRecord::total_seconds() const {
@@ -115,11 +131,17 @@ fs::path record_file(const fs::path& output) { return output / "run.json"; }
 void write_results(const RunResult& result, const fs::path& output) {
     ordered_json tests = ordered_json::array();
     for (const TestResult& test : result.tests) tests.push_back(json_of(test));
-    const ordered_json json{{"steradian_golden_results", format_version},
-                            {"suite", result.suite},
-                            {"suite_file", result.suite_file},
-                            {"passed", result.passed()},
-                            {"tests", std::move(tests)}};
+    const ordered_json json{
+        {"steradian_golden_results", format_version},
+        {"suite", result.suite},
+        {"suite_file", result.suite_file},
+        {"suite_from_output", fs::absolute(result.suite_file)
+                                  .lexically_normal()
+                                  .lexically_relative(fs::absolute(output).lexically_normal())
+                                  .generic_string()},
+        {"suite_sha256", result.suite_sha256},
+        {"passed", result.passed()},
+        {"tests", std::move(tests)}};
     // A log or an attribute may hold any bytes.
     image::write_text(results_file(output),
                       json.dump(1, ' ', false, ordered_json::error_handler_t::replace) + "\n");
@@ -133,7 +155,8 @@ RunResult read_results(const fs::path& output) {
     try {
         const auto json = ordered_json::parse(read_text(file));
         if (json.at("steradian_golden_results") != format_version) throw Error("another version", "");
-        RunResult result{json.at("suite"), json.at("suite_file"), {}};
+        RunResult result{json.at("suite"), json.at("suite_file"), {}, json.at("suite_sha256"), {}};
+        result.suite_from_output = json.at("suite_from_output").get<std::string>();
         for (const ordered_json& test : json.at("tests")) result.tests.push_back(test_of(test));
         return result;
     } catch (const std::exception&) {
@@ -156,13 +179,22 @@ std::string host_name() {
     return gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "";
 }
 
+/// True for the name of a commit: 40 or 64 hexadecimal digits.
+bool is_commit(std::string_view text) {
+    return (text.size() == 40 || text.size() == 64)
+           && text.find_first_not_of("0123456789abcdef") == std::string_view::npos;
+}
+
 /// The commit that Git has checked out in a folder; empty if there is none.
 std::string git_commit(const fs::path& folder, const fs::path& scratch) {
     ProcessOptions git{{"git", "rev-parse", "HEAD"}, fs::absolute(folder), fs::absolute(scratch), 5.0};
-    std::string commit = run_process(git).is_success() ? read_text(scratch) : "";
+    const std::string text = run_process(git).is_success() ? read_text(scratch) : "";
     std::error_code ignored;
     fs::remove(scratch, ignored);
-    return commit.substr(0, commit.find('\n'));
+    std::istringstream lines(text); // warnings of Git may stand before it
+    for (std::string line; std::getline(lines, line);)
+        if (is_commit(line)) return line;
+    return {};
 }
 
 std::string job_link() {
@@ -196,6 +228,16 @@ void write_record(const RunRecord& record, const fs::path& output) {
                             {"seconds", record.seconds}};
     image::write_text(record_file(output),
                       json.dump(1, ' ', false, ordered_json::error_handler_t::replace) + "\n");
+}
+
+std::map<std::string, double> read_durations(const fs::path& file) {
+    const std::string text = read_text(file);
+    try {
+        std::map<std::string, double> seconds = ordered_json::parse(text).at("seconds");
+        if (!seconds.empty()) return seconds;
+    } catch (const std::exception&) { // the error below says it
+    }
+    throw Error({file.string()}, "no durations of tests", "name the run.json of an earlier run");
 }
 
 std::optional<RunRecord> read_record(const fs::path& output) {

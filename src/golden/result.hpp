@@ -12,10 +12,11 @@ namespace sr::golden {
 
 enum class Outcome {
     passed,
-    differs, // from its golden, or from a pixel known in closed form
-    missing, // no golden to compare with
-    broken,  // no image: the command failed, hung or wrote none that can be read
-    flaky    // it passed, but only when it was tried again
+    differs,   // from its golden, or from a pixel known in closed form
+    missing,   // no golden to compare with
+    broken,    // no image: the command failed, hung or wrote none
+    flaky,     // it passed, but only when it was tried again
+    unreadable // its candidate, its golden or another file of it is no image that can be read
 };
 
 std::string_view name_of(Outcome outcome);
@@ -34,10 +35,10 @@ struct TestResult {
     Outcome outcome = Outcome::broken;
     std::string message; // one line; empty for a test that passed
     bool fails_known_pixel = false;
-    bool has_unreadable_file = false; // a candidate or golden that is no image; not kept in results.json
-    std::string candidate;            // file in the output folder; empty if there is none
-    std::string candidate_sha256;     // fingerprint of the candidate that was compared
-    std::string golden;               // file, relative to the suite's folder
+    std::string candidate;        // file in the output folder; empty if there is none
+    std::string candidate_sha256; // fingerprint of the candidate that was compared
+    std::string golden;           // file, relative to the suite's folder
+    std::string golden_sha256;    // fingerprint of the golden that it was compared with
     std::string alternate; // label of the alternate that it agrees with in the golden's stead; mostly empty
     std::string candidate_renderer; // "GL_RENDERER, GL_VERSION" as its file says; empty if it does not
     std::string golden_renderer;
@@ -54,6 +55,9 @@ struct RunResult {
     std::string suite;             // its name
     std::string suite_file;        // as given
     std::vector<TestResult> tests; // in the suite's order
+    std::string suite_sha256{};    // of the suite's file
+    /// The suite's file as seen from the output folder; set by read_results().
+    std::filesystem::path suite_from_output{};
 
     int count(Outcome outcome) const;
     int passed_by_alternates() const;
@@ -61,6 +65,13 @@ struct RunResult {
     /// Without the results that are an earlier run's.
     RunResult of_this_run() const;
 };
+
+/// The results of a run of this suite.
+RunResult result_of(const Suite& suite, std::vector<TestResult> tests);
+
+/// True if the results in an output folder are of this suite: of its file, or, where the folder was moved, of
+/// one with the same text.
+bool are_of(const RunResult& result, const std::filesystem::path& output, const Suite& suite);
 
 /// Time and place of a run, in the file run.json: all that differs between equal runs. A text is empty where
 /// it is unknown.
@@ -94,6 +105,9 @@ RunRecord begun_record(const std::filesystem::path& folder, const std::filesyste
 
 /// @throws Error.
 void write_record(const RunRecord& record, const std::filesystem::path& output);
+
+/// The durations of tests in a file as write_record() leaves it. @throws Error if there are none.
+std::map<std::string, double> read_durations(const std::filesystem::path& file);
 
 /// Absent if there is none that can be read.
 std::optional<RunRecord> read_record(const std::filesystem::path& output);

@@ -20,6 +20,7 @@
 #include <fmt/ranges.h>
 #include <fnmatch.h>
 #include <mutex>
+#include <numeric>
 #include <span>
 #include <vector>
 
@@ -123,6 +124,7 @@ bool passes_alternate(TestResult& result, const image::Image& candidate, const S
         result.alternate = label;
         result.golden = seen_from(suite, file);
         result.golden_renderer = renderer;
+        result.golden_sha256 = fingerprint(reference);
         result.largest_error = largest_error(comparison);
         result.comparison = compare::json_of(comparison);
         return true;
@@ -144,6 +146,7 @@ void judge(TestResult& result, const image::Image& candidate, const Suite& suite
     }
     const image::Image reference = image::read(golden);
     result.golden_renderer = renderer_of(reference, golden);
+    result.golden_sha256 = fingerprint(reference);
     const compare::Comparison comparison =
         compare::compare(candidate, reference, compare_options(test, candidate, reference));
     result.largest_error = largest_error(comparison);
@@ -199,8 +202,7 @@ TestResult run_test(const Suite& suite, const GoldenTest& test, const RunOptions
         if (result.candidate_renderer.empty()) result.candidate_renderer = test.renderer;
         judge(result, image, suite, test);
     } catch (const std::exception& error) { // an Error, or what memory and the file system refuse
-        result.outcome = Outcome::broken;
-        result.has_unreadable_file = true;
+        result.outcome = Outcome::unreadable;
         result.message = error.what();
     }
     return result;
@@ -224,7 +226,7 @@ TestResult run_with_retries(const Suite& suite, const GoldenTest& test, const Ru
     while (true) {
         TestResult result = run_test(suite, test, options);
         seconds += result.seconds;
-        const bool has_failed = result.outcome == Outcome::differs || result.outcome == Outcome::broken;
+        const bool has_failed = result.outcome != Outcome::passed && result.outcome != Outcome::missing;
         const bool is_last =
             static_cast<int>(attempts.size()) >= options.retries || options.stop.stop_requested();
         if (has_failed && !is_last) {
@@ -252,14 +254,16 @@ bool is_chosen(const GoldenTest& test, const RunOptions& options) {
            && (options.tags.empty() || std::ranges::any_of(options.tags, has));
 }
 
-/// The results of an earlier run of the tests that this one leaves out; none if it is of the whole suite or
-/// of a shard.
+/// The results of an earlier run of this suite, of the tests that this one leaves out; none if it is of the
+/// whole suite or of a shard.
 std::vector<TestResult> earlier_results(const Suite& suite, const RunOptions& options,
                                         const std::vector<GoldenTest>& chosen) {
     if (options.shard || (options.filters.empty() && options.tags.empty())) return {};
     std::vector<TestResult> kept;
     try {
-        for (TestResult& test : read_results(options.output).tests) {
+        RunResult run = read_results(options.output);
+        if (!are_of(run, options.output, suite)) return {};
+        for (TestResult& test : run.tests) {
             const bool is_of_suite =
                 std::ranges::find(suite.tests, test.name, &GoldenTest::name) != suite.tests.end();
             const bool is_run = std::ranges::find(chosen, test.name, &GoldenTest::name) != chosen.end();
@@ -306,6 +310,30 @@ private:
     std::size_t next_ = 0;
     const std::function<void(const TestResult&)>& pass_on_;
 };
+
+/// The shard of each test, from 0. Without durations the tests take turns.
+std::vector<std::size_t> shards_of(const std::vector<GoldenTest>& tests, const RunOptions& options) {
+    const auto count = static_cast<std::size_t>(options.shard->count);
+    std::vector<std::size_t> shards(tests.size()), order(tests.size());
+    for (std::size_t i = 0; i < tests.size(); ++i) shards[i] = i % count;
+    if (options.seconds.empty()) return shards;
+    double sum = 0.0;
+    for (const auto& [name, seconds] : options.seconds) sum += seconds;
+    const double mean = sum / static_cast<double>(options.seconds.size()); // of a test that is not known
+    const auto seconds_of = [&](std::size_t i) {
+        const auto known = options.seconds.find(tests[i].name);
+        return known == options.seconds.end() ? mean : known->second;
+    };
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, std::ranges::greater(), seconds_of);
+    std::vector<double> loads(count, 0.0);
+    for (const std::size_t i : order) {
+        const auto least = std::ranges::min_element(loads);
+        shards[i] = static_cast<std::size_t>(least - loads.begin());
+        *least += seconds_of(i);
+    }
+    return shards;
+}
 
 constexpr int first_option = 5; // of {steradian} render SCENE -o {out} …
 
@@ -403,10 +431,10 @@ std::vector<GoldenTest> chosen_tests(const Suite& suite, const RunOptions& optio
         throw Error({suite.file.string()}, "no test fits the filter",
                     "see the names with steradian golden list");
     if (!options.shard) return tests;
+    const std::vector<std::size_t> shards = shards_of(tests, options);
     std::vector<GoldenTest> part;
-    const auto count = static_cast<std::size_t>(options.shard->count);
-    for (auto i = static_cast<std::size_t>(options.shard->index) - 1; i < tests.size(); i += count)
-        part.push_back(tests[i]);
+    for (std::size_t i = 0; i < tests.size(); ++i)
+        if (shards[i] == static_cast<std::size_t>(options.shard->index) - 1) part.push_back(tests[i]);
     return part;
 }
 
@@ -415,7 +443,7 @@ std::optional<RunResult> run(const Suite& suite, const RunOptions& options) {
     std::vector<TestResult> earlier = earlier_results(suite, options, tests);
     prepare_output(options.output);
     if (options.retries > 0) fs::create_directories(options.output / "attempts");
-    if (!earlier.empty()) write_results({suite.name, suite.file.string(), earlier}, options.output);
+    if (!earlier.empty()) write_results(result_of(suite, earlier), options.output);
     InOrder results(tests.size(), options.on_result);
     std::atomic<std::size_t> next{0};
     const auto work = [&] {
@@ -426,7 +454,7 @@ std::optional<RunResult> run(const Suite& suite, const RunOptions& options) {
     };
     on_threads(std::clamp(options.jobs, 1, std::max(1, static_cast<int>(tests.size()))), work);
     if (options.stop.stop_requested()) return std::nullopt;
-    return RunResult{suite.name, suite.file.string(), in_order_of(suite, results.take(), std::move(earlier))};
+    return result_of(suite, in_order_of(suite, results.take(), std::move(earlier)));
 }
 
 } // namespace sr::golden

@@ -20,14 +20,15 @@ struct Shard {
 std::optional<Shard> parsed_shard(std::string_view text);
 
 struct RunOptions {
-    std::filesystem::path program;    // what "{steradian}" in a command stands for
-    std::filesystem::path output;     // folder for results, candidates and logs; made if it is not there
-    int jobs = 1;                     // tests that run at the same time
-    int retries = 0;                  // further attempts of a test that differs or makes no image
-    std::optional<Shard> shard;       // only this part of the tests; absent: all
-    std::vector<std::string> filters; // only tests whose name matches one of these patterns; empty: all
-    std::vector<std::string> tags;    // only tests with one of these tags; empty: all
-    std::vector<std::string> shaders; // overlay folders, put before those of every scene test
+    std::filesystem::path program;         // what "{steradian}" in a command stands for
+    std::filesystem::path output;          // folder for results, candidates and logs; made if it is not there
+    int jobs = 1;                          // tests that run at the same time
+    int retries = 0;                       // further attempts of a test that differs or makes no image
+    std::optional<Shard> shard;            // only this part of the tests; absent: all
+    std::map<std::string, double> seconds; // durations of tests, by which shards are balanced; may be empty
+    std::vector<std::string> filters;      // only tests whose name matches one of these patterns; empty: all
+    std::vector<std::string> tags;         // only tests with one of these tags; empty: all
+    std::vector<std::string> shaders;      // overlay folders, put before those of every scene test
     std::function<void(const TestResult&)>
         on_result;        // called in the suite's order, from one thread at a time
     std::stop_token stop; // kills the children and ends the run
@@ -57,7 +58,8 @@ std::string fingerprint(const image::Image& image);
 compare::CompareOptions compare_options(const GoldenTest& test, const image::Image& candidate,
                                         const image::Image& reference);
 
-/// The tests that the filters and tags choose, and of these the shard's: each test is in one shard.
+/// The tests that the filters and tags choose, and of these the shard's: each test is in one shard. With
+/// durations, each test in turn, the longest first, goes to the shard that has the least to do.
 /// @throws Error if the filters and tags choose none. A shard may be empty.
 std::vector<GoldenTest> chosen_tests(const Suite& suite, const RunOptions& options);
 
@@ -66,7 +68,7 @@ void prepare_output(const std::filesystem::path& output);
 
 /// Runs the chosen tests; a failing one does not end the others. Writes OUTPUT/candidates/NAME.exr,
 /// OUTPUT/logs/NAME.txt and, for attempts that failed before, OUTPUT/attempts/NAME.1.exr. Removes the results
-/// of an earlier run first; where filters or tags choose, those of the suite's other tests are kept and
+/// of an earlier run first; where filters or tags choose, those of the same suite's other tests are kept and
 /// marked.
 /// @return absent if it was stopped.
 /// @throws Error if the output folder cannot be written, or no test is chosen.

@@ -92,4 +92,10 @@ std::string hexadecimal(const Digest& digest) {
     return text;
 }
 
+Digest sha256(std::string_view text) {
+    return sha256(std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
+}
+
+std::string sha256_text(std::string_view text) { return hexadecimal(sha256(text)); }
+
 } // namespace sr::golden

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 
 namespace sr::golden {
 
@@ -12,7 +13,13 @@ using Digest = std::array<std::uint8_t, 32>;
 /// SHA-256, NIST FIPS 180-4.
 Digest sha256(std::span<const std::uint8_t> bytes);
 
+/// The digest of the bytes of a text.
+Digest sha256(std::string_view text);
+
 /// 64 lower-case hexadecimal digits.
 std::string hexadecimal(const Digest& digest);
+
+/// SHA-256 of a text in hexadecimal.
+std::string sha256_text(std::string_view text);
 
 } // namespace sr::golden

@@ -1,6 +1,7 @@
 #include "golden/suite.hpp"
 
 #include "core/error.hpp"
+#include "core/file.hpp"
 #include "core/json.hpp"
 #include "golden/sha256.hpp"
 #include "settings/options.hpp"
@@ -179,6 +180,7 @@ Suite load_suite(const fs::path& file) {
     root.allow_only({"$schema", "name", "goldens", "laws", "renderer", "defaults", "tests"});
     Suite suite;
     suite.file = file;
+    suite.sha256 = sha256_text(read_text(file));
     suite.name = root.text("name", file.stem().string());
     suite.folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
     suite.goldens = root.path("goldens", root.text("goldens", "goldens"), suite.folder);
@@ -236,9 +238,7 @@ std::string file_name_of(const std::string& test) {
         else
             name += fmt::format("%{:02X}", static_cast<unsigned char>(c));
     if (name.size() <= max_size) return name;
-    const std::string fingerprint =
-        hexadecimal(sha256({reinterpret_cast<const std::uint8_t*>(test.data()), test.size()}));
-    return fmt::format("{}%{}", name.substr(0, name.find('%')), fingerprint.substr(0, 32));
+    return fmt::format("{}%{}", name.substr(0, name.find('%')), sha256_text(test).substr(0, 32));
 }
 
 std::vector<fs::path> orphans_of(const Suite& suite) {

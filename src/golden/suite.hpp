@@ -48,6 +48,7 @@ struct ReferenceRenderer {
 
 struct Suite {
     std::filesystem::path file;
+    std::string sha256; // of the file
     std::string name;
     std::filesystem::path folder;  // the suite file's; commands run there
     std::filesystem::path goldens; // where the golden images lie

@@ -1,6 +1,7 @@
 #include "scene/look_at.hpp"
 
 #include "core/error.hpp"
+#include "core/text.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -14,12 +15,6 @@ constexpr std::string_view grammar =
     "write eye=X,Y,Z;target=X,Y,Z and, if wanted, ;up=X,Y,Z;fov=DEGREES;near=METRES;far=METRES";
 
 [[noreturn]] void refuse(std::string_view what) { throw Error(fmt::format("camera: {}", what), grammar); }
-
-std::string_view trimmed(std::string_view text) {
-    const auto first = text.find_first_not_of(" \t\r\n");
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
-}
 
 template<class Float>
 Float number_in(std::string_view key, std::string_view text) {

@@ -1,6 +1,7 @@
 #include "viewer/light_value.hpp"
 
 #include "core/error.hpp"
+#include "core/text.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -31,12 +32,6 @@ std::optional<double> native(Quantity quantity, double value, const LightGroup& 
             },
             part);
     return scene::radiance_from(quantity, value, all);
-}
-
-std::string_view trimmed(std::string_view text) {
-    const auto first = text.find_first_not_of(" \t");
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
 [[noreturn]] void refuse(std::string_view what) {

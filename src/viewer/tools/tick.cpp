@@ -9,12 +9,12 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdlib>
 #include <filesystem>
 #include <fmt/format.h>
 #include <future>
 #include <imgui.h>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <regex>
 #include <sstream>
 #include <string>
@@ -48,21 +48,14 @@ private:
     std::future<TickQuestion> making_; // the examination
     std::vector<TickQuestion> questions_;
     std::vector<std::string> missing_;
-    std::filesystem::path scratch_; // changed files; made when first needed
-    std::string own_scene_;         // the scene while another one is shown; empty: it is shown
+    std::optional<ScratchFolder> scratch_; // changed files; made when first needed
+    std::string own_scene_;                // the scene while another one is shown; empty: it is shown
     std::size_t at_ = 0;
     bool shows_answer_ = false;
     bool is_changed_ = false;
 };
 
 namespace {
-
-std::filesystem::path made_folder() {
-    std::string name = (std::filesystem::temp_directory_path() / "steradian-view-tick-XXXXXX").string();
-    if (!mkdtemp(name.data()))
-        throw Error({name}, "cannot be made", "name a folder that can be written in $TMPDIR");
-    return name;
-}
 
 bool needs_other_scene(const TickQuestion& question) {
     return question["kind"] == "parameter" && !question["facts"]["pointer"].get<std::string>().empty();
@@ -108,8 +101,6 @@ Tick::Tick(Workspace& workspace) : Tool(workspace) {
 Tick::~Tick() {
     stop_.request_stop(); // the future waits for the thread
     if (making_.valid()) making_.wait();
-    std::error_code ignored;
-    if (!scratch_.empty()) std::filesystem::remove_all(scratch_, ignored);
 }
 
 Changes Tick::update(double /*seconds*/) {
@@ -153,8 +144,8 @@ bool Tick::is_busy() const {
 
 /// The folder of one change. Files of the change before are removed: their lines are not replaced any more.
 std::filesystem::path Tick::emptied_folder() {
-    if (scratch_.empty()) scratch_ = made_folder();
-    const std::filesystem::path folder = scratch_ / "change";
+    if (!scratch_) scratch_.emplace("view-tick");
+    const std::filesystem::path folder = scratch_->path() / "change";
     std::filesystem::remove_all(folder);
     std::filesystem::create_directories(folder);
     return folder;

@@ -203,6 +203,36 @@ const Test except("unit.golden.approve.leaves_the_excepted_tests", [] {
     EXPECT_NE(error_of([&] { golden::plan_approval(suite, options); }).find("no test d"), std::string::npos);
 });
 
+const Test last_run("unit.golden.approve.takes_only_tests_of_the_last_run", [] {
+    const auto folder = scratch_folder("approve_earlier");
+    const auto suite = copying_suite(folder, {"a", "b"});
+    run_and_keep(suite, folder / "out");
+    auto options = run_options(folder / "out");
+    options.filters = {"b"};
+    golden::write_results(golden::run(suite, options).value(), options.output);
+    const auto found = plan(suite, folder / "out");
+    ASSERT_EQ(found.approvals.size(), 1u);
+    EXPECT_EQ(found.approvals[0].name, "b");
+    ASSERT_EQ(found.remarks.size(), 1u);
+    EXPECT_NE(found.remarks[0].find("1 tests of an earlier run"), std::string::npos) << found.remarks[0];
+    EXPECT_NE(error_of([&] { plan(suite, folder / "out", {"a"}); }).find("no test a"), std::string::npos);
+});
+
+const Test other_suite("unit.golden.approve.refuses_the_run_of_another_suite_of_the_same_name", [] {
+    const auto folder = scratch_folder("approve_other");
+    fs::create_directories(folder / "one");
+    fs::create_directories(folder / "two");
+    const auto one = copying_suite(folder / "one", {"a", "c"}), two = copying_suite(folder / "two", {"a"});
+    run_and_keep(one, folder / "out");
+    EXPECT_NE(error_of([&] { plan(two, folder / "out"); }).find("the last run there was of"),
+              std::string::npos);
+    auto edited = copying_suite(folder / "one", {"a", "b", "c"}); // the same suite with one more test
+    EXPECT_EQ(plan(edited, folder / "out").approvals.size(), 2u);
+    fs::create_directories(folder / "elsewhere");
+    fs::copy(folder / "out", folder / "elsewhere/out", fs::copy_options::recursive); // as an artifact of CI
+    EXPECT_EQ(plan(copying_suite(folder / "one", {"a", "c"}), folder / "elsewhere/out").approvals.size(), 2u);
+});
+
 const Test reviewed("unit.golden.approve.takes_what_was_reviewed", [] {
     const auto folder = scratch_folder("approve_review");
     const auto suite = copying_suite(folder, {"a", "b", "c"});

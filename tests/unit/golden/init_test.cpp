@@ -42,6 +42,36 @@ const Test scenes("unit.golden.init.each_scene_becomes_a_test", [] {
               std::string::npos);
 });
 
+const Test once("unit.golden.init.finds_each_file_once_and_no_goldens", [] {
+    const auto folder = scratch_folder("init_once");
+    fs::create_directories(folder / "made/golden/goldens");
+    fs::create_directories(folder / "made/out/candidates");
+    written(folder / "made/golden/suite.json", "{}");
+    written(folder / "made/out/results.json", "{}");
+    for (const char* file : {"a.png", "golden/goldens/a.png", "out/candidates/a.png"})
+        image::write(plain(0.5f), folder / "made" / file, image::SampleType::integer8);
+    fs::create_symlink("a.png", folder / "made/b.png");
+    const auto made = golden::write_first_suite(
+        {{folder / "made", folder / "made/a.png", folder / "made/../made"}, folder / "golden"});
+    EXPECT_EQ(made.tests, 1);
+});
+
+const Test quotes("unit.golden.init.refuses_a_path_that_needs_quotes", [] {
+    const auto folder = scratch_folder("init_quotes");
+    image::write(plain(0.5f), folder / "a.png", image::SampleType::integer8);
+    for (const char* name : {"two words", "it's", "a;b", "$(x)", "a#b", "é"}) {
+        const std::string error = error_of([&] {
+            golden::write_first_suite({{folder / "a.png"}, folder / name});
+        });
+        EXPECT_NE(error.find("without quotes"), std::string::npos) << name << ": " << error;
+        EXPECT_FALSE(fs::exists(folder / name)) << name;
+    }
+    fs::create_directories(folder / "project/.git"); // where CI systems start their commands
+    golden::write_first_suite({{folder / "a.png"}, folder / "project/tests/golden"});
+    const std::string text = read_text(folder / "project/tests/golden/github-actions.yml");
+    EXPECT_NE(text.find(" golden run tests/golden/suite.json "), std::string::npos) << text;
+});
+
 const Test pictures("unit.golden.init.a_suite_of_pictures_can_be_run_and_approved", [] {
     const auto folder = scratch_folder("init_pictures");
     fs::create_directories(folder / "made");

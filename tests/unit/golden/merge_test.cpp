@@ -8,6 +8,8 @@
 #include "support/models.hpp"
 #include "unit/golden/suite_support.hpp"
 
+#include <cstdlib>
+
 using namespace sr;
 using namespace sr::testing;
 using golden::Outcome;
@@ -66,6 +68,87 @@ const Test merged("unit.golden.merge.equals_a_run_of_the_whole_suite", [] {
     const auto plan = golden::plan_approval(suite, approval);
     EXPECT_EQ(plan.approvals.size(), 3u);
     EXPECT_TRUE(plan.is_allowed(false)) << "the pictures did not come along";
+});
+
+const Test balanced("unit.golden.shard.durations_balance_the_shards", [] {
+    const auto suite = copying_suite(scratch_folder("shard_balance"), {"a", "b", "c", "d", "e", "f"});
+    const auto shard = [&](int index) {
+        golden::RunOptions options;
+        options.shard = golden::Shard{index, 2};
+        options.seconds = {{"a", 9.0}, {"b", 1.0}, {"c", 2.0},
+                           {"d", 3.0}, {"e", 4.0}, {"of another suite", 1.0}};
+        std::string names;
+        for (const auto& test : golden::chosen_tests(suite, options)) names += test.name;
+        return names;
+    };
+    // The longest first: a (9) | e (4), f (unknown: the mean, 3.3), d (3) | c (2), then b (1) to the emptier
+    // one.
+    EXPECT_EQ(shard(1), "ac");
+    EXPECT_EQ(shard(2), "bdef");
+    const auto folder = scratch_folder("shard_times");
+    golden::RunRecord record;
+    record.seconds = {{"a", 2.5}};
+    golden::write_record(record, folder);
+    EXPECT_EQ(golden::read_durations(golden::record_file(folder)), record.seconds);
+    EXPECT_NE(
+        error_of([&] { golden::read_durations(written(folder / "x.json", "[]")); }).find("no durations"),
+        std::string::npos);
+});
+
+const Test untouched("unit.golden.merge.a_refusal_changes_nothing", [] {
+    const auto folder = scratch_folder("merge_untouched");
+    const auto suite = copying_suite(folder, {"a", "b"});
+    const auto output = folder / "merged";
+    run_and_keep(suite, output);
+    const std::string before = read_text(golden::results_file(output));
+    const auto refusal = [&](const std::vector<fs::path>& folders) {
+        const std::string text = error_of([&] { golden::merge_shards(suite, folders, run_options(output)); });
+        EXPECT_EQ(read_text(golden::results_file(output)), before) << text;
+        EXPECT_TRUE(fs::exists(output / "candidates/a.exr")) << text;
+        return text;
+    };
+    fs::create_directories(folder / "empty");
+    EXPECT_NE(refusal({folder / "empty"}).find("nothing was changed"), std::string::npos);
+    const auto first = run_shard(suite, 1, 2);
+    EXPECT_NE(refusal({first, first}).find("is in"), std::string::npos);
+    fs::create_directories(folder / "other"); // another suite of the same name, "suite", with the same tests
+    const auto other = copying_suite(folder / "other", {"a", "b"}, R"("laws": "laws.xml",)");
+    EXPECT_NE(refusal({run_shard(other, 1, 1)}).find("was another file"), std::string::npos);
+});
+
+const Test unreadable("unit.golden.run.an_unreadable_file_stays_visible", [] {
+    const auto folder = scratch_folder("run_unreadable");
+    const auto suite = copying_suite(folder, {"candidate", "golden", "good"});
+    fs::create_directories(suite.goldens);
+    for (const auto& test : suite.tests)
+        image::write(plain(0.5f), suite.golden_of(test), image::SampleType::floating);
+    written(folder / "candidate-source.exr", "no image");
+    written(suite.golden_of(suite.tests[1]), "no image");
+    const auto options = run_options(folder / "merged");
+    const auto merged =
+        golden::merge_shards(suite, {run_shard(suite, 1, 2), run_shard(suite, 2, 2)}, options);
+    golden::write_results(merged.result, options.output);
+    const auto result = golden::read_results(options.output);
+    EXPECT_EQ(result.count(Outcome::unreadable), 2) << golden::count_text(result);
+    EXPECT_EQ(golden::count_text(result), "1 of 3 passed, 2 unreadable");
+    EXPECT_FALSE(result.tests.at(1).candidate.empty()) << "the picture itself is there";
+    EXPECT_NE(golden::junit_xml(result).find("failures=\"0\" errors=\"2\""), std::string::npos);
+});
+
+const Test commit("unit.golden.run.a_warning_of_git_is_no_commit", [] {
+    const auto folder = scratch_folder("run_commit");
+    fs::create_directories(folder / "bin");
+    const std::string name(40, 'a');
+    const auto git = written(folder / "bin/git", "#!/bin/sh\necho warning: odd >&2\necho " + name
+                                                     + "\necho 'warning: unable' >&2\n");
+    fs::permissions(git, fs::perms::owner_all);
+    const std::string path = std::getenv("PATH");
+    for (const char* variable : {"GITHUB_SHA", "CI_COMMIT_SHA", "GIT_COMMIT"}) unsetenv(variable);
+    setenv("PATH", ((folder / "bin").string() + ":" + path).c_str(), 1);
+    EXPECT_EQ(golden::begun_record(folder, folder / "out").commit, name);
+    written(git, "#!/bin/sh\necho warning: odd\n");
+    EXPECT_EQ(golden::begun_record(folder, folder / "out").commit, "");
+    setenv("PATH", path.c_str(), 1);
 });
 
 const Test lost("unit.golden.merge.a_lost_shard_fails", [] {
@@ -162,6 +245,9 @@ const Test kept("unit.golden.run.a_filter_keeps_the_results_of_other_tests", [] 
     golden::write_results(result, options.output);
     EXPECT_TRUE(golden::read_results(options.output).tests.at(2).is_earlier);
     EXPECT_EQ(run_and_keep(suite, folder / "out").of_this_run().tests.size(), 3u);
+    fs::create_directories(folder / "other"); // another suite, with the same default name
+    const auto other = copying_suite(folder / "other", {"a", "b"});
+    EXPECT_EQ(golden::run(other, options).value().tests.size(), 1u) << "results of another suite were kept";
 });
 
 const Test names("unit.golden.files.names_that_every_artifact_store_takes", [] {

@@ -2,6 +2,7 @@
 #include "golden/page.hpp"
 #include "golden/report.hpp"
 #include "golden/sha256.hpp"
+#include "image/file.hpp"
 #include "support/address.hpp"
 #include "support/models.hpp"
 #include "unit/golden/suite_support.hpp"
@@ -12,21 +13,17 @@
 using namespace sr;
 using namespace sr::testing;
 using sr::testing::Test;
+namespace fs = std::filesystem;
 
 namespace {
 
-std::string hash(const std::string& text) {
-    return golden::hexadecimal(
-        golden::sha256({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}));
-}
-
 // NIST's examples for FIPS 180-4: no block, one, two, and many.
 const Test nist("unit.golden.sha256.nist_examples", [] {
-    EXPECT_EQ(hash(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
-    EXPECT_EQ(hash("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
-    EXPECT_EQ(hash("abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq"),
+    EXPECT_EQ(golden::sha256_text(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+    EXPECT_EQ(golden::sha256_text("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+    EXPECT_EQ(golden::sha256_text("abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq"),
               "248d6a61d20638b8e5c026930c3e6039a33ce45964ff2167f6ecedd419db06c1");
-    EXPECT_EQ(hash(std::string(1000000, 'a')),
+    EXPECT_EQ(golden::sha256_text(std::string(1000000, 'a')),
               "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
 });
 
@@ -89,6 +86,26 @@ const Test self_contained("unit.golden.report.needs_nothing_from_outside", [] {
     for (const char* outside :
          {"http:", "https:", "src=\"", "unsafe-inline", " onclick=", "alert(1)</script>"})
         EXPECT_EQ(html.find(outside), std::string::npos) << outside;
+});
+
+const Test vanished("unit.golden.report.says_which_pictures_changed_or_vanished", [] {
+    const auto folder = scratch_folder("report_vanished");
+    const auto suite = copying_suite(folder, {"same", "changed", "gone", "golden_gone"});
+    fs::create_directories(suite.goldens);
+    for (const auto& test : suite.tests)
+        image::write(plain(0.5f), suite.golden_of(test), image::SampleType::floating);
+    const auto result = run_and_keep(suite, folder / "out");
+    image::write(plain(0.6f), folder / "out/candidates/changed.exr", image::SampleType::floating);
+    fs::remove(folder / "out/candidates/gone.exr");
+    fs::remove(suite.golden_of(suite.tests[3]));
+    const std::string html = golden::report_html(result, suite, folder / "out");
+    std::size_t problems = 0;
+    for (auto at = html.find("\"images_problem\":\""); at != std::string::npos;
+         at = html.find("\"images_problem\":\"", at + 1))
+        ++problems;
+    EXPECT_EQ(problems, 3u);
+    EXPECT_NE(html.find("changed.exr: the picture has changed since the run"), std::string::npos);
+    EXPECT_NE(html.find("gone.exr: no such file"), std::string::npos);
 });
 
 } // namespace

@@ -5,6 +5,7 @@ run found, by mouse and by keyboard, in dark and light and on a phone.
 usage: report_test.py STERADIAN SOURCE_FOLDER SCRATCH_FOLDER
 Needs Chromium and the Python package playwright; exit status 77 (skipped) without them. Leaves screenshots.
 """
+import csv
 import json
 import os
 import shutil
@@ -197,6 +198,26 @@ def check_review(page, program, report, scratch):
     golden(program, "approve", scratch / "suite.json", "-o", report.parent, "--failed-as-reviewed", file, "--dry-run", "--force")
 
 
+def check_table(page, scratch):
+    """The table has all tests, and no cell that a spreadsheet computes or that breaks a row."""
+    with page.expect_download() as download:
+        page.locator("header button", has_text="save tests.csv").click()
+    file = scratch / "tests.csv"
+    download.value.save_as(file)
+    with file.open(encoding="utf-8", newline="") as stream:
+        rows = list(csv.DictReader(stream))
+    assert [row["outcome"] for row in rows] == ["differs", "broken", "missing", "passed"], rows
+    assert rows[0]["test"] == EVIL.replace("/", "") and rows[0]["diagnosis"] == "pi_missing", rows[0]
+    assert rows[0]["decision"] == "rejected" and float(rows[0]["largest_error_over_limit"]) > 1, rows[0]
+
+
+def check_quick_choices(page):
+    """The viewer is that of the test that was chosen last, also where pictures of others were still unpacked."""
+    is_shown = "(async () => { await Promise.all([1, 2, 3, 0].map((index) => choose(index))); return page.viewer.node.isConnected; })()"
+    assert page.evaluate(is_shown), "the keys reach the viewer of another test"
+    assert EVIL in page.locator("article h2").text_content()
+
+
 def check_places(page):
     """The single pixel that is not finite is found, and enlarged."""
     page.wait_for_selector("article .box")
@@ -260,6 +281,8 @@ def main():
             check_search(page)
             check_pixels(page, program, report)
             check_review(page, program, report, scratch)
+            check_table(page, scratch)
+            check_quick_choices(page)
             check_keyboard(page)
             assert not errors, errors
         for size in ((1280, 860), (390, 844)):

@@ -1,4 +1,5 @@
-// The journal of unsaved edits: every kind of edit comes back, from any path, whoever has the process id now.
+// The journal of unsaved edits: every kind of edit comes back, from any path, even if another process has its
+// number now.
 #include "core/error.hpp"
 #include "support/address.hpp"
 #include "viewer/document/journal.hpp"

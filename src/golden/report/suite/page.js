@@ -1,7 +1,7 @@
 // The page: the list of tests, the chosen one, what a person decides about them, the keyboard.
 const data = JSON.parse(document.getElementById("data").textContent);
 
-const outcome_words = { passed: "passed", differs: "differs", missing: "no golden", broken: "broken", flaky: "flaky" };
+const outcome_words = { passed: "passed", differs: "differs", missing: "no golden", broken: "broken", flaky: "flaky", unreadable: "unreadable" };
 
 const nearly = 0.8; // of the limit: a test that passed, but not by much
 
@@ -17,7 +17,7 @@ const page = {
 };
 
 const is_nearly_failed = (test) => test.outcome === "passed" && test.largest_error_over_limit > nearly;
-const is_decidable = (test) => test.candidate_sha256 !== "" && !["passed", "flaky"].includes(test.outcome);
+const is_decidable = (test) => test.candidate_sha256 !== "" && !test.is_earlier && !["passed", "flaky"].includes(test.outcome);
 
 function badge(outcome) {
   return element("span", { classes: `badge ${outcome}`, textContent: outcome_words[outcome] });
@@ -43,6 +43,8 @@ function header() {
   const failures = element("button", { type: "button", textContent: "f failures only" });
   failures.onclick = () => toggle_failures();
   page.failures_button = failures;
+  const save = element("button", { type: "button", textContent: "save tests.csv", title: "all tests with their outcomes, as a table" });
+  save.onclick = () => save_file("tests.csv", "text/csv", tests_csv(data.tests, page.decisions));
   page.count_buttons = counts;
   page.search = element("input", { type: "search", placeholder: "/ name or tag", ariaLabel: "search for a name or a tag" });
   page.search.oninput = () => search_for(page.search.value);
@@ -53,6 +55,7 @@ function header() {
     element("div", { classes: "counts" }, ...counts),
     page.search,
     failures,
+    save,
     element("details", { classes: "help" }, element("summary", { textContent: "? keys" }), help_table()),
     run_node()
   );
@@ -86,14 +89,8 @@ function review_bar() {
   const of = (decision) => [...page.decisions].filter(([, d]) => d === decision).map(([test]) => test);
   const [approved, rejected] = [of("approved"), of("rejected")];
   page.review.hidden = !approved.length && !rejected.length;
-  const entry = ({ name, candidate_sha256 }) => ({ name, candidate_sha256 });
-  const review = { steradian_golden_review: 1, suite: data.suite, approved: approved.map(entry), rejected: rejected.map(entry) };
   const save = element("button", { type: "button", textContent: "save review.json" });
-  save.onclick = () => {
-    const link = element("a", { href: URL.createObjectURL(new Blob([JSON.stringify(review, null, 1)], { type: "application/json" })), download: "review.json" });
-    link.click();
-    setTimeout(() => URL.revokeObjectURL(link.href), 60000);
-  };
+  save.onclick = () => save_file("review.json", "application/json", review_text(data.suite, approved, rejected));
   page.review.replaceChildren(
     element("span", { textContent: `${approved.length} approved, ${rejected.length} rejected` }),
     save,
@@ -286,20 +283,21 @@ function tags_node(test) {
   return element("p", { classes: "tags quiet" }, ...test.tags.map(tag), ...texts.map((textContent) => element("span", { textContent })));
 }
 
+/** The viewer of a test's pictures, and what is to be said beside it. */
 async function pictures(test) {
-  if (!test.test) {
-    const why = test.images_left_out ? "The report is full: look at the files in candidates/." : "There is no image to show.";
-    return element("p", { classes: "quiet", textContent: why });
-  }
+  const said = (classes, textContent) => [element("p", { classes, textContent })];
+  const problem = test.images_problem ? said("failed", test.images_problem) : [];
+  if (test.images_left_out) return { nodes: said("quiet", "The report is full: look at the files in candidates/.") };
+  if (!test.test) return { nodes: problem.length ? problem : said("quiet", "There is no image to show.") };
   try {
     const images = { test: await unpacked(test.test), is_display_referred: test.is_display_referred };
     if (test.golden === "equal") images.golden = images.test;
     else if (test.golden) images.golden = await unpacked(test.golden);
     if (test.errors) images.errors = await unpacked_errors(test.errors);
-    page.viewer = new Viewer(images);
-    return page.viewer.node;
+    const viewer = new Viewer(images);
+    return { viewer, nodes: [...problem, viewer.node] };
   } catch (error) {
-    return element("p", { classes: "failed", textContent: `This browser cannot unpack the pixels: ${error.message}` });
+    return { nodes: said("failed", `This browser cannot unpack the pixels: ${error.message}`) };
   }
 }
 
@@ -314,15 +312,19 @@ async function choose(index) {
   }
   const test = data.tests[index];
   history.replaceState(null, "", `#${encodeURIComponent(test.name)}`);
-  const view = await pictures(test);
-  if (page.chosen !== index) return; // another was chosen meanwhile
+  const { viewer, nodes } = await pictures(test);
+  if (page.chosen !== index) { // another was chosen meanwhile
+    if (viewer) viewer.end();
+    return;
+  }
+  page.viewer = viewer || null;
   page.article.replaceChildren(
     element("h2", {}, badge(test.outcome), test.name),
     tags_node(test),
     ...(test.description ? [element("p", { textContent: test.description })] : []),
     ...(test.message ? [element("p", { classes: "message", textContent: test.message })] : []),
     decision_buttons(test),
-    view,
+    ...nodes,
     ...comparison_nodes(test.comparison),
     ...command_nodes(test),
     renderer_node(test.renderer),
