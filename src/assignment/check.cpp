@@ -5,6 +5,7 @@
 #include "assignment/tick.hpp"
 #include "core/error.hpp"
 #include "core/limits.hpp"
+#include "core/text.hpp"
 #include "gl/context.hpp"
 #include "golden/process.hpp"
 
@@ -26,7 +27,7 @@ using nlohmann::ordered_json;
 
 namespace fs = std::filesystem;
 
-/// A folder for the results of children, which goes with it.
+/// A folder that goes with it. In results/ children may write; what else is there is this process's alone.
 struct ResultsFolder {
     fs::path path;
 
@@ -35,6 +36,7 @@ struct ResultsFolder {
         if (!mkdtemp(name.data()))
             throw Error({name}, "cannot be made", "name a folder that can be written in $TMPDIR");
         path = name;
+        fs::create_directory(path / "results");
     }
     ~ResultsFolder() {
         std::error_code ignored;
@@ -80,6 +82,8 @@ public:
     }
 
     void take() {
+        std::error_code ignored;
+        if (!fs::is_regular_file(fs::symlink_status(file_, ignored))) return; // a pipe would block
         std::ifstream stream(file_, std::ios::binary);
         stream.seekg(static_cast<std::streamoff>(taken_));
         for (std::string line;
@@ -87,8 +91,10 @@ public:
             taken_ += line.size() + 1;
             auto found = ordered_json::parse(line, nullptr, false);
             if (found.is_discarded()) continue;
-            if (options_.grading)
-                leave_out_path(found, submission_.string(), submission_.filename().string());
+            if (options_.grading) // messages show names as terminals may
+                for (const bool is_shown : {false, true})
+                    leave_out_path(found, is_shown ? shown(submission_.string()) : submission_.string(),
+                                   shown(submission_.filename().string()));
             if (found.contains("intake")) {
                 marked_.intake = std::move(found["intake"]);
                 continue;
@@ -123,7 +129,7 @@ Marked marked_by_children(const Assignment& assignment, const fs::path& submissi
     while (tasks.size() < assignment.tasks.size() && !options.stop.stop_requested()) {
         const fs::path log = scratch.path / "log";
         MarkRequest request{fs::absolute(submission),
-                            scratch.path / fmt::format("{}.jsonl", tasks.size()),
+                            scratch.path / "results" / fmt::format("{}.jsonl", tasks.size()),
                             {},
                             options.keeps_pictures,
                             options.grading};

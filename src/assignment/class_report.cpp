@@ -27,7 +27,10 @@ double number(const ordered_json& object, const char* key) { return object.value
 std::string cell(const std::string& text) {
     std::string value = shown(text);
     std::ranges::replace(value, ';', ','); // where it separates cells, quotes within a line do not count
-    if (!value.empty() && std::string_view("=+-@|%").find(value[0]) != std::string_view::npos)
+    // The wide forms of = + - @ count where Chinese or Japanese is written.
+    const bool is_wide = std::ranges::any_of(std::array{"＝", "＋", "－", "＠"},
+                                             [&](const char* sign) { return value.starts_with(sign); });
+    if (is_wide || (!value.empty() && std::string_view("=+-@|%").find(value[0]) != std::string_view::npos))
         value.insert(0, "'");
     for (std::size_t at = 0; (at = value.find('"', at)) != std::string::npos; at += 2) value.insert(at, "\"");
     return '"' + value + '"';

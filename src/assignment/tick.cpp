@@ -102,7 +102,7 @@ ordered_json code_of(const Assignment& assignment, const Submission& submission)
     return code;
 }
 
-/// A folder for the child's results, which goes with it.
+/// A folder that goes with it. In results/ the child may write; what else is there is this process's alone.
 struct QuestionsFolder {
     fs::path path;
 
@@ -111,6 +111,7 @@ struct QuestionsFolder {
         if (!mkdtemp(name.data()))
             throw Error({name}, "cannot be made", "name a folder that can be written in $TMPDIR");
         path = name;
+        fs::create_directory(path / "results");
     }
     ~QuestionsFolder() {
         std::error_code ignored;
@@ -122,6 +123,8 @@ struct QuestionsFolder {
 
 std::vector<ordered_json> lines_in(const fs::path& file) {
     std::vector<ordered_json> lines;
+    std::error_code ignored;
+    if (!fs::is_regular_file(fs::symlink_status(file, ignored))) return lines; // a pipe would block
     std::ifstream stream(file, std::ios::binary);
     for (std::string line; std::getline(stream, line) && !stream.eof();) // a last line may be half there
         if (auto json = ordered_json::parse(line, nullptr, false); !json.is_discarded())
@@ -133,7 +136,7 @@ std::vector<ordered_json> lines_in(const fs::path& file) {
 void add_questions(ordered_json& examination, const fs::path& submission, const CheckOptions& options,
                    const std::vector<std::string>& tasks, const std::string& seed) {
     const QuestionsFolder scratch;
-    MarkRequest request{fs::absolute(submission), scratch.path / "questions.jsonl", tasks, false,
+    MarkRequest request{fs::absolute(submission), scratch.path / "results" / "questions.jsonl", tasks, false,
                         options.grading};
     request.tick_seed = seed;
     constexpr int count = 4;
