@@ -59,12 +59,12 @@ bool is_of_a_system(const std::string& path) {
 }
 
 /// The bytes of an entry, one more than a text may have at most, whatever the archive says that its size is.
-/// Absent if it is damaged.
-std::optional<std::string> unpacked(zip* archive, zip_uint64_t index) {
+/// Absent if it is damaged. `size` gets the bytes that were unpacked.
+std::optional<std::string> unpacked(zip* archive, zip_uint64_t index, std::size_t& size) {
+    size = 0;
     zip_file_t* entry = zip_fopen_index(archive, index, 0);
     if (!entry) return std::nullopt;
     std::string text(max_text_bytes + 1, '\0');
-    std::size_t size = 0;
     zip_int64_t count = 1;
     while (count > 0 && size < text.size()) {
         count = zip_fread(entry, text.data() + size, text.size() - size);
@@ -120,11 +120,16 @@ bool SubmittedFiles::is_wanted(const std::string& path) {
     return true;
 }
 
+/// Adds bytes that were read, kept or not, since unpacking takes time. @throws Error above the limit
+void SubmittedFiles::count_bytes(std::size_t count) {
+    bytes_ += count;
+    if (bytes_ > max_all_bytes) throw no_archive(submission_, "more than 8 MiB of shaders");
+}
+
 /// Of two files of one name the one that lies in fewer folders counts.
 void SubmittedFiles::keep(const std::string& path, std::string text) {
     const std::string name = last_name(path);
-    bytes_ += text.size(); // refused or not, since unpacking takes time
-    if (bytes_ > max_all_bytes) throw no_archive(submission_, "more than 8 MiB of shaders");
+    count_bytes(text.size());
     if (text.size() > max_text_bytes) return refuse(path, "larger than 1 MiB", "hand in the shaders alone");
     if (const auto other = paths_.find(name); other != paths_.end()) {
         const auto depth = [](const std::string& p) { return std::ranges::count(p, '/'); };
@@ -189,11 +194,14 @@ void SubmittedFiles::read_archive(const fs::path& file) {
             refuse(path, "a link", "hand in the file itself");
             continue;
         }
-        auto text = unpacked(archive.get(), index);
-        if (text)
+        std::size_t size = 0;
+        auto text = unpacked(archive.get(), index, size);
+        if (text) {
             keep(path, std::move(*text));
-        else
+        } else {
+            count_bytes(size);
             refuse(path, "is damaged or encrypted", "pack the folder again: `steradian assignment pack`");
+        }
     }
     if (texts_.empty() && refused_.empty()) throw no_archive(file, "it has no .glsl file");
 }

@@ -34,6 +34,7 @@ private:
     void read_archive(const std::filesystem::path& file);
     void refuse(const std::string& path, const std::string& what, const std::string& what_to_do);
     bool is_wanted(const std::string& path);
+    void count_bytes(std::size_t count);
     void keep(const std::string& path, std::string text);
 
     std::filesystem::path submission_;

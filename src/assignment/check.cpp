@@ -6,6 +6,7 @@
 #include "core/error.hpp"
 #include "core/file.hpp"
 #include "core/limits.hpp"
+#include "core/text.hpp"
 #include "gl/context.hpp"
 #include "golden/process.hpp"
 
@@ -63,6 +64,8 @@ public:
     }
 
     void take() {
+        std::error_code ignored;
+        if (!fs::is_regular_file(fs::symlink_status(file_, ignored))) return; // a pipe would block
         std::ifstream stream(file_, std::ios::binary);
         stream.seekg(static_cast<std::streamoff>(taken_));
         for (std::string line;
@@ -70,8 +73,10 @@ public:
             taken_ += line.size() + 1;
             auto found = ordered_json::parse(line, nullptr, false);
             if (found.is_discarded()) continue;
-            if (options_.grading)
-                leave_out_path(found, submission_.string(), submission_.filename().string());
+            if (options_.grading) // messages show names as terminals may
+                for (const bool is_shown : {false, true})
+                    leave_out_path(found, is_shown ? shown(submission_.string()) : submission_.string(),
+                                   shown(submission_.filename().string()));
             if (found.contains("intake")) {
                 marked_.intake = std::move(found["intake"]);
                 continue;
@@ -101,12 +106,14 @@ std::string first_line(const fs::path& file) {
 Marked marked_by_children(const Assignment& assignment, const fs::path& submission,
                           const CheckOptions& options) {
     const ScratchFolder scratch("check");
+    const fs::path results = scratch.path() / "results"; // children write here and nowhere else
+    fs::create_directory(results);
     Marked marked;
     ordered_json& tasks = marked.tasks;
     while (tasks.size() < assignment.tasks.size() && !options.stop.stop_requested()) {
         const fs::path log = scratch.path() / "log";
         MarkRequest request{fs::absolute(submission),
-                            scratch.path() / fmt::format("{}.jsonl", tasks.size()),
+                            results / fmt::format("{}.jsonl", tasks.size()),
                             {},
                             options.keeps_pictures,
                             options.grading};

@@ -21,6 +21,7 @@ namespace fs = std::filesystem;
 
 constexpr int max_fingerprint_files = 10'000;
 constexpr std::uintmax_t max_fingerprint_bytes = 64 << 20; // of one file; no larger one is taken
+constexpr std::uintmax_t max_digested_bytes = 256 << 20;   // of all; of further files the time counts
 
 std::string plain(const std::string& text) {
     std::string result = shorten(text, 60);
@@ -92,13 +93,19 @@ ClassFolder class_folder(const fs::path& folder) {
         throw Error({folder.string()}, "no folder", "name the folder of all submissions");
     const auto people = gradescope_people(folder / "submission_metadata.yml");
     ClassFolder result;
-    for (const auto& entry : fs::directory_iterator(folder)) {
+    const auto unreadable = [&] {
+        return Error({folder.string()}, failure.message(), "let this user read the folder");
+    };
+    fs::directory_iterator entries(folder, failure), end;
+    if (failure) throw unreadable();
+    for (; entries != end; entries.increment(failure)) {
+        const fs::directory_entry& entry = *entries;
         const std::string name = entry.path().filename().string();
         const auto leave_out = [&](const char* what, const char* what_to_do) {
             result.remarks.emplace_back(Error({entry.path().string()}, what, what_to_do).what());
         };
         if (name == "submission_metadata.yml" || name.starts_with(".")) continue;
-        const fs::file_status status = entry.symlink_status();
+        const fs::file_status status = entry.symlink_status(failure);
         if (fs::is_symlink(status)) {
             leave_out("left out: a link", "put the submission itself there");
         } else if (name.find("_assignsubmission_onlinetext") != std::string::npos) {
@@ -110,6 +117,7 @@ ClassFolder class_folder(const fs::path& folder) {
             leave_out("left out: no folder and no zip file", "pack it as a zip file");
         }
     }
+    if (failure) throw unreadable(); // an increment that fails is the end
     if (result.submissions.empty())
         throw Error({folder.string()}, "no submission in it",
                     "put a folder or a zip file for each student there");
@@ -124,12 +132,19 @@ ClassFolder class_folder(const fs::path& folder) {
 
 std::string fingerprint_of(const fs::path& submission) {
     std::vector<std::string> lines;
+    std::uintmax_t digested = 0;
     const auto add = [&](const fs::path& file) {
         std::error_code ignored;
         const bool is_file = fs::is_regular_file(fs::symlink_status(file, ignored));
         const std::uintmax_t size = is_file ? fs::file_size(file, ignored) : 0;
-        lines.push_back(fmt::format("{} {} {}", file.lexically_relative(submission).string(), size,
-                                    is_file && size <= max_fingerprint_bytes ? digest_of(file) : ""));
+        std::string content;
+        if (is_file && size <= max_fingerprint_bytes) {
+            digested += size;
+            content = digested <= max_digested_bytes
+                          ? digest_of(file)
+                          : fmt::format("{}", fs::last_write_time(file, ignored).time_since_epoch().count());
+        }
+        lines.push_back(fmt::format("{} {} {}", file.lexically_relative(submission).string(), size, content));
     };
     std::error_code failure;
     add(submission);

@@ -1,6 +1,7 @@
 #include "assignment/compile_problem.hpp"
 
 #include "assignment/regions.hpp"
+#include "core/text.hpp"
 
 #include <algorithm>
 #include <array>
@@ -65,9 +66,11 @@ std::string line_of(const Code& code, int line) {
 }
 
 std::optional<Problem> problem_in(const std::string& log_line, const Codes& codes) {
-    static const std::regex form(R"((.*?):(\d+)(?::(\d+))?: ([a-z ]*error): (.*))");
+    static const std::regex form(R"((.*?):(\d{1,9})(?::(\d{1,9}))?: ([a-z ]*error): (.*))");
+    constexpr std::size_t max_line = 2000; // std::regex recurses for each character
+    const std::string line = shorten(log_line, max_line);
     std::smatch found;
-    if (!std::regex_match(log_line, found, form)) return std::nullopt;
+    if (!std::regex_match(line, found, form)) return std::nullopt;
     Problem problem{found[1], std::stoi(found[2]), found[3].matched ? std::stoi(found[3]) : 0, found[5], {},
                     {}};
     for (const auto& [region, code] : codes)

@@ -4,6 +4,7 @@
 #include "core/error.hpp"
 #include "core/file.hpp"
 #include "core/json.hpp"
+#include "core/text.hpp"
 #include "image/whole_file.hpp"
 
 #include <algorithm>
@@ -12,6 +13,7 @@
 #include <fmt/ranges.h>
 #include <fstream>
 #include <sstream>
+#include <utility>
 
 namespace sr::assignment {
 namespace {
@@ -32,7 +34,9 @@ void add_regions(Submission& submission, const Assignment& assignment, const std
                  const std::string& text, const std::string& place) {
     std::string fault;
     try {
-        for (const Region& region : regions_of(text, place))
+        for (const char* mark : {"\xff\xfe", "\xfe\xff"})
+            if (text.starts_with(mark)) throw Error({place}, "is UTF-16", "save it as UTF-8");
+        for (const Region& region : regions_of(with_plain_breaks(text), place))
             if (region.name == helpers_region || task_of(assignment, region.name))
                 submission.codes[region.name] = {place, region.begin_line + 1, region.text};
     } catch (const Error& error) {
@@ -74,7 +78,11 @@ FolderLabel label_of(const SubmittedFiles& files) {
     const JsonObject root(text, JsonObject::Pointer(""));
     if (!root.has("assignment"))
         root.fail("no student's folder", "make one with `steradian assignment new NAME DIR`");
-    return {root.required_text("assignment"), root.text("student", "")};
+    FolderLabel label{root.required_text("assignment"), root.text("student", "")};
+    constexpr std::size_t max_id = 200; // bytes: it stands in cells, names of files and arguments
+    for (const auto& [key, id] : {std::pair{"assignment", &label.assignment}, {"student", &label.student}})
+        if (id->size() > max_id) root.fail_at(key, "longer than 200 bytes", "write the id alone");
+    return label;
 }
 
 Submission read_submission(const Assignment& assignment, const SubmittedFiles& files) {

@@ -105,6 +105,8 @@ ordered_json code_of(const Assignment& assignment, const Submission& submission)
 
 std::vector<ordered_json> lines_in(const fs::path& file) {
     std::vector<ordered_json> lines;
+    std::error_code ignored;
+    if (!fs::is_regular_file(fs::symlink_status(file, ignored))) return lines; // a pipe would block
     std::ifstream stream(file, std::ios::binary);
     for (std::string line; std::getline(stream, line) && !stream.eof();) // a last line may be half there
         if (auto json = ordered_json::parse(line, nullptr, false); !json.is_discarded())
@@ -116,8 +118,9 @@ std::vector<ordered_json> lines_in(const fs::path& file) {
 void add_questions(ordered_json& examination, const fs::path& submission, const CheckOptions& options,
                    const std::vector<std::string>& tasks, const std::string& seed) {
     const ScratchFolder scratch("tick");
-    MarkRequest request{fs::absolute(submission), scratch.path() / "questions.jsonl", tasks, false,
-                        options.grading};
+    const fs::path results = scratch.path() / "results"; // the child writes here and nowhere else
+    fs::create_directory(results);
+    MarkRequest request{fs::absolute(submission), results / "questions.jsonl", tasks, false, options.grading};
     request.tick_seed = seed;
     constexpr int count = 4;
     request.processor_seconds = static_cast<int>(4.0 * count * options.time_limit) + 1;

@@ -55,8 +55,8 @@ std::vector<glm::dvec4> tolerances_around(const std::vector<glm::dvec4>& expecte
 
 /// The error of a value over its tolerance: 1 just passes.
 double excess(Relation relation, double got, double expected, double tolerance) {
-    if (got == expected) return 0.0;
-    // Both sides may be the student's.
+    if (got == expected && (std::isfinite(got) || relation == Relation::reference)) return 0.0;
+    // Of a law both sides may be the student's.
     if (!std::isfinite(got) || !std::isfinite(expected) || !std::isfinite(tolerance)) return infinity;
     const double over = got - expected;
     const double counted = relation == Relation::at_most    ? over
@@ -315,13 +315,14 @@ Finding check_samples(const Assignment& assignment, const Parameters& parameters
             integral += share;
         }
         finding.is_implemented = finding.is_implemented && row.is_implemented;
-        const double statistic = row.is_unit ? chi_squared_excess(expected, row.counts).value_or(1e9) : 1e9;
-        if (!(statistic <= worst)) {
+        const double excess = row.is_unit ? chi_squared_excess(expected, row.counts).value_or(1e9) : 1e9;
+        const double statistic = std::isfinite(integral) && std::isfinite(excess) ? excess : 1e9;
+        if (statistic > worst) {
             worst = statistic;
             finding.at = describe(draws, r * draws.group, "u");
             finding.got = fmt::format("{:.3g}", statistic);
             finding.message = !row.is_unit ? "some directions are not of length 1"
-                              : std::abs(integral - 1.0) > 0.05
+                              : !(std::abs(integral - 1.0) <= 0.05)
                                   ? fmt::format("the density integrates to {:.3g}, not to 1", integral)
                                   : "directions are not as dense as the density says";
         }

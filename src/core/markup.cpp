@@ -3,6 +3,7 @@
 #include "core/text.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace sr {
 namespace {
@@ -42,7 +43,10 @@ std::string escape_markup(std::string_view text) {
 std::string csv_cell(std::string_view text) {
     std::string value = shown(text);
     std::ranges::replace(value, ';', ','); // where it separates cells, quotes within a line do not count
-    if (!value.empty() && std::string_view("=+-@|%").find(value[0]) != std::string_view::npos)
+    // The wide forms of = + - @ count where Chinese or Japanese is written.
+    const bool is_wide = std::ranges::any_of(std::array{"＝", "＋", "－", "＠"},
+                                             [&](const char* sign) { return value.starts_with(sign); });
+    if (is_wide || (!value.empty() && std::string_view("=+-@|%").find(value[0]) != std::string_view::npos))
         value.insert(0, "'");
     for (std::size_t at = 0; (at = value.find('"', at)) != std::string::npos; at += 2) value.insert(at, "\"");
     return '"' + value + '"';

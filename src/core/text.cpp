@@ -70,6 +70,16 @@ bool is_control(std::string_view text, std::size_t length) {
     return is_control(code_point(text.substr(0, length)));
 }
 
+std::string with_plain_breaks(std::string text) {
+    std::size_t size = 0;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (text[i] == '\r' && i + 1 < text.size() && text[i + 1] == '\n') continue;
+        text[size++] = text[i] == '\r' ? '\n' : text[i];
+    }
+    text.resize(size);
+    return text;
+}
+
 std::string shown(std::string_view text) { return escaped(text, escape_of); }
 
 std::string shown_lines(std::string_view text) {

@@ -27,6 +27,9 @@ std::string shown_json(std::string_view json);
 /// The text without spaces, tabs and line breaks at its ends.
 std::string_view trimmed(std::string_view text);
 
+/// The text with \n for each line break: \r\n, \n, and the lone \r at which drivers end a line, too.
+std::string with_plain_breaks(std::string text);
+
 /// At most the first `size` bytes, cut between characters, and then "…".
 std::string shorten(std::string_view text, std::size_t size);
 

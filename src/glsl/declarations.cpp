@@ -165,6 +165,8 @@ double ArraySizes::bytes(std::size_t begin, std::size_t end, bool all) const {
         if (!is_word(code_, i) || std::ranges::find(words_before, word) != words_before.end()) continue;
         std::size_t at = i + 1;
         if (word == "struct") { // struct NAME { … } NAME [a];
+            if (all)            // GLSL 4.60, section 4.1.8; each level would double the time of measuring it
+                throw Error({place_, code_[i].line}, "a struct within a struct", "declare it before");
             if (is_word(code_, at)) ++at;
             if (!is_text(code_, at, "{")) continue;
             const std::size_t behind = behind_bracket(code_, at, end);

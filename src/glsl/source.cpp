@@ -1,5 +1,6 @@
 #include "glsl/source.hpp"
 
+#include "core/text.hpp"
 #include "glsl/call_costs.hpp"
 #include "glsl/tokens.hpp"
 #include "glsl/untrusted.hpp"
@@ -27,17 +28,6 @@ std::string_view without_blanks_after(std::string_view text) {
 }
 
 bool has(std::string_view text, std::string_view part) { return text.find(part) != text.npos; }
-
-/// The text with line breaks as we count them: drivers end a line at a lone carriage return, too.
-std::string with_plain_breaks(std::string text) {
-    std::size_t size = 0;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        if (text[i] == '\r' && i + 1 < text.size() && text[i + 1] == '\n') continue;
-        text[size++] = text[i] == '\r' ? '\n' : text[i];
-    }
-    text.resize(size);
-    return text;
-}
 
 /// @throws Error at a NUL, where the text would end for the driver
 void require_no_nul(std::string_view text, const std::string& place) {

@@ -185,6 +185,36 @@ const Test chi_squared("unit.assignment.samples.found_to_fit_or_not", [] {
     EXPECT_NE(check_samples(sampler(), {}, check, {}).message.find("length 1"), std::string::npos);
 });
 
+const Test not_a_density("unit.assignment.samples.a_density_that_is_no_number_fails", [] {
+    sr::testing::context();
+    Check check;
+    check.kind = Check::Kind::samples;
+    check.rows = 1;
+    check.value = "drawn(u)";
+    for (const char* there : {"sqrt(w.z)", "1.0 / (w.z - w.z)"}) { // where no direction is drawn
+        check.other = std::string("w.z < -0.9 ? ") + there + " : max(w.z, 0.0) / pi";
+        EXPECT_FALSE(check_samples(sampler(), {}, check, {}).passed) << there;
+    }
+});
+
+const Test infinite("unit.assignment.values.no_law_holds_for_infinity", [] {
+    const Inputs inputs = inputs_of({input("x", Input::Kind::number)}, 1);
+    Check check;
+    check.type = "float";
+    for (const double value : {HUGE_VAL, -HUGE_VAL, std::nan("")}) {
+        Compared compared;
+        compared.got.means = compared.expected = {glm::dvec4(value)};
+        compared.tolerance = {glm::dvec4(1e-4)};
+        check.relation = Check::Relation::reference;
+        EXPECT_EQ(judge(check, compared, inputs).passed, !std::isnan(value));
+        for (const auto law :
+             {Check::Relation::equals, Check::Relation::at_most, Check::Relation::at_least}) {
+            check.relation = law;
+            EXPECT_FALSE(judge(check, compared, inputs).passed) << value;
+        }
+    }
+});
+
 const Test fall("unit.assignment.slope.of_a_random_mean", [] {
     sr::testing::context();
     Check check;

@@ -17,6 +17,9 @@ const Test controls("unit.core.text.controls_are_shown", [] {
     EXPECT_EQ(shown(std::string_view("\0", 1)), "\\x00");
 });
 
+const Test breaks("unit.core.text.line_breaks_are_one_kind",
+                  [] { EXPECT_EQ(with_plain_breaks("a\r\nb\rc\n\rd\r"), "a\nb\nc\n\nd\n"); });
+
 const Test invalid("unit.core.text.bytes_that_are_not_utf8_are_shown", [] {
     EXPECT_EQ(shown("\xff"), "\\xff");
     EXPECT_EQ(shown("\xc3"), "\\xc3");                   // cut short

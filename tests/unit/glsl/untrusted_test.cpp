@@ -137,6 +137,8 @@ const std::vector<Refused> refused{
     {"array_of_its_type", "void f() { float[4096] a[4096]; }\n", "arrays of"},
     {"many_arrays", "void f() { " + many_arrays(200) + "}\n", "arrays of"},
     {"arrays_on_a_line", "float a[4096], b[4096], c[4096], d[4096], e[4096];\n", "arrays of"},
+    {"structs_in_structs", repeated("struct { ", 40) + "float x; " + repeated("} s; ", 40) + "\n",
+     "a.glsl:1: a struct within a struct"},
     {"array_of_structs", "struct S { mat4 a[64]; };\nS s[64];\n", "arrays of"},
     {"array_behind_a_struct", "struct { mat4 a; } s[2048];\n", "arrays of"},
     {"array_of_a_product", "const int n = 4096;\nfloat a[n * n];\n", "neither a number nor a constant"},
