@@ -6,6 +6,7 @@
 #include "core/error.hpp"
 #include "core/file.hpp"
 #include "core/limits.hpp"
+#include "core/program.hpp"
 #include "core/text.hpp"
 #include "gl/context.hpp"
 #include "golden/process.hpp"
@@ -197,8 +198,7 @@ namespace {
 
 /// Lists what a confined process reads besides the system's folders.
 std::vector<fs::path> readable_folders(const MarkRequest& request) {
-    std::error_code ignored;
-    fs::path program = fs::read_symlink("/proc/self/exe", ignored).parent_path();
+    fs::path program = program_file().parent_path();
     if (program.filename() == "bin") program = program.parent_path();
     return {program, request.grading->assignment, request.grading->hidden, request.submission,
             request.grading->values.file};

@@ -4,6 +4,7 @@
 #include "core/error.hpp"
 #include "core/file.hpp"
 #include "core/json.hpp"
+#include "core/program.hpp"
 #include "core/text.hpp"
 #include "image/whole_file.hpp"
 
@@ -56,11 +57,6 @@ void add_regions(Submission& submission, const Assignment& assignment, const std
 /// True for a file that students write in; the others are given.
 bool is_written(const Assignment& assignment, const std::string& file) {
     return !regions_of(assignment.files.at(file), assignment.place_of(file)).empty();
-}
-
-fs::path program_folder() {
-    std::error_code ignored;
-    return fs::read_symlink("/proc/self/exe", ignored).parent_path();
 }
 
 } // namespace
@@ -188,7 +184,7 @@ fs::path assignments_folder() {
     if (const char* named = std::getenv("STERADIAN_ASSIGNMENTS")) places.emplace_back(named);
     for (const char* place :
          {"assignments", "../share/steradian/assignments"}) // in a build folder; installed
-        places.push_back((program_folder() / place).lexically_normal().string());
+        places.push_back((program_file().parent_path() / place).lexically_normal().string());
     for (const std::string& place : places)
         if (fs::is_directory(place)) return place;
     throw Error(fmt::format("no folder of assignments in {}", fmt::join(places, ", ")),

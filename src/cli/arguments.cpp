@@ -1,8 +1,5 @@
 #include "cli/arguments.hpp"
 
-#include "core/output.hpp"
-#include "glsl/root.hpp"
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
@@ -61,26 +58,8 @@ void declare(CLI::App& command, settings::Taker taker, RenderSettings& settings)
     }
 }
 
-Size picture_size(std::optional<float> aspect_ratio) {
-    constexpr int rows = 720;
-    const float aspect = aspect_ratio.value_or(16.0f / 9.0f);
-    return {std::clamp(static_cast<int>(std::lround(rows * aspect)), 1, 16 * rows), rows};
-}
-
 std::string refusal_of_number(const std::string& text) {
     return std::isfinite(std::strtod(text.c_str(), nullptr)) ? "" : "'" + text + "' is not a finite number";
-}
-
-std::vector<glsl::Root> shader_path(const std::vector<std::string>& folders, bool is_untrusted) {
-    std::vector<glsl::Root> path;
-    for (const std::string& folder : folders) {
-        const glsl::Root root = glsl::Root::folder(folder);
-        path.push_back(is_untrusted ? root.untrusted() : root);
-    }
-    path.push_back(glsl::embedded());
-    for (const std::string& folder : folders)
-        if (const auto remark = glsl::remark_on_overlay(folder, path.back(), folders)) write_remark(*remark);
-    return path;
 }
 
 } // namespace sr::cli

@@ -1,8 +1,8 @@
 #include "brdf/laws.hpp"
+#include "brdf/parameters.hpp"
 #include "brdf/pictures.hpp"
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
-#include "core/file.hpp"
 #include "core/output.hpp"
 #include "gl/context.hpp"
 #include "image/display.hpp"
@@ -16,6 +16,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <span>
@@ -32,32 +33,24 @@ struct BrdfCommand {
     std::string name;
     std::vector<std::string> outputs;
     brdf::BrdfUnderTest tested;
+    std::vector<std::function<void(scene::Material&)>> given; // set a parameter each
+    bool has_energy_compensation = false;
     std::string metal = "gold";
     int samples = 64;
     gl::Backend backend = gl::Backend::automatic;
     bool json = false;
 };
 
-/// Chooses the BRDF by its name: a built-in one, a GLSL file or a measured one.
+/// Chooses the BRDF by its name and sets the parameters that were given.
 void choose(BrdfCommand& command) {
-    brdf::BrdfUnderTest& tested = command.tested;
-    const auto ends_in = [&](std::string_view suffix) { return command.name.ends_with(suffix); };
-    if (command.name == "gltf") command.name = "metallic_roughness";
-    if (ends_in(".glsl") || ends_in(".frag")) {
-        tested.user = brdf::read_user_shader(command.name);
-        tested.trial = std::make_shared<gl::TrialCompiler>(command.backend);
-    } else if (ends_in(".binary")) {
-        tested.material.model = Model::merl;
-        tested.material.measured = 0;
-        const std::vector<std::uint8_t> bytes = read_file(command.name, command.name);
-        tested.measured.push_back(scene::read_merl(std::as_bytes(std::span(bytes)), command.name));
-    } else if (const auto model = scene::model_named(command.name); model && *model != Model::merl) {
-        tested.material.model = *model;
-    } else {
+    auto tested = brdf::brdf_named(command.name, command.backend);
+    if (!tested)
         throw CLI::ValidationError("NAME", "'" + command.name + "' is not a BRDF: --help lists the names");
-    }
-    if (tested.material.model == Model::conductor)
-        tested.material.conductor = scene::fit_ior(*scene::measured_metal(command.metal));
+    if (command.name == "gltf") command.name = scene::name_of(Model::metallic_roughness);
+    if (tested->material.model == Model::conductor) brdf::set_metal(*tested, command.metal);
+    for (const auto& set : command.given) set(tested->material);
+    tested->has_energy_compensation = command.has_energy_compensation;
+    command.tested = *std::move(tested);
 }
 
 /// f_r at the middle of each of a MERL file's cells.
@@ -163,89 +156,58 @@ ExitStatus look_at(BrdfCommand& command) {
     return is_lawful ? done : failed_check;
 }
 
-/// "--roughness-across" of "roughness_across".
-std::string option_of(const scene::BrdfParameter& parameter) {
-    std::string flag = fmt::format("--{}", parameter.key);
-    std::ranges::replace(flag, '_', '-');
-    return flag;
+/// The parameters that hold unless they are given.
+const scene::Material& default_material() {
+    static const scene::Material material = brdf::brdf_named("gltf", gl::Backend::automatic)->material;
+    return material;
 }
 
-/// The names of the BRDFs that need no file, between commas; glTF's own goes by "gltf".
-std::string model_names() {
-    std::vector<std::string_view> names{"gltf"};
-    for (const scene::BrdfModel& model : std::span(scene::brdf_models).subspan(1))
-        if (model.name != scene::name_of(Model::merl)) names.push_back(model.name);
-    return fmt::format("{}", fmt::join(names, ", "));
-}
+std::string number_text(float value) { return fmt::format("{:g}", value); }
 
-void add_color(CLI::App& command, const std::string& name, const std::string& help,
-               const std::function<void(vec3)>& take) {
+/// Declares a parameter; the command keeps what is given.
+void declare_parameter(CLI::App& command, BrdfCommand& o, const brdf::TestedParameter& parameter) {
+    const std::string flag = settings::flag_of(parameter.key);
+    const scene::Material& defaults = default_material();
+    if (const auto* number = std::get_if<float scene::Material::*>(&parameter.member)) {
+        CLI::Option* option = command.add_option_function<float>(
+            flag,
+            [&o, member = *number](float value) {
+                o.given.push_back([=](scene::Material& m) { m.*member = value; });
+            },
+            parameter.help);
+        option->check(refusal_of_number);
+        if (parameter.max < std::numeric_limits<float>::max())
+            option->check(CLI::Range(parameter.min, parameter.max));
+        else if (parameter.min == 0.0f)
+            option->check(CLI::NonNegativeNumber);
+        if (parameter.has_default) option->default_str(number_text(defaults.*(*number)));
+        return;
+    }
+    const auto color = [&](const scene::Material& m) {
+        const auto* rgb = std::get_if<vec3 scene::Material::*>(&parameter.member);
+        return rgb ? m.*(*rgb) : vec3(m.*std::get<vec4 scene::Material::*>(parameter.member));
+    };
     command
         .add_option_function<std::string>(
-            name,
-            [name, take](const std::string& text) {
+            flag,
+            [&o, flag, member = parameter.member](const std::string& text) {
                 const auto value = settings::parse_color(text);
-                if (!value) throw CLI::ValidationError(name, "'" + text + "' is not R,G,B or a number");
-                take(*value);
+                if (!value) throw CLI::ValidationError(flag, "'" + text + "' is not R,G,B or a number");
+                o.given.push_back([member, rgb = *value](scene::Material& m) { brdf::set(m, member, rgb); });
             },
-            help)
+            fmt::format("{} (default: {:g})", parameter.help, color(defaults).x))
         ->type_name("R,G,B");
 }
 
-void add_number(CLI::App& command, const char* name, float& value, const CLI::Validator& allowed,
-                const char* help) {
-    command.add_option(name, value, help)->check(refusal_of_number)->check(allowed)->capture_default_str();
-}
-
-/// Declares the parameters of glTF's own BRDF.
-void declare_gltf_parameters(CLI::App& command, scene::Material& m) {
-    const CLI::Range fraction(0.0f, 1.0f);
-    m.base_color = vec4(1.0f);
-    m.roughness = 0.5f;
-    add_color(command, "--base-color", "ρ; F0 of ggx; tint of conductor and merl (default: 1)",
-              [&m](vec3 v) { m.base_color = vec4(v, 1.0f); });
-    add_number(command, "--roughness", m.roughness, fraction, "of gltf, ggx, conductor, oren_nayar");
-    add_number(command, "--metallic", m.metallic, fraction, "of gltf");
-    add_number(command, "--specular", m.specular, fraction, "of gltf: weight of the dielectric's layer");
-    add_number(command, "--ior", m.ior, CLI::Range(1.0f, 100.0f), "of gltf");
-    add_color(command, "--specular-color",
-              "of gltf; of phong, blinn_phong: what their lobe reflects at normal incidence (default: 1)",
-              [&m](vec3 v) { m.specular_color = v; });
-    add_number(command, "--anisotropy", m.anisotropy, fraction, "of gltf");
-    command.add_option("--rotation", m.anisotropy_rotation, "of the anisotropy [rad]")
-        ->check(refusal_of_number)
-        ->capture_default_str();
-    add_number(command, "--clearcoat", m.clearcoat, fraction, "of gltf");
-    add_number(command, "--clearcoat-roughness", m.clearcoat_roughness, fraction, "of gltf");
-    add_color(command, "--sheen-color", "of gltf (default: 0)", [&m](vec3 v) { m.sheen_color = v; });
-    add_number(command, "--sheen-roughness", m.sheen_roughness, fraction, "of gltf");
-    add_number(command, "--iridescence", m.iridescence, fraction, "of gltf: weight of a thin film");
-    add_number(command, "--film-ior", m.film_ior, CLI::Range(1.0f, 10.0f), "of the thin film");
-    add_number(command, "--film-thickness", m.max_film_thickness, CLI::NonNegativeNumber,
-               "of the thin film [nm]");
-}
-
-/// Declares the parameters of the other models, from the table.
-void declare_model_parameters(CLI::App& command, BrdfCommand& o) {
-    scene::Material& m = o.tested.material;
-    for (const scene::BrdfParameter& parameter : scene::brdf_parameters) {
-        const std::string flag = option_of(parameter);
-        if (command.get_option_no_throw(flag)) continue; // glTF's own
-        const std::string help = fmt::format("of {}: {}", scene::models_with(parameter), parameter.meaning);
-        if (const auto* number = std::get_if<float scene::Material::*>(&parameter.member)) {
-            CLI::Option* option = command.add_option(flag, m.*(*number), help);
-            option->check(refusal_of_number)->check(CLI::Range(parameter.min, parameter.max));
-            if (parameter.fallback) option->capture_default_str();
-        } else if (const auto* rgb = std::get_if<vec3 scene::Material::*>(&parameter.member)) {
-            add_color(command, flag, help + " (default: 1)", [&m, member = *rgb](vec3 v) { m.*member = v; });
-        }
-    }
+void declare_parameters(CLI::App& command, BrdfCommand& o) {
+    for (const brdf::TestedParameter& parameter : brdf::parameters())
+        declare_parameter(command, o, parameter);
     std::vector<std::string> metals;
     for (const std::string_view name : scene::metal_names()) metals.emplace_back(name);
     command.add_option("--metal", o.metal, "of conductor")
         ->check(CLI::IsMember(metals))
         ->capture_default_str();
-    command.add_flag("--energy-compensation", o.tested.has_energy_compensation,
+    command.add_flag("--energy-compensation", o.has_energy_compensation,
                      "compensate gltf, ggx and conductor for energy lost to multiple scattering");
 }
 
@@ -257,7 +219,8 @@ void add_brdf_command(CLI::App& app) {
         "brdf", "plot one BRDF and check its laws: lobe, albedo, reciprocity, energy, sampling");
     command
         ->add_option("NAME", options->name,
-                     model_names() + "; a .glsl file that declares f_r; a .binary file of the MERL database")
+                     fmt::format("{}", fmt::join(brdf::builtin_names(), ", "))
+                         + "; a .glsl file that declares f_r; a .binary file of the MERL database")
         ->required();
     command
         ->add_option(
@@ -265,8 +228,7 @@ void add_brdf_command(CLI::App& app) {
             ".svg: the lobe for four views; .png, .jpg, .exr, .hdr: a lit ball; .binary: the BRDF as a "
             "MERL file (repeatable)")
         ->allow_extra_args(false);
-    declare_gltf_parameters(*command, options->tested.material);
-    declare_model_parameters(*command, *options);
+    declare_parameters(*command, *options);
     command->add_option("--samples", options->samples, "of the lit ball's pixels")
         ->check(CLI::Range(1, 65536))
         ->capture_default_str();

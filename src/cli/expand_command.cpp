@@ -2,6 +2,7 @@
 #include "cli/commands.hpp"
 #include "core/output.hpp"
 #include "glsl/source.hpp"
+#include "picture/open_scene.hpp"
 #include "render/gpu/shader_library.hpp"
 
 #include <CLI/CLI.hpp>
@@ -31,7 +32,7 @@ void add_expand_command(CLI::App& app) {
     command->footer(
         "Examples:\n  steradian expand forward.frag\n  steradian expand brdf/f_r.glsl --shaders my_shaders");
     command->callback([arguments] {
-        std::vector<glsl::Root> path = shader_path(arguments->shaders, arguments->is_untrusted);
+        std::vector<glsl::Root> path = picture::shader_path(arguments->shaders, arguments->is_untrusted);
         path.insert(path.end() - 1,
                     glsl::Root::memory("glTF's own material",
                                        render::brdf_files(scene::Model::metallic_roughness, path)));

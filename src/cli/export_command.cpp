@@ -1,9 +1,9 @@
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
-#include "cli/open_scene.hpp"
 #include "core/output.hpp"
 #include "gltf/asset.hpp"
 #include "mitsuba/write.hpp"
+#include "picture/open_scene.hpp"
 #include "scene/prepare.hpp"
 
 #include <CLI/CLI.hpp>
@@ -22,7 +22,7 @@ struct ExportCommand {
 /// Prepares the scene as `render` does, without the surfaces that `render` gives to lights.
 scene::RenderScene staged(const RenderSettings& settings, scene::Scene&& scene) {
     scene::PrepareOptions options{settings.camera, settings.rig};
-    options.environment = read_environment_light(settings);
+    options.environment = picture::read_environment_light(settings);
     if (const auto& size = settings.size)
         options.aspect_ratio = static_cast<float>(size->width) / static_cast<float>(size->height);
     const std::size_t instances = scene.instances.size(), emitters = scene::emitters_of(scene).size();
@@ -44,7 +44,7 @@ void export_scene(const ExportCommand& command) {
     for (const std::string& warning : loaded.warnings) write_remark(warning);
     const scene::RenderScene stage = staged(settings, std::move(loaded.scene));
     for (const std::string& remark : stage.remarks) write_remark(remark);
-    const Size size = settings.size.value_or(picture_size(stage.camera.aspect_ratio()));
+    const Size size = settings.size.value_or(picture::picture_size(stage.camera.aspect_ratio()));
     const auto warnings =
         mitsuba::write({stage.scene, stage.camera, size.width, size.height}, command.folder);
     for (const std::string& warning : warnings) print_remark("{}: {}", settings.scene, warning);

@@ -1,6 +1,6 @@
+#include "cli/arguments.hpp"
 #include "cli/commands.hpp"
 #include "cli/interruption.hpp"
-#include "cli/open_scene.hpp"
 #include "cli/progress.hpp"
 #include "core/error.hpp"
 #include "core/output.hpp"
@@ -9,6 +9,7 @@
 #include "output/illuminance.hpp"
 #include "output/illuminance_plan.hpp"
 #include "output/isolines.hpp"
+#include "picture/open_scene.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -160,11 +161,11 @@ struct Measurement {
     std::vector<output::NamedGrid> parts; // by light
 };
 
-std::optional<Measurement> measure_all(const IlluminanceCommand& command, OpenScene& open,
+std::optional<Measurement> measure_all(const IlluminanceCommand& command, picture::OpenScene& open,
                                        const scene::Receiver& receiver, const Interruption& interruption) {
     const scene::Camera camera = scene::add_receiver(open.stage.scene, receiver);
-    const render::GpuScene scene = upload(open, command.settings);
-    render::RenderOptions options = render_options(command.settings, cells_of(command, receiver));
+    const render::GpuScene scene = picture::upload(open, command.settings);
+    render::RenderOptions options = picture::render_options(command.settings, cells_of(command, receiver));
     options.shader = "views/irradiance.frag";
     render::Renderer renderer(scene, camera, options);
     const std::string unit(scene::name_of({scene::Quantity::irradiance, open.stage.scene.units}));
@@ -188,7 +189,7 @@ std::optional<Measurement> measure_all(const IlluminanceCommand& command, OpenSc
 }
 
 /// Lamps with a place, seen along the receiver's normal.
-std::vector<output::PlanMark> marks_of(const OpenScene& open, const scene::Receiver& receiver) {
+std::vector<output::PlanMark> marks_of(const picture::OpenScene& open, const scene::Receiver& receiver) {
     std::vector<output::PlanMark> marks;
     for (const scene::Light& light : open.stage.lights) {
         const auto center = scene::center_of(light);
@@ -202,7 +203,8 @@ std::vector<output::PlanMark> marks_of(const OpenScene& open, const scene::Recei
     return marks;
 }
 
-void write_outputs(const IlluminanceCommand& command, const OpenScene& open, const Measurement& measured) {
+void write_outputs(const IlluminanceCommand& command, const picture::OpenScene& open,
+                   const Measurement& measured) {
     image::WholeFiles files;
     const auto add = [&](const std::string& file, const std::string& text) {
         files.add(file, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
@@ -282,8 +284,8 @@ void print(const IlluminanceCommand& command, const Measurement& measured) {
 
 ExitStatus illuminance(const IlluminanceCommand& command) {
     for (const std::string& file : command.outputs) image::require_writable(file);
-    PhaseTimes times;
-    OpenScene open = open_scene(command.settings, times);
+    picture::PhaseTimes times;
+    picture::OpenScene open = picture::open_scene(command.settings, times);
     if (open.stage.lights.empty())
         throw Error({command.settings.scene}, "nothing in the scene emits light",
                     "add lights to the file, or light from outside with --environment");

@@ -3,6 +3,8 @@
 #include "core/error.hpp"
 #include "core/limits.hpp"
 #include "core/output.hpp"
+#include "settings/bad_setting.hpp"
+#include "settings/options.hpp"
 
 #include <CLI/CLI.hpp>
 #include <csignal>
@@ -109,6 +111,10 @@ int run(int argc, char** argv) {
         return done;
     } catch (const CLI::RuntimeError& ended) { // a command's own exit status
         return ended.get_exit_code();
+    } catch (const settings::BadSetting& error) {
+        print_remark("{}: {}", settings::flag_of(error.key()), error.what());
+        write_remark("Run with --help for more information.");
+        return usage;
     } catch (const CLI::ParseError& error) {
         std::ostringstream help, complaint;
         if (app.exit(error, help, complaint) == 0) {

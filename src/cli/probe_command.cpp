@@ -1,9 +1,9 @@
 #include "cli/commands.hpp"
 #include "cli/interruption.hpp"
-#include "cli/open_scene.hpp"
 #include "core/math.hpp"
 #include "core/output.hpp"
 #include "core/text.hpp"
+#include "picture/open_scene.hpp"
 #include "render/probe.hpp"
 
 #include <CLI/CLI.hpp>
@@ -49,11 +49,12 @@ ordered_json place(vec3 p, const scene::Scene& scene) {
 }
 
 /// "L [cd/m^2]", in the scene's units.
-std::string with_unit(const char* symbol, scene::Quantity quantity, const OpenScene& open) {
+std::string with_unit(const char* symbol, scene::Quantity quantity, const picture::OpenScene& open) {
     return fmt::format("{} [{}]", symbol, scene::name_of({quantity, open.stage.scene.units}));
 }
 
-ordered_json as_json(const ProbeCommand& command, const OpenScene& open, const render::PixelTerms& terms) {
+ordered_json as_json(const ProbeCommand& command, const picture::OpenScene& open,
+                     const render::PixelTerms& terms) {
     const auto radiance = [&](const char* symbol) {
         return with_unit(symbol, scene::Quantity::radiance, open);
     };
@@ -105,7 +106,7 @@ std::string row_of(int k, const scene::Light& light, const render::LightTerms& t
                        t.wi.z, t.cos_i, t.V, luminance(t.f_r), luminance(t.E), cells(t.L_r, 11));
 }
 
-void print(const ProbeCommand& command, const OpenScene& open, const render::PixelTerms& terms) {
+void print(const ProbeCommand& command, const picture::OpenScene& open, const render::PixelTerms& terms) {
     print_data("pixel {},{} of {}x{}, camera '{}', {} samples, seed {}\n\n", command.pixel.column,
                command.pixel.row, open.size.width, open.size.height, shown(open.stage.camera.name),
                command.rendering.stop.samples, command.rendering.rendering.seed);
@@ -131,16 +132,17 @@ void print(const ProbeCommand& command, const OpenScene& open, const render::Pix
 }
 
 ExitStatus probe(const ProbeCommand& command) {
-    PhaseTimes times;
-    const OpenScene open = open_scene(command.rendering, times);
+    picture::PhaseTimes times;
+    const picture::OpenScene open = picture::open_scene(command.rendering, times);
     if (command.pixel.column >= open.size.width || command.pixel.row >= open.size.height)
         throw CLI::ValidationError("--pixel", fmt::format("'{},{}' is outside the picture of {}x{}",
                                                           command.pixel.column, command.pixel.row,
                                                           open.size.width, open.size.height));
-    const render::GpuScene scene = upload(open, command.rendering);
+    const render::GpuScene scene = picture::upload(open, command.rendering);
     const Interruption interruption;
-    const auto terms = render::probe(scene, open.stage.camera, render_options(command.rendering, open.size),
-                                     command.pixel.column, command.pixel.row, interruption.token());
+    const auto terms =
+        render::probe(scene, open.stage.camera, picture::render_options(command.rendering, open.size),
+                      command.pixel.column, command.pixel.row, interruption.token());
     open.context->require_silence();
     if (!terms) {
         print_remark("interrupted: nothing was printed");

@@ -2,6 +2,7 @@
 
 #include "image/whole_file.hpp"
 #include "output/write.hpp"
+#include "picture/checks.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -45,32 +46,6 @@ std::optional<NumberPlace> place_in(const std::string& name) {
     throw CLI::ValidationError(option, problem);
 }
 
-/// Refuses options that only pictures of radiance have, and views that the estimator does not sample.
-void check_view(const RenderCommand& command) {
-    if (!command.view) return;
-    if (command.has_light_layers || command.asks_for_error())
-        refuse("--view", fmt::format("'{}' is not radiance, which --layers, --error, --time, --denoise and "
-                                     "--aov error need: leave these out",
-                                     command.view->name));
-    if (command.rendering.estimator != render::Estimator::sampled
-        && command.view->finish != output::Finish::luminance)
-        refuse("--view", fmt::format("'{}' takes points on the lights: leave --estimator at sampled",
-                                     command.view->name));
-}
-
-/// Refuses to filter noise that shadows do not cause, and numbers that a filtered picture does not have.
-void check_denoising(const RenderCommand& command) {
-    if (!command.denoises) return;
-    if (command.rendering.estimator != render::Estimator::analytic)
-        refuse("--denoise", "filters shadows, the only noise of --estimator analytic: choose that estimator");
-    if (command.visibility == render::Visibility::none)
-        refuse("--denoise", "filters shadows, and --visibility none has none: choose ray or map");
-    if (command.has_light_layers || command.view || command.stop.error)
-        refuse("--denoise", "a filtered picture has no --layers, --view or --error: leave these out");
-    if (command.stop.samples < 2)
-        refuse("--denoise", fmt::format("--samples is {}: choose 2 or more", command.stop.samples));
-}
-
 /// Refuses outputs that cannot be written, and channels without a file that holds them.
 void check_outputs(const RenderCommand& command) {
     for (const std::string& output : command.outputs) {
@@ -80,9 +55,6 @@ void check_outputs(const RenderCommand& command) {
                                      output));
         image::require_writable(command.frames ? *numbered(output, 0) : output);
     }
-    if (output::holds(command.aovs, output::Finish::error) && command.stop.samples < 2)
-        refuse("--aov", fmt::format("error needs two samples, and --samples is {}: choose 2 or more",
-                                    command.stop.samples));
     if (std::ranges::any_of(command.outputs, output::holds_layers)) return;
     for (const auto& [is_given, option] :
          {std::pair(command.has_light_layers, "--layers"), std::pair(!command.aovs.empty(), "--aov")})
@@ -92,8 +64,7 @@ void check_outputs(const RenderCommand& command) {
 } // namespace
 
 void check(const RenderCommand& command) {
-    check_view(command);
-    check_denoising(command);
+    picture::check(command);
     check_outputs(command);
 }
 

@@ -1,5 +1,7 @@
 #include "cli/version.hpp"
 
+#include "core/program.hpp"
+
 #include "commit.hpp"
 
 namespace sr::cli {
@@ -10,9 +12,8 @@ std::string name_and_version() {
 }
 
 std::filesystem::path running_program() {
-    std::error_code failure;
-    const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", failure);
-    return failure ? "steradian" : program;
+    const std::filesystem::path program = program_file();
+    return program.empty() ? "steradian" : program;
 }
 
 } // namespace sr::cli

@@ -2,11 +2,11 @@
 #include "assignment/submission.hpp"
 #include "cli/commands.hpp"
 #include "cli/interruption.hpp"
-#include "cli/open_scene.hpp"
 #include "cli/version.hpp"
 #include "core/error.hpp"
 #include "core/output.hpp"
 #include "gl/window.hpp"
+#include "picture/open_scene.hpp"
 #include "viewer/app.hpp"
 
 #include <CLI/CLI.hpp>
@@ -37,10 +37,10 @@ viewer::Options viewer_options(const ViewCommand& command) {
     const RenderSettings& r = command.rendering;
     viewer::Options options;
     static_cast<RenderSettings&>(options) = r;
-    options.environment_light = read_environment_light(r);
+    options.environment_light = picture::read_environment_light(r);
     options.plays = command.plays;
     options.rendering.shader_path =
-        shader_path(r.shaders, r.is_untrusted); // says now what is wrong with the folders
+        picture::shader_path(r.shaders, r.is_untrusted); // says now what is wrong with the folders
     if (!r.shaders.empty())
         options.rendering.trial = std::make_shared<gl::TrialCompiler>(gl::Backend::window);
     options.is_fullscreen = command.is_fullscreen;

@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
+#include <mutex>
 #include <unistd.h>
 
 namespace sr {
@@ -23,7 +24,37 @@ void write_all(std::string_view text) {
     if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size()) fail(errno);
 }
 
+/// The sink that takes remarks; empty: stderr does.
+struct Sink {
+    std::mutex mutex;
+    std::function<void(std::string)> take;
+};
+
+Sink& sink() {
+    static Sink only;
+    return only;
+}
+
+/// @return false if there is no sink
+bool give_to_sink(const std::string& text) {
+    const std::lock_guard lock(sink().mutex);
+    if (!sink().take) return false;
+    sink().take(text);
+    return true;
+}
+
 } // namespace
+
+RemarkSink::RemarkSink(std::function<void(std::string)> take) {
+    const std::lock_guard lock(sink().mutex);
+    require(!sink().take, "one sink takes the remarks");
+    sink().take = std::move(take);
+}
+
+RemarkSink::~RemarkSink() {
+    const std::lock_guard lock(sink().mutex);
+    sink().take = nullptr;
+}
 
 void write_output(std::string_view text) { write_all(shown_lines(text)); }
 
@@ -35,7 +66,9 @@ void write_json(std::string_view json) {
 void write_remark(std::string_view text) {
     while (text.ends_with('\n')) text.remove_suffix(1);
     constexpr std::size_t max_bytes = 4000; // [bytes]
-    const std::string line = shown(shorten(text, max_bytes)) + '\n';
+    std::string line = shown(shorten(text, max_bytes));
+    if (give_to_sink(line)) return;
+    line += '\n';
     std::string_view rest = line; // in one piece, so that lines of several processes do not mix
     while (!rest.empty()) {
         const ssize_t written = ::write(STDERR_FILENO, rest.data(), rest.size());

@@ -1,6 +1,8 @@
 #pragma once
 // Output of the program: data on stdout, which must arrive, and remarks on stderr, which may be lost.
 #include <fmt/format.h>
+#include <functional>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -14,6 +16,16 @@ void write_json(std::string_view json);
 
 /// Writes one line to stderr, whatever the text holds. Nothing happens if it cannot be written.
 void write_remark(std::string_view text);
+
+/// Takes the remarks of all threads instead of stderr for as long as it lives; one at a time. `take` may be
+/// called by any thread, by one after the other.
+class RemarkSink {
+public:
+    explicit RemarkSink(std::function<void(std::string)> take);
+    ~RemarkSink();
+    RemarkSink(const RemarkSink&) = delete;
+    RemarkSink& operator=(const RemarkSink&) = delete;
+};
 
 /// Sends what is left in stdout's buffer. @throws Error if it cannot be written
 void flush_output();

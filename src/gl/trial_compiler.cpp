@@ -2,6 +2,7 @@
 
 #include "core/error.hpp"
 #include "core/limits.hpp"
+#include "core/program.hpp"
 #include "gl/object.hpp"
 #include "gl/program.hpp"
 
@@ -25,8 +26,6 @@
 
 namespace sr::gl {
 namespace {
-
-constexpr const char* own_program = "/proc/self/exe";
 
 /// How the process ended, as a clause whose subject is the driver's compiler.
 std::string end_of(int status) {
@@ -145,7 +144,8 @@ void TrialCompiler::Process::start(Backend backend) {
     posix_spawnattr_t attributes;
     posix_spawnattr_init(&attributes);
     posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP); // Ctrl-C is for us
-    const int failure = posix_spawn(&pid_, own_program, &files, &attributes, arguments.data(), environ);
+    const int failure =
+        posix_spawn(&pid_, program_to_start().c_str(), &files, &attributes, arguments.data(), environ);
     posix_spawnattr_destroy(&attributes);
     posix_spawn_file_actions_destroy(&files);
     if (failure != 0)

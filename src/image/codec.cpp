@@ -2,33 +2,18 @@
 
 #include "core/error.hpp"
 #include "core/parallel.hpp"
+#include "core/program.hpp"
 
 #include <dlfcn.h>
-#ifdef __APPLE__
-#include <mach-o/dyld.h>
-#endif
 
 namespace sr::image {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// The running program's own file. No standard function tells, and a run path would not do instead:
-/// AddressSanitizer stands between the program and dlopen, which then no longer knows whose run path to take.
-fs::path program() {
-#ifdef __APPLE__
-    char path[4096];
-    std::uint32_t size = sizeof path;
-    return _NSGetExecutablePath(path, &size) == 0 ? fs::path(path) : fs::path();
-#else
-    std::error_code ignored;
-    return fs::read_symlink("/proc/self/exe", ignored);
-#endif
-}
-
 /// Beside the program in a build folder, in the library folder once installed.
 fs::path module_file() {
-    const fs::path folder = program().parent_path(), beside = folder / STERADIAN_IMAGE_MODULE;
+    const fs::path folder = program_file().parent_path(), beside = folder / STERADIAN_IMAGE_MODULE;
     const fs::path installed = folder / STERADIAN_MODULES_FROM_BIN / STERADIAN_IMAGE_MODULE;
     std::error_code ignored;
     return fs::exists(beside, ignored) ? beside : installed.lexically_normal();

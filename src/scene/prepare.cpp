@@ -259,25 +259,6 @@ Scene corners_of(const Bounds& box) {
     return scene;
 }
 
-Camera chosen_camera(const Scene& scene, const std::string& file, const PrepareOptions& options) {
-    const std::string& wanted = options.camera;
-    if (wanted == "auto" || (wanted.empty() && scene.cameras.empty()))
-        return options.extent && !options.extent->is_empty()
-                   ? framing_camera(corners_of(*options.extent), options.aspect_ratio)
-                   : framing_camera(scene, options.aspect_ratio);
-    if (wanted.empty()) return scene.cameras.front();
-    if (is_look_at(wanted))
-        return camera_at(parse_look_at(wanted, scene.origin), bounds_of(scene), options.aspect_ratio);
-    for (const Camera& camera : scene.cameras)
-        if (camera.name == wanted) return camera;
-    int number = 0;
-    const auto [end, failure] = std::from_chars(wanted.data(), wanted.data() + wanted.size(), number);
-    for (std::size_t i = 0; i < scene.cameras.size(); ++i)
-        if (failure == std::errc{} && end == wanted.data() + wanted.size() && number == number_of(scene, i))
-            return scene.cameras[i];
-    throw Error({file}, fmt::format("no camera '{}'", wanted), "choose one of " + cameras_of(scene));
-}
-
 /// True if almost nothing of what the camera sees would be lit.
 bool is_dark(const RenderScene& stage, const Scene& scene, float aspect_ratio) {
     if (stage.lights.empty()) return true;
@@ -437,6 +418,25 @@ Camera framing_camera(const Scene& scene, float aspect_ratio) {
     camera.projection = Perspective{yfov, std::nullopt, 0.9f * nearest,
                                     farthest + 0.1f * (farthest - nearest) + 1e-3f * radius};
     return camera;
+}
+
+Camera chosen_camera(const Scene& scene, const std::string& name, const PrepareOptions& options) {
+    const std::string& wanted = options.camera;
+    if (wanted == "auto" || (wanted.empty() && scene.cameras.empty()))
+        return options.extent && !options.extent->is_empty()
+                   ? framing_camera(corners_of(*options.extent), options.aspect_ratio)
+                   : framing_camera(scene, options.aspect_ratio);
+    if (wanted.empty()) return scene.cameras.front();
+    if (is_look_at(wanted))
+        return camera_at(parse_look_at(wanted, scene.origin), bounds_of(scene), options.aspect_ratio);
+    for (const Camera& camera : scene.cameras)
+        if (camera.name == wanted) return camera;
+    int number = 0;
+    const auto [end, failure] = std::from_chars(wanted.data(), wanted.data() + wanted.size(), number);
+    for (std::size_t i = 0; i < scene.cameras.size(); ++i)
+        if (failure == std::errc{} && end == wanted.data() + wanted.size() && number == number_of(scene, i))
+            return scene.cameras[i];
+    throw Error({name}, fmt::format("no camera '{}'", wanted), "choose one of " + cameras_of(scene));
 }
 
 RenderScene prepare_scene(Scene scene, const std::string& name, const PrepareOptions& options) {

@@ -35,6 +35,9 @@ struct RenderScene {
     std::vector<std::string> remarks;
 };
 
+/// Returns the camera that options.camera names. @throws Error as prepare_scene()
+Camera chosen_camera(const Scene& scene, const std::string& name, const PrepareOptions& options);
+
 /// @throws Error naming the cameras there are, if options.camera is none of them. `name` is the file's, for
 /// messages.
 RenderScene prepare_scene(Scene scene, const std::string& name, const PrepareOptions& options);

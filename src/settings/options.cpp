@@ -378,7 +378,7 @@ bool has_range(const Value& value) {
 
 } // namespace
 
-std::string Option::flag() const {
+std::string flag_of(std::string_view key) {
     std::string name = fmt::format("--{}", key);
     std::ranges::replace(name, '_', '-');
     return name;

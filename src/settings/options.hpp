@@ -48,6 +48,9 @@ struct OptionAttribute {
     std::string (*text)(const RenderSettings&) = nullptr; // empty: left out; null: as Value::write
 };
 
+/// Returns "--exr-type" for the key exr_type.
+std::string flag_of(std::string_view key);
+
 struct Option {
     const char* key;   // in suites and JSON
     const char* group; // heading in --help
@@ -57,7 +60,7 @@ struct Option {
     const char* view_help = nullptr; // of `view`, where it means something else there
     OptionAttribute attribute{};
 
-    std::string flag() const; // "--exr-type" for the key exr_type
+    std::string flag() const { return flag_of(key); }
 };
 
 /// All options, in the order of --help.

@@ -1,18 +1,19 @@
-#include "cli/open_scene.hpp"
+#include "picture/open_scene.hpp"
 
 #include "core/error.hpp"
 #include "core/output.hpp"
 #include "gltf/asset.hpp"
 #include "gltf/read/environment.hpp"
+#include "settings/bad_setting.hpp"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
 #include <future>
 #include <numeric>
 
-namespace sr::cli {
+namespace sr::picture {
 namespace {
 
 /// A file that is read, and its scene at the time of --at or of the first frame.
@@ -81,31 +82,6 @@ Opened open(const RenderSettings& settings) {
     return opened;
 }
 
-scene::PrepareOptions stage_options(const RenderSettings& settings, const Opened& opened) {
-    scene::PrepareOptions options{settings.camera, settings.rig};
-    if (settings.size)
-        options.aspect_ratio =
-            static_cast<float>(settings.size->width) / static_cast<float>(settings.size->height);
-    options.hide_emitters = settings.hide_emitters;
-    options.extent = opened.extent;
-    options.environment = opened.environment;
-    return options;
-}
-
-/// Says which lights the analytic estimator cannot do without noise.
-void remark_on_estimator(const RenderSettings& settings, const scene::RenderScene& stage) {
-    if (settings.rendering.estimator != render::Estimator::analytic) return;
-    for (const scene::Light& light : stage.lights) {
-        if (const auto* environment = std::get_if<scene::EnvironmentLight>(&light))
-            print_remark("{}: '{}' surrounds the scene: it is sampled{}", settings.scene, environment->name,
-                         environment->map ? "" : ", but for Lambert's surfaces");
-        const auto* mesh = std::get_if<scene::MeshLight>(&light);
-        if (mesh && mesh->triangles.size() > render::max_outlined_triangles)
-            print_remark("{}: '{}' has {} emissive triangles, more than {}: it is sampled", settings.scene,
-                         mesh->name, mesh->triangles.size(), render::max_outlined_triangles);
-    }
-}
-
 /// Prints the file's warnings that have not been printed yet: moments of an animation may have their own.
 void tell_new_warnings(OpenScene& open) {
     for (const std::string& warning : open.asset.warnings())
@@ -120,6 +96,24 @@ void PhaseTimes::end(std::string phase) {
     last_ = now;
 }
 
+Size picture_size(std::optional<float> aspect_ratio) {
+    constexpr int rows = 720;
+    const float aspect = aspect_ratio.value_or(16.0f / 9.0f);
+    return {std::clamp(static_cast<int>(std::lround(rows * aspect)), 1, 16 * rows), rows};
+}
+
+std::vector<glsl::Root> shader_path(const std::vector<std::string>& folders, bool is_untrusted) {
+    std::vector<glsl::Root> path;
+    for (const std::string& folder : folders) {
+        const glsl::Root root = glsl::Root::folder(folder);
+        path.push_back(is_untrusted ? root.untrusted() : root);
+    }
+    path.push_back(glsl::embedded());
+    for (const std::string& folder : folders)
+        if (const auto remark = glsl::remark_on_overlay(folder, path.back(), folders)) write_remark(*remark);
+    return path;
+}
+
 std::optional<scene::EnvironmentLight> read_environment_light(const RenderSettings& settings) {
     const std::string& source = settings.environment;
     if (source.empty()) return std::nullopt;
@@ -127,7 +121,7 @@ std::optional<scene::EnvironmentLight> read_environment_light(const RenderSettin
     if (const auto color = settings::parse_color(source)) {
         light.name = "environment";
         if (std::min({color->r, color->g, color->b}) < 0.0f)
-            throw CLI::ValidationError("--environment",
+            throw settings::BadSetting("environment",
                                        "'" + source + "' is a negative radiance: choose 0 or more");
         light.L = *color;
     } else {
@@ -158,10 +152,11 @@ OpenScene open_scene(const RenderSettings& settings, PhaseTimes& times) {
                      {},
                      {},
                      std::move(opened.asset),
-                     stage_options(settings, opened),
+                     prepare_options(settings, std::move(opened.environment)),
                      std::move(opened.animations),
                      std::move(opened.frames),
                      {}};
+    result.stage_options.extent = opened.extent;
     tell_new_warnings(result);
     result.stage.scene = std::move(opened.scene);
     if (result.frames.empty())
@@ -190,6 +185,30 @@ render::GpuScene upload(const OpenScene& open, const RenderSettings& settings) {
     return {open.stage.scene, open.stage.lights, settings.visibility, settings.has_energy_compensation};
 }
 
+scene::PrepareOptions prepare_options(const RenderSettings& settings,
+                                      std::optional<scene::EnvironmentLight> environment) {
+    scene::PrepareOptions options{settings.camera, settings.rig};
+    if (settings.size)
+        options.aspect_ratio =
+            static_cast<float>(settings.size->width) / static_cast<float>(settings.size->height);
+    options.hide_emitters = settings.hide_emitters;
+    options.environment = std::move(environment);
+    return options;
+}
+
+void remark_on_estimator(const RenderSettings& settings, const scene::RenderScene& stage) {
+    if (settings.rendering.estimator != render::Estimator::analytic) return;
+    for (const scene::Light& light : stage.lights) {
+        if (const auto* environment = std::get_if<scene::EnvironmentLight>(&light))
+            print_remark("{}: '{}' surrounds the scene: it is sampled{}", settings.scene, environment->name,
+                         environment->map ? "" : ", but for Lambert's surfaces");
+        const auto* mesh = std::get_if<scene::MeshLight>(&light);
+        if (mesh && mesh->triangles.size() > render::max_outlined_triangles)
+            print_remark("{}: '{}' has {} emissive triangles, more than {}: it is sampled", settings.scene,
+                         mesh->name, mesh->triangles.size(), render::max_outlined_triangles);
+    }
+}
+
 render::RenderOptions render_options(const RenderSettings& settings, Size size) {
     render::RenderOptions options = settings.rendering;
     options.width = size.width;
@@ -202,4 +221,4 @@ render::RenderOptions render_options(const RenderSettings& settings, Size size) 
     return options;
 }
 
-} // namespace sr::cli
+} // namespace sr::picture

@@ -1,8 +1,8 @@
 #pragma once
-// Start of every command that renders: a context, and a scene prepared for a camera.
-#include "cli/arguments.hpp"
+// Start of everything that renders a file: a context, and a scene prepared for a camera.
+#include "gl/context.hpp"
 #include "gltf/asset.hpp"
-#include "render/renderer.hpp"
+#include "settings/render_settings.hpp"
 
 #include <chrono>
 #include <memory>
@@ -11,7 +11,10 @@
 #include <utility>
 #include <vector>
 
-namespace sr::cli {
+namespace sr::picture {
+
+using settings::RenderSettings;
+using settings::Size;
 
 /// Seconds by phase, in the order in which they were measured.
 class PhaseTimes {
@@ -40,15 +43,22 @@ struct OpenScene {
     scene::PrepareOptions stage_options;
     std::vector<int> animations; // that play
     std::vector<int> frames;     // of --frames; empty: a single picture
-    std::set<std::string> told;  // warnings that were printed
+    std::set<std::string> told;  // warnings that were written
 };
 
-/// Reads the environment that --environment names; absent if it names none. Warnings go to stderr.
-/// @throws Error
+/// Returns the default size of a picture: 720 rows in the camera's aspect ratio, 16:9 if it has none.
+Size picture_size(std::optional<float> aspect_ratio);
+
+/// Returns the given folders in front of the built-in shaders; remarks on those that replace nothing.
+/// @param is_untrusted whether they pass the gate of glsl/untrusted.hpp. @throws Error if one is no folder.
+std::vector<glsl::Root> shader_path(const std::vector<std::string>& folders, bool is_untrusted = false);
+
+/// Reads the environment that the settings name; absent if they name none. Remarks on what is wrong with it.
+/// @throws Error, BadSetting
 std::optional<scene::EnvironmentLight> read_environment_light(const RenderSettings& settings);
 
-/// Opens a context and loads the scene at the same time, at the time of --at or of the first frame. Prints
-/// warnings and remarks to stderr. @throws Error, also for a time or a frame beyond the animation
+/// Opens a context and loads the scene at the same time, at the time of --at or of the first frame. Writes
+/// warnings as remarks. @throws Error, also for a time or a frame beyond the animation; BadSetting
 OpenScene open_scene(const RenderSettings& settings, PhaseTimes& times);
 
 /// When a frame is [s].
@@ -60,6 +70,13 @@ void show_frame(OpenScene& open, const RenderSettings& settings, int frame);
 /// The scene and its lights in the GPU's memory. @throws Error for what is beyond the driver's limits
 render::GpuScene upload(const OpenScene& open, const RenderSettings& settings);
 
+/// Returns how the settings light and see a scene; without the extent of an animation.
+scene::PrepareOptions prepare_options(const RenderSettings& settings,
+                                      std::optional<scene::EnvironmentLight> environment);
+
+/// Says which lights the analytic estimator cannot do without noise.
+void remark_on_estimator(const RenderSettings& settings, const scene::RenderScene& stage);
+
 render::RenderOptions render_options(const RenderSettings& settings, Size size);
 
-} // namespace sr::cli
+} // namespace sr::picture

@@ -1,0 +1,68 @@
+#pragma once
+// A glTF file that Python renders again and again: its scene, and what of it is on the GPU.
+#include "gl/context.hpp"
+#include "gltf/asset.hpp"
+#include "picture/draw.hpp"
+#include "python/gl_thread.hpp"
+#include "python/lights.hpp"
+#include "render/gpu/gpu_scene.hpp"
+#include "render/probe.hpp"
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <tuple>
+
+namespace sr::python {
+
+/// A picture with what it was made by.
+struct RenderedPicture {
+    picture::Picture picture;
+    settings::RenderSettings settings;
+    std::string summary; // JSON, as `render --json` prints it
+};
+
+/// The probe of a pixel, with the lights that its terms belong to.
+struct ProbedPicture {
+    render::PixelTerms terms;
+    std::vector<scene::Light> lights;
+    glm::dvec3 origin{0.0};
+    settings::Size size;
+    std::string camera;
+};
+
+class SceneFile {
+public:
+    /// Reads the file. Of the settings it takes scene_index, variant and is_strict. @throws Error
+    SceneFile(const std::string& file, const settings::RenderSettings& settings);
+    ~SceneFile();
+    SceneFile(const SceneFile&) = delete;
+    SceneFile& operator=(const SceneFile&) = delete;
+
+    const std::string& file() const { return file_; }
+    const gltf::Asset& asset() const { return asset_; }
+    /// The scene at rest until the first rendering, then with the edits and additions of the last one.
+    const scene::Scene& scene() const { return scene_; }
+
+    /// Renders it as `steradian render` does. On the GL thread. @throws Error, BadSetting
+    RenderedPicture render(settings::RenderSettings settings, const SceneEdits& edits, Call& call);
+    /// Probes a pixel. On the GL thread. @return absent if it was stopped. @throws Error, BadSetting
+    std::optional<ProbedPicture> probe(settings::RenderSettings settings, const SceneEdits& edits, int column,
+                                       int row, Call& call);
+
+private:
+    /// The parts that live on the GPU.
+    struct OnGpu;
+    /// A scene that is ready to be drawn; gives the scene back at its end.
+    struct Staged;
+
+    OnGpu& upload(const settings::RenderSettings& settings, const scene::RenderScene& stage);
+
+    std::string file_;
+    gltf::Asset asset_;
+    scene::Scene scene_;
+    std::unique_ptr<OnGpu> gpu_;
+};
+
+} // namespace sr::python

@@ -1,0 +1,210 @@
+"""Scenes: files that are rendered and probed, with lights, materials and cameras to edit."""
+from __future__ import annotations
+
+import os
+import sys
+import time
+from dataclasses import dataclass, replace
+from typing import Any, Callable, Sequence
+
+from . import _native, _options
+from ._probe import Probe, probe_of
+from ._program import told_in_python, warn
+from ._result import Result
+
+Progress = Callable[[str, float, str], None]
+
+
+@dataclass(frozen=True)
+class Camera:
+    """A camera in the file's world. Lengths are in metres, `fov` is the full vertical angle in degrees.
+
+    >>> camera = steradian.Camera(eye=(0, 1, 4), target=(0, 1, 0), fov=40)
+    >>> camera.text()
+    'eye=0.0,1.0,4.0;target=0.0,1.0,0.0;fov=40.0'
+    >>> camera.with_(fov=20).fov
+    20
+    """
+    eye: Sequence[float]
+    target: Sequence[float]
+    up: Sequence[float] = (0.0, 1.0, 0.0)
+    fov: float = 45.0
+    ymag: float | None = None  # half the height of an orthographic picture [m]
+    near: float | None = None  # [m]; None: by the scene's bounds
+    far: float | None = None
+    name: str = ""
+    number: int | None = None  # of a camera of a file, as the file has it
+
+    def with_(self, **changes: Any) -> Camera:
+        """Returns this camera with other values."""
+        return replace(self, **{"number": None, **changes})
+
+    def text(self) -> str:
+        """Returns the camera as `steradian render --camera` takes it."""
+        if self.number is not None:
+            return str(self.number)
+
+        def triple(values: Sequence[float]) -> str:
+            return ",".join(repr(float(value)) for value in values)
+
+        parts = [f"eye={triple(self.eye)}", f"target={triple(self.target)}"]
+        if tuple(self.up) != (0, 1, 0):
+            parts.append(f"up={triple(self.up)}")
+        parts.append(f"ymag={float(self.ymag)!r}" if self.ymag is not None else f"fov={float(self.fov)!r}")
+        parts += [f"{key}={float(value)!r}" for key, value in (("near", self.near), ("far", self.far)) if value is not None]
+        return ";".join(parts)
+
+
+@dataclass(frozen=True)
+class Animation:
+    """An animation of a file; `duration` is in seconds."""
+    name: str
+    duration: float
+
+
+class Scene:
+    """A glTF file that is open. `load` makes it.
+
+    `lights` and `materials` are lists of what the file has; their changes hold from the next picture on. Emissive surfaces
+    are materials. `cameras` and `animations` are those of the file.
+    """
+
+    def __init__(self, native: _native.SceneFile) -> None:
+        self._native = native
+        contents = native.contents()
+        self.animations = [Animation(*row) for row in contents["animations"]]
+        self.cameras = [Camera(**row) for row in contents["cameras"]]
+        self.variants: list[str] = contents["variants"]
+        self.triangles: int = contents["triangles"]
+        self.unit: str = contents["unit"]
+        self._warned = 0
+        self._tell_warnings()
+        self.lights: list[_native.Light]
+        self.materials: list[_native.Material]
+        self.reset()
+
+    @property
+    def file(self) -> str:
+        """The path that was loaded."""
+        return self._native.file
+
+    @property
+    def warnings(self) -> list[str]:
+        """What the file asks for and does not get, one line each."""
+        return self._native.contents()["warnings"]
+
+    def reset(self) -> None:
+        """Drops all edits of lights and materials."""
+        if not hasattr(self, "_file_lights"):
+            self._file_lights = self._native.lights()
+            self._file_materials = self._native.materials()
+        self.lights = [light.copy() for light in self._file_lights]
+        self._unedited = list(self.lights)
+        self.materials = [material.copy() for material in self._file_materials]
+
+    def render(self, size: tuple[int, int] | str | None = None, samples: int | None = None, error: float | str | None = None,
+               camera: Camera | str | int | None = None, estimator: str | None = None, layers: bool | str = False,
+               aov: Sequence[str] | str | None = None, progress: Progress | bool | None = None, **options: Any) -> Result:
+        """Renders a picture as `steradian render` does, and returns it.
+
+        size: (width, height) in pixels; None: 720 rows. samples: of each pixel, 16 by default. error: stops once the estimated
+        relative error is so small, such as 0.005. camera: one of `cameras`, a `Camera`, a name, a number, or "auto". estimator:
+        "sampled" or "analytic". layers: whether to render a layer for each light. aov: names of further channels, such as
+        ["depth", "normal"]. progress: is called with what is rendered, the share that is done (0 to 1) and its state; False:
+        nothing is shown; None: a bar on stderr, on a terminal. All other options are those of the command, with _ for -.
+
+        Raises ValueError for options that make no sense, Error for a driver or a shader that is at fault, KeyboardInterrupt at
+        Ctrl-C. Other threads of Python run meanwhile; pictures are rendered one after the other.
+
+        >>> scene = steradian.load(steradian.sample("cornell"))
+        >>> picture = scene.render(size=(16, 16), samples=2, layers=True, aov=["depth"])
+        >>> list(picture.layers), picture.aov["depth"].shape
+        (['emission', 'lamp'], (16, 16))
+        """
+        options |= {"size": size, "samples": samples, "error": error, "camera": camera, "estimator": estimator, "layers": layers,
+                    "aov": aov}
+        texts = self._texts(options, _options.RENDER, "render")
+        with told_in_python(), _Bar(progress) as told:
+            native = self._native.render(texts, self._edited_lights(), self._edited_materials(), told)
+        self._tell_warnings()
+        return Result(native, texts["aov"][0].split(",") if "aov" in texts else ())
+
+    def probe(self, x: int, y: int, size: tuple[int, int] | str | None = None, samples: int | None = None,
+              camera: Camera | str | int | None = None, estimator: str | None = None, **options: Any) -> Probe:
+        """Returns the equation at the pixel in column x and row y, counted from the upper left corner, term by term.
+
+        The options are those of `render`; with the same ones L_o is that pixel of the picture.
+
+        >>> scene = steradian.load(steradian.sample("cornell"))
+        >>> probe = scene.probe(16, 30, size=(32, 32), samples=4)
+        >>> [light.name for light in probe.lights]
+        ['lamp']
+        """
+        options |= {"size": size, "samples": samples, "camera": camera, "estimator": estimator}
+        texts = self._texts(options, _options.PROBE, "probe")
+        with told_in_python():
+            terms = self._native.probe(x, y, texts, self._edited_lights(), self._edited_materials())
+        return probe_of((x, y), terms)
+
+    def _texts(self, options: dict[str, Any], allowed: set[str], function: str) -> dict[str, list[str]]:
+        if isinstance(options["camera"], Camera):
+            options["camera"] = options["camera"].text()
+        return _options.texts(options, allowed, function)
+
+    def _edited_lights(self) -> list[_native.Light] | None:
+        same = len(self.lights) == len(self._unedited) and all(a is b for a, b in zip(self.lights, self._unedited))
+        return None if same and not any(light.is_edited for light in self.lights) else self.lights
+
+    def _edited_materials(self) -> list[_native.Material]:
+        return [material for material in self.materials if material.is_edited]
+
+    def _tell_warnings(self) -> None:
+        lines = self.warnings
+        for line in lines[self._warned:]:
+            warn(line)
+        self._warned = len(lines)
+
+    def __repr__(self) -> str:
+        return (f"<Scene {self.file}: {self.triangles} triangles, {len(self.lights)} lights, {len(self.materials)} materials, "
+                f"{len(self.cameras)} cameras, {len(self.animations)} animations>")
+
+
+class _Bar:
+    """A progress bar on stderr that shows itself after a second; only on a terminal."""
+
+    def __init__(self, progress: Progress | bool | None) -> None:
+        self.progress: Progress | None = progress if callable(progress) else None
+        if progress is None and sys.stderr is not None and sys.stderr.isatty():
+            self.progress = self._show
+        self.begin = time.monotonic()
+        self.is_shown = False
+
+    def _show(self, what: str, share: float, state: str) -> None:
+        if time.monotonic() - self.begin < 1.0:
+            return
+        self.is_shown = True
+        filled = min(max(int(30 * share), 0), 30)
+        sys.stderr.write(f"\r{what} [{'#' * filled}{'.' * (30 - filled)}] {state}\x1b[K")
+        sys.stderr.flush()
+
+    def __enter__(self) -> Progress | None:
+        return self.progress
+
+    def __exit__(self, *_: object) -> None:
+        if self.is_shown:
+            sys.stderr.write("\r\x1b[K")
+            sys.stderr.flush()
+
+
+def load(path: str | os.PathLike[str], *, scene: int | None = None, variant: str | None = None, strict: bool = False) -> Scene:
+    """Reads a .gltf or .glb file and all that it refers to.
+
+    scene: the number of a scene of the file. variant: a name of KHR_materials_variants. strict: raises Error where a part of
+    the file is broken or not supported, which else is a warning (`Remark`).
+
+    >>> steradian.load(steradian.sample("cornell"))
+    <Scene ...cornell.gltf: 38 triangles, 0 lights, 4 materials, 1 cameras, 0 animations>
+    """
+    texts = _options.texts({"scene": scene, "variant": variant, "strict": strict}, {"scene", "variant", "strict"}, "load")
+    with told_in_python():
+        return Scene(_native.load(os.fspath(path), texts))
