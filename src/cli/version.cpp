@@ -1,6 +1,7 @@
 #include "cli/version.hpp"
 
 #include "commit.hpp"
+#include "core/error.hpp"
 
 namespace sr::cli {
 
@@ -13,6 +14,16 @@ std::filesystem::path running_program() {
     std::error_code failure;
     const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", failure);
     return failure ? "steradian" : program;
+}
+
+std::filesystem::path cluster_folder() {
+    namespace fs = std::filesystem;
+    const fs::path folder = running_program().parent_path();
+    for (const fs::path& place : {folder / "cluster", folder / "../share/steradian/cluster"}) {
+        std::error_code ignored;
+        if (fs::is_regular_file(place / "__main__.py", ignored)) return place.lexically_normal();
+    }
+    throw Error({(folder / "cluster").string()}, "no folder", "install Steradian again");
 }
 
 } // namespace sr::cli
