@@ -14,6 +14,8 @@ install(FILES ${CMAKE_SOURCE_DIR}/cmake/SteradianConfig.cmake ${CMAKE_SOURCE_DIR
               ${CMAKE_CURRENT_BINARY_DIR}/SteradianConfigVersion.cmake
         DESTINATION ${package_folder})
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/assets/assignments DESTINATION ${CMAKE_INSTALL_DATADIR}/steradian)
+install(DIRECTORY ${CMAKE_SOURCE_DIR}/src/python/steradian/cluster DESTINATION ${CMAKE_INSTALL_DATADIR}/steradian
+        FILES_MATCHING PATTERN *.py)
 file(GLOB schemas CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/assets/*.schema.json)
 install(FILES ${schemas} DESTINATION ${CMAKE_INSTALL_DATADIR}/steradian)
 file(GLOB scenes CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/assets/scenes/*.gltf ${CMAKE_SOURCE_DIR}/assets/scenes/*.ies)

@@ -54,17 +54,39 @@ private:
     int file_;
 };
 
+std::string basis_of(const GradeOptions& options) {
+    return fingerprint_of(options.check.grading->assignment) + fingerprint_of(options.check.grading->hidden);
+}
+
+std::string fingerprint_with(const std::string& basis, const HandedIn& submission,
+                             const CheckOptions& check) {
+    const std::string text =
+        fmt::format("{} {} {} {} {} {} {}", basis, submission.key, submission.name, submission.id,
+                    check.time_limit, check.grading->memory, fingerprint_of(submission.path));
+    return golden::sha256_text(text);
+}
+
+/// A result that stands in the folder already, of the same files and the same checks.
+ordered_json earlier_result(const fs::path& output, const std::string& key, const std::string& fingerprint) {
+    const fs::path file = output / "results" / (key + ".json");
+    std::error_code ignored;
+    if (!fs::is_regular_file(file, ignored)) return {};
+    auto result = ordered_json::parse(read_text(file), nullptr, false);
+    const bool is_same = result.is_object() && result.value("fingerprint", "") == fingerprint;
+    return is_same ? result : ordered_json();
+}
+
+std::string lines_of_json(const ordered_json& json) {
+    return json.dump(1, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+}
+
 class Grader {
 public:
     explicit Grader(const GradeOptions& options)
         : options_(options),
           submissions_(class_folder(options.submissions)),
-          basis_(fingerprint_of(options.check.grading->assignment)
-                 + fingerprint_of(options.check.grading->hidden)),
-          results_(submissions_.submissions.size()) {
-        for (const char* part : {"results", "students", "gradescope"})
-            fs::create_directories(options.output / part);
-    }
+          basis_(basis_of(options)),
+          results_(submissions_.submissions.size()) {}
 
     std::optional<std::vector<ordered_json>> run() {
         for (const std::string& remark : submissions_.remarks) options_.on_remark(remark);
@@ -81,29 +103,13 @@ public:
 
 private:
     std::string fingerprint(const HandedIn& submission) const {
-        const std::string text = fmt::format("{} {} {} {} {} {} {}", basis_, submission.key, submission.name,
-                                             submission.id, options_.check.time_limit,
-                                             options_.check.grading->memory, fingerprint_of(submission.path));
-        return golden::sha256_text(text);
-    }
-
-    fs::path result_file(const HandedIn& submission) const {
-        return options_.output / "results" / (submission.key + ".json");
-    }
-
-    /// A result that stands in the folder already, of the same files and the same checks.
-    ordered_json earlier_result(const HandedIn& submission) const {
-        const fs::path file = result_file(submission);
-        std::error_code ignored;
-        if (!fs::is_regular_file(file, ignored)) return {};
-        auto result = ordered_json::parse(read_text(file), nullptr, false);
-        const bool is_same = result.is_object() && result.value("fingerprint", "") == fingerprint(submission);
-        return is_same ? result : ordered_json();
+        return fingerprint_with(basis_, submission, options_.check);
     }
 
     void take_earlier_results() {
         for (std::size_t i = 0; i < results_.size(); ++i) {
-            results_[i] = earlier_result(submissions_.submissions[i]);
+            const HandedIn& submission = submissions_.submissions[i];
+            results_[i] = earlier_result(options_.output, submission.key, fingerprint(submission));
             if (!results_[i].is_null()) finish(i);
         }
     }
@@ -150,25 +156,11 @@ private:
     bool grade(std::size_t i) {
         const HandedIn& submission = submissions_.submissions[i];
         CheckOptions check = options_.check;
-        check.keeps_pictures = true;
-        check.grading->student = submission.id;
         check.grading->values = values_;
         check.stop = over_.get_token();
-        const std::string fingerprint_before = fingerprint(submission);
-        const auto result = check_submission(submission.path, check);
-        if (!result) return false;
-        ordered_json graded{{"key", submission.key},
-                            {"name", submission.name},
-                            {"id", submission.id},
-                            {"fingerprint", fingerprint_before}};
-        graded.update(without_pictures(*result));
-        image::write_text(options_.output / "students" / (submission.key + ".html"), report_html(*result));
-        image::write_text(options_.output / "gradescope" / (submission.key + ".json"),
-                          gradescope_of(*result).dump(1, ' ', false, ordered_json::error_handler_t::replace)
-                              + "\n");
-        image::write_text(result_file(submission),
-                          graded.dump(1, ' ', false, ordered_json::error_handler_t::replace) + "\n");
-        results_[i] = std::move(graded);
+        auto graded = grade_one({submission, fingerprint(submission)}, check, options_.output);
+        if (!graded) return false;
+        results_[i] = std::move(*graded);
         finish(i);
         return true;
     }
@@ -198,6 +190,37 @@ void add_duplicates(std::vector<ordered_json>& results) {
 }
 
 } // namespace
+
+std::vector<UngradedSubmission> ungraded(const GradeOptions& options) {
+    const std::string basis = basis_of(options);
+    std::vector<UngradedSubmission> found;
+    for (const HandedIn& submission : class_folder(options.submissions).submissions) {
+        const std::string fingerprint = fingerprint_with(basis, submission, options.check);
+        if (earlier_result(options.output, submission.key, fingerprint).is_null())
+            found.push_back({submission, fingerprint});
+    }
+    return found;
+}
+
+std::optional<ordered_json> grade_one(const UngradedSubmission& one, CheckOptions check,
+                                      const fs::path& output) {
+    const auto& [submission, fingerprint] = one;
+    for (const char* part : {"results", "students", "gradescope"}) fs::create_directories(output / part);
+    check.keeps_pictures = true;
+    check.grading->student = submission.id;
+    const auto result = check_submission(submission.path, check);
+    if (!result) return std::nullopt;
+    ordered_json graded{{"key", submission.key},
+                        {"name", submission.name},
+                        {"id", submission.id},
+                        {"fingerprint", fingerprint}};
+    graded.update(without_pictures(*result));
+    image::write_text(output / "students" / (submission.key + ".html"), report_html(*result));
+    image::write_text(output / "gradescope" / (submission.key + ".json"),
+                      lines_of_json(gradescope_of(*result)));
+    image::write_text(output / "results" / (submission.key + ".json"), lines_of_json(graded));
+    return graded;
+}
 
 std::optional<std::vector<ordered_json>> grade_class(const GradeOptions& options) {
     std::error_code failure;

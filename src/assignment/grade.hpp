@@ -15,6 +15,21 @@ struct GradeOptions {
     std::function<void(const std::string&)> on_remark; // lines for a person
 };
 
+/// A submission without a result, and what its result will have as its fingerprint.
+struct UngradedSubmission {
+    HandedIn submission;
+    std::string fingerprint;
+};
+
+/// The submissions of `options` that have no result in `output`/results, or that have changed since.
+/// @throws Error
+std::vector<UngradedSubmission> ungraded(const GradeOptions& options);
+
+/// Grades one submission, and writes results/KEY.json, students/KEY.html and gradescope/KEY.json to a folder.
+/// @return its result; absent if `check.stop` ended it. @throws Error
+std::optional<nlohmann::ordered_json> grade_one(const UngradedSubmission& one, CheckOptions check,
+                                                const std::filesystem::path& output);
+
 /// Grades the submissions that have no result in `output`/results, or that have changed since, as have the
 /// assignment and the hidden checks. Then writes marks.csv, overview.html, junit.xml, and a page for each
 /// student. A result is written whole once its submission is graded. @return the results in the order of the

@@ -12,4 +12,8 @@ std::string name_and_version();
 /// The running program, for child processes; "steradian" where the system does not tell.
 std::filesystem::path running_program();
 
+/// The Python program that runs commands on a cluster (src/python/steradian/cluster/): beside the program in
+/// a build folder, or ../share/steradian/cluster where it is installed. @throws Error if neither is there
+std::filesystem::path cluster_folder();
+
 } // namespace sr::cli

@@ -400,7 +400,9 @@ class Viewer {
     const head = element("tr", {}, ...[`(${x}, ${y})`, ...channels].map((text) => element("th", { textContent: text })));
     const { errors } = this.images;
     const error = errors && errors.values[y * errors.width + x];
-    const verdict = !errors || error < 0 ? "" : Number.isNaN(error) ? "Not finite in both." : `${Number(error.toPrecision(3))} times the limit.`;
+    const are_finite = [test, golden].filter((image) => image && values(image).every(Number.isFinite)).length;
+    const nonfinite = are_finite ? "Not finite in one of them." : "Not finite in both.";
+    const verdict = !errors || error < 0 ? "" : Number.isNaN(error) ? nonfinite : `${Number(error.toPrecision(3))} times the limit.`;
     this.readout.replaceChildren(element("table", {}, head, ...rows), element("p", { classes: "quiet", textContent: verdict }));
   }
 

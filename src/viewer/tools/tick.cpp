@@ -18,6 +18,7 @@
 #include <regex>
 #include <sstream>
 #include <string>
+#include <utility>
 
 namespace sr::viewer {
 
@@ -37,6 +38,7 @@ private:
     Changes go_to_next();
     Changes try_change();
     Changes take_back();
+    void hold_exposure();
     Changes apply_to_code(const TickQuestion& facts);
     Changes apply_to_scene(const TickQuestion& facts);
     Changes go_to_pixel(const TickQuestion& facts);
@@ -53,6 +55,7 @@ private:
     std::size_t at_ = 0;
     bool shows_answer_ = false;
     bool is_changed_ = false;
+    bool holds_exposure_ = false; // which is automatic otherwise
 };
 
 namespace {
@@ -180,6 +183,14 @@ Changes Tick::go_to_pixel(const TickQuestion& facts) {
     return Change::redraw;
 }
 
+/// Keeps the exposure while a change is shown: an automatic one would hide that a picture became brighter.
+void Tick::hold_exposure() {
+    is_changed_ = true;
+    if (!ws_.exposure.is_automatic()) return;
+    ws_.exposure.fix(ws_.exposure.ev100());
+    holds_exposure_ = true;
+}
+
 /// Shows the scene by the student's code with a line replaced, or another parameter.
 Changes Tick::apply_to_code(const TickQuestion& line) {
     const std::filesystem::path folder = emptied_folder();
@@ -187,7 +198,7 @@ Changes Tick::apply_to_code(const TickQuestion& line) {
     image::write_text(folder / file, with_line(std::filesystem::path(ws_.options.submission) / file, line));
     ws_.options.changed_code = folder.string();
     ws_.options.shaders.insert(ws_.options.shaders.begin(), folder.string());
-    is_changed_ = true;
+    hold_exposure();
     const Changes changes = ws_.reload_shaders();
     ws_.messages.notify(fmt::format("{}:{} is replaced. I takes it back.", file, line["line"].get<int>()));
     return changes;
@@ -215,7 +226,7 @@ Changes Tick::apply_to_scene(const TickQuestion& facts) {
     gltf[TickQuestion::json_pointer(pointer)] = facts["to"];
     const std::filesystem::path file = folder / std::filesystem::path(own_scene_).filename();
     image::write_text(file, gltf.dump());
-    is_changed_ = true;
+    hold_exposure();
     ws_.open(file.string());
     ws_.messages.notify("The scene is changed. I takes it back.");
     return Change::redraw;
@@ -223,6 +234,7 @@ Changes Tick::apply_to_scene(const TickQuestion& facts) {
 
 Changes Tick::take_back() {
     is_changed_ = false;
+    if (std::exchange(holds_exposure_, false)) ws_.exposure.make_automatic();
     ws_.messages.notify("The change is taken back.");
     if (!own_scene_.empty()) {
         ws_.open(std::exchange(own_scene_, {}));

@@ -225,7 +225,8 @@ def check_places(page):
     page.keyboard.press("n")
     text = page.locator(".bar").text_content()
     assert "1 not finite" in text and "(401, 233)" in text, text
-    assert "(401, 233)" in page.locator(".readout").text_content()
+    readout = page.locator(".readout").text_content()
+    assert "(401, 233)" in readout and "Not finite in one of them." in readout, readout
     marker, stage = (page.locator(f"article {what}").first.bounding_box() for what in (".box", ".stage"))
     assert stage["x"] <= marker["x"] <= stage["x"] + stage["width"], (marker, stage)
     assert stage["y"] <= marker["y"] <= stage["y"] + stage["height"], (marker, stage)

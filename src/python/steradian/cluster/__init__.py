@@ -1,0 +1,1 @@
+"""Steradian on many machines: frames, golden suites and classes on the workers of a Dask scheduler (README.md)."""
