@@ -210,6 +210,14 @@ class Hostile(cli_test.CommandLine):
         self.linked(self.overlay("", folder="elsewhere"), self.overlay("", folder="linked"))
         self.assert_refused(self.rendered_with("linked", "--untrusted"), "f_r.glsl: a link")
 
+    def test_a_loop_that_only_shadow_rays_meet_is_stopped(self):
+        text = (Path(__file__).resolve().parents[3] / "shaders/visibility/record.glsl").read_text()
+        lines = text.replace("    ++recorded_count;\n", "    ++recorded_count;\n    for (float a = 0.0; a < 1.0;) a *= 0.5;\n").splitlines()
+        file = self.overlay("\n".join(lines), "visibility/record.glsl")
+        number = next(i for i, line in enumerate(lines, 1) if "for (" in line)
+        self.assert_refused(self.rendered_with("overlay", "--untrusted", "--visibility", "ray"), f"{file}:{number}: this loop was stopped")
+        self.assertEqual(self.rendered_with("overlay", "--untrusted", "--visibility", "none").returncode, 0)
+
     def test_an_overlay_that_replaces_nothing_is_named(self):
         self.overlay("", "brdf/fr.glsl", "misspelt")
         self.overlay("", "f_r.glsl", "flat")
