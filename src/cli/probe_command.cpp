@@ -1,3 +1,4 @@
+#include "cli/arguments.hpp"
 #include "cli/commands.hpp"
 #include "cli/interruption.hpp"
 #include "core/math.hpp"

@@ -1,5 +1,6 @@
 #include "assignment/evaluation.hpp"
 #include "assignment/submission.hpp"
+#include "cli/arguments.hpp"
 #include "cli/commands.hpp"
 #include "cli/interruption.hpp"
 #include "cli/version.hpp"

@@ -16,8 +16,8 @@ std::filesystem::path& named_program() {
 
 } // namespace
 
-// No standard function tells. A run path would not do for modules: AddressSanitizer stands between the program
-// and dlopen, which then no longer knows whose run path to take.
+// No standard function tells. A run path would not do for modules: AddressSanitizer stands between the
+// program and dlopen, which then no longer knows whose run path to take.
 std::filesystem::path program_file() {
     if (!named_program().empty()) return named_program();
 #ifdef __APPLE__

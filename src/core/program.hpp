@@ -4,8 +4,8 @@
 
 namespace sr {
 
-/// Returns the file of the running program, or the one that set_program_file() named; empty if the system does
-/// not tell.
+/// Returns the file of the running program, or the one that set_program_file() named; empty if the system
+/// does not tell.
 std::filesystem::path program_file();
 
 /// Returns a path that starts the same program, even where its file was replaced meanwhile.

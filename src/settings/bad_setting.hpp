@@ -10,7 +10,8 @@ namespace sr::settings {
 class BadSetting : public std::runtime_error {
 public:
     /// `key`: Option::key
-    BadSetting(std::string key, const std::string& problem) : std::runtime_error(problem), key_(std::move(key)) {}
+    BadSetting(std::string key, const std::string& problem)
+        : std::runtime_error(problem), key_(std::move(key)) {}
 
     const std::string& key() const { return key_; }
 
