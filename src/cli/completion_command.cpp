@@ -45,22 +45,23 @@ void append(const CLI::App& command, const std::string& path, BashCases& cases) 
 std::string bash_script(const CLI::App& app, const std::string& function = "_steradian") {
     BashCases cases;
     append(app, "", cases);
-    return fmt::format("{}() {{\n"
-                       "    local word=${{COMP_WORDS[COMP_CWORD]}} words= path= part\n"
-                       "    local previous=${{COMP_WORDS[COMP_CWORD-1]}}\n"
-                       "    for part in \"${{COMP_WORDS[@]:1:COMP_CWORD-1}}\"; do\n"
-                       "        case $path/$part in\n{}"
-                       "        esac\n"
-                       "    done\n"
-                       "    case $path,$previous in\n{}"
-                       "    *)\n"
-                       "        case $path in\n{}"
-                       "        esac ;;\n"
-                       "    esac\n"
-                       "    COMPREPLY=($(compgen -W \"$words\" -- \"$word\"))\n"
-                       "}}\n"
-                       "complete -o default -F {} steradian\n",
-                       function, cases.commands, cases.values, cases.words, function);
+    return fmt::format(
+        "{}() {{\n"
+        "    local word=${{COMP_WORDS[COMP_CWORD]}} words= path= part\n"
+        "    local previous=${{COMP_WORDS[COMP_CWORD-1]}}\n"
+        "    for part in \"${{COMP_WORDS[@]:1:$((COMP_CWORD - 1))}}\"; do\n" // zsh takes :C for a modifier
+        "        case $path/$part in\n{}"
+        "        esac\n"
+        "    done\n"
+        "    case $path,$previous in\n{}"
+        "    *)\n"
+        "        case $path in\n{}"
+        "        esac ;;\n"
+        "    esac\n"
+        "    COMPREPLY=($(compgen -W \"$words\" -- \"$word\"))\n"
+        "}}\n"
+        "complete -o default -F {} steradian\n",
+        function, cases.commands, cases.values, cases.words, function);
 }
 
 /// The bash function in zsh's own emulation of bash. The last line serves the first completion, at which zsh
@@ -96,7 +97,8 @@ void append_fish(const CLI::App& command, const std::string& path, std::string& 
         for (const std::string& name : option->get_lnames()) line += " -l " + name;
         for (const std::string& name : option->get_snames()) line += " -s " + name;
         const auto values = values_of(*option);
-        if (option->get_type_size() != 0) line += values.empty() ? " -r" : " -x";
+        const bool is_flag = option->get_items_expected_max() == 0;
+        if (!is_flag) line += values.empty() ? " -r" : " -x";
         if (!values.empty()) line += fmt::format(" -a '{}'", fmt::join(values, " "));
         lines += fmt::format("{} -d {}\n", line, fish_quoted(option->get_description()));
     }

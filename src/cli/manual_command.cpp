@@ -1,5 +1,6 @@
 #include "cli/command_tree.hpp"
 #include "cli/commands.hpp"
+#include "cli/first_hour.hpp"
 #include "cli/version.hpp"
 #include "core/error.hpp"
 #include "core/markup.hpp"
@@ -227,6 +228,7 @@ std::string html_manual(const CLI::App& app) {
                     "<title>Steradian: the manual</title>\n<style>\n{}</style>\n</head>\n<body>\n"
                     "<h1>{}</h1>\n",
                     style, escape_markup(name_and_version()));
+    text += fmt::format("<section id=\"first-hour\">\n{}</section>\n", first_hour_html());
     for (const Page& page : pages_of(app)) {
         text += fmt::format("<section id=\"{}\">\n<h2>{}</h2>\n<p>{}</p>\n", page.name,
                             escape_markup(page.title), escape_markup(page.summary));
@@ -247,7 +249,7 @@ void add_manual_command(CLI::App& app) {
     CLI::App* man = command->add_subcommand("man", "write a man page for each command");
     man->add_option("FOLDER", *folder, "where steradian.1, steradian-render.1, … are written")->required();
     man->callback([&app, folder] { write_man_pages(app, *folder); });
-    command->add_subcommand("html", "print one HTML page of all commands")->callback([&app] {
+    command->add_subcommand("html", "print one HTML page: a first hour, and all commands")->callback([&app] {
         write_output(html_manual(app));
     });
     command->require_subcommand(1);

@@ -39,13 +39,13 @@ RenderSettings settings_of(const OptionTexts& texts) {
 }
 
 SceneEdits edits_of(const std::optional<std::vector<EditableLight>>& lights,
-                    const std::vector<EditableMaterial>& materials, const scene::Scene& scene) {
+                    const std::vector<EditableMaterial>& materials, glm::dvec3 origin) {
     SceneEdits edits;
     edits.materials = materials;
     if (!lights) return edits;
     edits.lights.emplace();
     for (const EditableLight& light : *lights) {
-        const vec3 shift(light.origin - scene.origin); // a new light is relative to the world's origin
+        const vec3 shift(light.origin - origin); // a new light is relative to the world's origin
         mat4 by(1.0f);
         by[3] = vec4(shift, 1.0f);
         edits.lights->push_back(shift == vec3(0.0f) ? light.light : transformed(light.light, by));
@@ -77,7 +77,7 @@ nb::dict camera_of(const scene::Camera& camera, const scene::Scene& scene, std::
 }
 
 nb::dict contents_of(const SceneFile& file) {
-    const gltf::Contents& contents = file.asset().contents();
+    const gltf::Contents& contents = file.contents();
     nb::list animations;
     for (const auto& animation : contents.animations)
         animations.append(nb::make_tuple(animation.name, animation.duration));
@@ -90,7 +90,6 @@ nb::dict contents_of(const SceneFile& file) {
     result["cameras"] = cameras;
     result["triangles"] = scene::triangle_count(file.scene());
     result["unit"] = scene::radiance_unit(file.scene().units);
-    result["warnings"] = file.asset().warnings();
     return result;
 }
 
@@ -140,7 +139,7 @@ std::shared_ptr<SceneFile> load(const std::string& path, const OptionTexts& opti
 RenderedPicture render(SceneFile& file, const OptionTexts& options, const Lights& lights,
                        const Materials& materials, const nb::object& progress) {
     const RenderSettings settings = settings_of(options);
-    const SceneEdits edits = edits_of(lights, materials, file.scene());
+    const SceneEdits edits = edits_of(lights, materials, file.origin());
     std::optional<RenderedPicture> rendered;
     GlThread::only().run([&](Call& call) { rendered = file.render(settings, edits, call); }, progress);
     return *std::move(rendered);
@@ -149,10 +148,16 @@ RenderedPicture render(SceneFile& file, const OptionTexts& options, const Lights
 nb::dict probe(SceneFile& file, int column, int row, const OptionTexts& options, const Lights& lights,
                const Materials& materials) {
     const RenderSettings settings = settings_of(options);
-    const SceneEdits edits = edits_of(lights, materials, file.scene());
+    const SceneEdits edits = edits_of(lights, materials, file.origin());
     std::optional<ProbedPicture> probed;
     GlThread::only().run([&](Call& call) { probed = file.probe(settings, edits, column, row, call); });
     return terms_of(probed.value());
+}
+
+std::vector<std::string> warnings_of(const SceneFile& file) {
+    std::vector<std::string> warnings;
+    GlThread::only().run([&](Call&) { warnings = file.warnings(); });
+    return warnings;
 }
 
 nb::list table_of_options() {
@@ -179,6 +184,7 @@ void bind_scene(nb::module_& m) {
     nb::class_<SceneFile>(m, "SceneFile")
         .def_prop_ro("file", &SceneFile::file)
         .def("contents", &contents_of)
+        .def("warnings", &warnings_of)
         .def("lights", [](const SceneFile& file) { return lights_of(file.scene()); })
         .def("materials", [](const SceneFile& file) { return materials_of(file.scene()); })
         .def("render", &render, nb::arg("options"), nb::arg("lights").none(), nb::arg("materials"),

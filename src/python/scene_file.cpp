@@ -52,7 +52,9 @@ private:
 SceneFile::SceneFile(const std::string& file, const RenderSettings& settings)
     : file_(file),
       asset_(file, {settings.scene_index, settings.variant, settings.is_strict}),
-      scene_(asset_.rest_pose()) {}
+      scene_(asset_.rest_pose()),
+      contents_(asset_.contents()),
+      origin_(scene_.origin) {}
 
 SceneFile::~SceneFile() {
     if (!gpu_) return;

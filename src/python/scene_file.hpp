@@ -41,8 +41,13 @@ public:
     SceneFile& operator=(const SceneFile&) = delete;
 
     const std::string& file() const { return file_; }
-    const gltf::Asset& asset() const { return asset_; }
-    /// The scene at rest until the first rendering, then with the edits and additions of the last one.
+    /// The contents of the file; the same at all times.
+    const gltf::Contents& contents() const { return contents_; }
+    /// Scene::origin, which stays.
+    glm::dvec3 origin() const { return origin_; }
+    /// The file's warnings so far. On the GL thread, or before the first rendering.
+    std::vector<std::string> warnings() const { return asset_.warnings(); }
+    /// The scene at rest. Only before the first rendering, which changes it on the GL thread.
     const scene::Scene& scene() const { return scene_; }
 
     /// Renders it as `steradian render` does. On the GL thread. @throws Error, BadSetting
@@ -61,7 +66,9 @@ private:
 
     std::string file_;
     gltf::Asset asset_;
-    scene::Scene scene_;
+    scene::Scene scene_; // as it was rendered last
+    gltf::Contents contents_;
+    glm::dvec3 origin_;
     std::unique_ptr<OnGpu> gpu_;
 };
 

@@ -91,7 +91,7 @@ class Scene:
     @property
     def warnings(self) -> list[str]:
         """What the file asks for and does not get, one line each."""
-        return self._native.contents()["warnings"]
+        return self._native.warnings()
 
     def reset(self) -> None:
         """Drops all edits of lights and materials."""

@@ -155,6 +155,11 @@ class FirstContact(unittest.TestCase):
             for option in re.findall(r"^  (-\S+)", text, re.MULTILINE):
                 self.assertRegex(page, rf"(?m)^\.TP\n\\fB{re.escape(option)}", name)
                 self.assertIn(f"<dt>{option}", section)
+        hour = re.search(r'<section id="first-hour">.*?</section>', html, re.DOTALL).group()
+        examples = (SCENES.parents[1] / "examples" / "README.md").read_text()
+        self.assertEqual(re.findall(r"<h3>(.*)</h3>", hour), re.findall(r"(?m)^## (.*)", examples))
+        self.assertEqual(hour.count("<pre>"), len(re.findall(r"(?m)^```\w", examples)))
+        self.assertIn("steradian golden approve suite.json cornell", hour)
         for link in re.findall(r'href="#([^"]*)"', html):
             self.assertIn(f'<section id="{link}">', html)
 
@@ -201,6 +206,24 @@ class FirstContact(unittest.TestCase):
         self.assertEqual(completed("steradian golden app"), ["approve"])
         self.assertEqual(completed("steradian render scene.glb --tone-c"), ["--tone-curve"])
         self.assertEqual(completed("steradian render --estimator a"), ["analytic"])
+        self.assertIn("render", completed("steradian --help "))  # a flag takes no value
+        self.assertIn("--aov", completed("steradian render --strict --ao"))
+
+    @unittest.skipUnless(shutil.which("zsh"), "needs zsh")
+    def test_zsh_completes_commands_and_values(self):
+        def offered(*words):
+            """Returns what the function for zsh's emulation of bash offers; the shell itself leaves out what does not begin alike."""
+            line = " ".join(f"'{word}'" for word in words)
+            script = ("autoload -U +X compinit && compinit -u -D; source =(steradian completion zsh); setopt ksharrays; "
+                      f"COMP_WORDS=({line}); COMP_CWORD={len(words) - 1}; _steradian_words; print -l -- ${{COMPREPLY[@]}}")
+            result = subprocess.run(["zsh", "-f", "-c", script], capture_output=True, text=True, timeout=20,
+                                    env={**os.environ, "PATH": f"{Path(STERADIAN).parent}:{os.environ['PATH']}"})
+            self.assertEqual(result.stderr, "")
+            return result.stdout.split()
+
+        self.assertIn("approve", offered("steradian", "golden", ""))
+        self.assertNotIn("approve", offered("steradian", ""))
+        self.assertEqual(offered("steradian", "render", "--estimator", ""), ["sampled", "analytic"])
 
     def test_the_first_hour_runs(self):
         readme = SCENES.resolve().parents[1] / "examples" / "README.md"

@@ -7,28 +7,29 @@ import shlex
 import subprocess
 import sys
 import tempfile
+import textwrap
 from pathlib import Path
 
 import steradian
 
-TESTS = """
-import numpy as np
-import pytest
-import steradian
+TESTS = textwrap.dedent("""
+    import numpy as np
+    import pytest
+    import steradian
 
-def ramp():
-    return np.linspace(0.5, FACTOR, 32 * 32 * 3, dtype=np.float32).reshape(32, 32, 3)
+    def ramp():
+        return np.linspace(0.5, FACTOR, 32 * 32 * 3, dtype=np.float32).reshape(32, 32, 3)
 
-def test_array(golden):
-    golden(ramp(), limits="rel=0.001")
+    def test_array(golden):
+        golden(ramp(), limits="rel=0.001")
 
-@pytest.mark.parametrize("size", [16])
-def test_picture(golden, size):
-    golden(steradian.load(steradian.sample("cornell")).render(size=(size, size), samples=2))
+    @pytest.mark.parametrize("size", [16])
+    def test_picture(golden, size):
+        golden(steradian.load(steradian.sample("cornell")).render(size=(size, size), samples=2))
 
-def test_codes(golden):
-    golden((ramp() * 100).astype(np.uint8), name="codes")
-"""
+    def test_codes(golden):
+        golden((ramp() * 100).astype(np.uint8), name="codes")
+""")
 
 
 def run_pytest(folder, *words):

@@ -50,6 +50,7 @@ def test_pictures_have_the_bits_of_the_command():
         picture = scene.render(size=(48, 32), samples=5, seed=7, layers=True, aov=["depth", "normal", "error"], gl_debug=True)
         assert picture.image.shape == (32, 48, 4) and picture.image.dtype == np.float32
         assert np.array_equal(pixels[..., :4], picture.image)
+        assert not picture.image.flags.writeable
         for name, array in {**picture.layers, **picture.aov}.items():
             chosen = [number for number, channel in enumerate(channels) if channel.rpartition(".")[0] == name]
             assert chosen and np.array_equal(pixels[..., chosen].reshape(array.shape), array), name
