@@ -21,6 +21,7 @@ enum ExitStatus : int {
 void add_view_command(CLI::App& app);
 void add_render_command(CLI::App& app);
 void add_probe_command(CLI::App& app);
+void add_illuminance_command(CLI::App& app);
 void add_info_command(CLI::App& app);
 void add_doctor_command(CLI::App& app);
 void add_expand_command(CLI::App& app);

@@ -83,6 +83,7 @@ void declare_commands(CLI::App& app) {
     add_view_command(app);
     add_render_command(app);
     add_probe_command(app);
+    add_illuminance_command(app);
     add_info_command(app);
     add_doctor_command(app);
     add_expand_command(app);
