@@ -50,8 +50,10 @@ output::MeasuringPlane plane_of(const IlluminanceCommand& command, const scene::
         plane.to = {x1, z1};
     } else {
         const scene::Bounds bounds = scene::bounds_of(scene);
-        const bool is_flat = bounds.is_empty() || bounds.min.x == bounds.max.x || bounds.min.z == bounds.max.z;
-        if (is_flat) throw Error({command.rendering.scene}, "covers no ground", "state the plane with --region");
+        const bool is_flat =
+            bounds.is_empty() || bounds.min.x == bounds.max.x || bounds.min.z == bounds.max.z;
+        if (is_flat)
+            throw Error({command.rendering.scene}, "covers no ground", "state the plane with --region");
         plane.from = glm::dvec2(scene.origin.x + bounds.min.x, scene.origin.z + bounds.min.z);
         plane.to = glm::dvec2(scene.origin.x + bounds.max.x, scene.origin.z + bounds.max.z);
     }
@@ -60,15 +62,17 @@ output::MeasuringPlane plane_of(const IlluminanceCommand& command, const scene::
     const double spacing = command.spacing.value_or(std::max(size.x, size.y) / cells);
     const glm::dvec2 counts = glm::max(glm::round(size / spacing), glm::dvec2(1.0));
     if (std::max(counts.x, counts.y) > most)
-        throw CLI::ValidationError("--spacing", fmt::format("{} m makes {:.0f} by {:.0f} cells: at most {:.0f}",
-                                                            spacing, counts.x, counts.y, most));
+        throw CLI::ValidationError("--spacing",
+                                   fmt::format("{} m makes {:.0f} by {:.0f} cells: at most {:.0f}", spacing,
+                                               counts.x, counts.y, most));
     plane.columns = static_cast<int>(counts.x);
     plane.rows = static_cast<int>(counts.y);
     return plane;
 }
 
 /// Writes a table for .csv, a picture for any other extension; all files or none.
-void write(const output::IlluminanceTable& table, const IlluminanceCommand& command, scene::UnitSystem units) {
+void write(const output::IlluminanceTable& table, const IlluminanceCommand& command,
+           scene::UnitSystem units) {
     constexpr int pixels = 1024;
     image::WholeFiles files;
     for (const std::string& file : command.files) {
@@ -129,8 +133,8 @@ void measure(const IlluminanceCommand& command) {
 
 void add_illuminance_command(CLI::App& app) {
     const auto options = std::make_shared<IlluminanceCommand>();
-    CLI::App* command =
-        app.add_subcommand("illuminance", "tabulate illuminance on a horizontal plane: min, mean, max, isolines");
+    CLI::App* command = app.add_subcommand(
+        "illuminance", "tabulate illuminance on a horizontal plane: min, mean, max, isolines");
     command->add_option("SCENE", options->rendering.scene, "a .gltf or .glb file")->required();
     declare(*command, settings::by_probe, options->rendering);
     command->add_option("--plane", options->height, "height of the plane: y in the world [m]")
@@ -143,7 +147,8 @@ void add_illuminance_command(CLI::App& app) {
                 options->region = parse_region(text);
                 if (!options->region)
                     throw CLI::ValidationError(
-                        "--region", "'" + text + "' is not X0,Z0,X1,Z1 with X0 < X1 and Z0 < Z1, such as 0,0,6,4");
+                        "--region",
+                        "'" + text + "' is not X0,Z0,X1,Z1 with X0 < X1 and Z0 < Z1, such as 0,0,6,4");
             },
             "two corners of the plane [m]; without it the extent of the scene")
         ->type_name("X0,Z0,X1,Z1");
@@ -155,12 +160,13 @@ void add_illuminance_command(CLI::App& app) {
     command->add_option("-o,--output", options->files,
                         "write the table (.csv) or a picture with isolines (.png, .jpg); repeatable");
     command->add_flag("--json", options->json, "print JSON");
-    command->footer("The plane looks up, blocks no light and need not be a surface of the scene. A sample is the "
-                    "value at the\ncentre of a cell; more samples are means over the cell.\n\n"
-                    "Examples:\n"
-                    "  steradian illuminance room.glb --plane 0.8\n"
-                    "  steradian illuminance room.glb --plane 0.8 --region 0,0,6,4 --spacing 0.25 -o desk.csv -o "
-                    "desk.png");
+    command->footer(
+        "The plane looks up, blocks no light and need not be a surface of the scene. A sample is the "
+        "value at the\ncentre of a cell; more samples are means over the cell.\n\n"
+        "Examples:\n"
+        "  steradian illuminance room.glb --plane 0.8\n"
+        "  steradian illuminance room.glb --plane 0.8 --region 0,0,6,4 --spacing 0.25 -o desk.csv -o "
+        "desk.png");
     command->callback([options] { measure(*options); });
 }
 

@@ -43,7 +43,8 @@ double interpolated(const IlluminanceTable& table, glm::dvec2 at) {
     const glm::dvec2 p = glm::clamp(at - 0.5, glm::dvec2(0.0), last);
     const glm::dvec2 low = glm::min(glm::floor(p), glm::max(last - 1.0, glm::dvec2(0.0))), t = p - low;
     const auto value = [&](double x, double y) {
-        return static_cast<double>(table.at(static_cast<int>(std::min(x, last.x)), static_cast<int>(std::min(y, last.y))));
+        return static_cast<double>(
+            table.at(static_cast<int>(std::min(x, last.x)), static_cast<int>(std::min(y, last.y))));
     };
     return glm::mix(glm::mix(value(low.x, low.y), value(low.x + 1.0, low.y), t.x),
                     glm::mix(value(low.x, low.y + 1.0), value(low.x + 1.0, low.y + 1.0), t.x), t.y);

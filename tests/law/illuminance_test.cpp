@@ -1,6 +1,6 @@
 // Illuminance on a measuring plane against closed forms.
-#include "output/illuminance.hpp"
 #include "core/math.hpp"
+#include "output/illuminance.hpp"
 #include "support/address.hpp"
 #include "support/gl.hpp"
 #include "support/scenes.hpp"
@@ -38,7 +38,8 @@ double point_law(glm::dvec2 at) {
 
 const Test point("law.photometry.illuminance.of_a_point_light_is_I_cos3_over_h2", [] {
     const MeasuringPlane plane{0.8, {-2.0, -1.5}, {3.0, 1.5}, 50, 30};
-    const IlluminanceTable table = measured(plane, lit_by(scene::PointLight{"", {0.0f, 3.0f, 0.0f}, vec3(I)}));
+    const IlluminanceTable table =
+        measured(plane, lit_by(scene::PointLight{"", {0.0f, 3.0f, 0.0f}, vec3(I)}));
     for (int row = 0; row < plane.rows; ++row)
         for (int column = 0; column < plane.columns; ++column) {
             const double expected = point_law(plane.center_of(column, row));
@@ -68,7 +69,8 @@ const Test shadow("law.photometry.illuminance.has_the_shadows_of_what_is_above_a
     scene::RenderScene stage = lit_by(scene::PointLight{"", {0.0f, 3.0f, 0.0f}, vec3(I)});
     sr::testing::add_quad(stage.scene, {1.0f, 1.9f, 0.0f}, {0.0f, 0.0f, 0.5f}, {0.5f, 0.0f, 0.0f},
                           scene::Material());
-    // The quad from x = 0.5 to 1.5 at half the height shades 1 to 3 on the plane, and what is below it nothing.
+    // The quad from x = 0.5 to 1.5 at half the height shades 1 to 3 on the plane, and what is below it
+    // nothing.
     sr::testing::add_quad(stage.scene, {-1.0f, 0.4f, 0.0f}, {0.0f, 0.0f, 0.5f}, {0.5f, 0.0f, 0.0f},
                           scene::Material());
     const MeasuringPlane plane{0.8, {-3.0, -0.25}, {3.0, 0.25}, 60, 5};

@@ -1,4 +1,4 @@
-// The journal of unsaved edits: every kind of edit comes back, from any path, whoever has the process id now.
+// The journal of unsaved edits: every kind of edit comes back, from any path, while its run lives no more.
 #include "core/error.hpp"
 #include "support/address.hpp"
 #include "viewer/document/journal.hpp"
@@ -23,7 +23,8 @@ struct Place {
         fs::remove_all(folder);
         fs::create_directories(folder);
         for (const fs::path& part : {fs::path(scene), fs::path("downlight.ies")})
-            fs::copy_file(fs::path(STERADIAN_SCENES) / part, folder / (part == scene ? fs::path(name) : part));
+            fs::copy_file(fs::path(STERADIAN_SCENES) / part,
+                          folder / (part == scene ? fs::path(name) : part));
         setenv("XDG_STATE_HOME", folder.c_str(), 1);
     }
     ~Place() { fs::remove_all(folder); }
@@ -84,7 +85,8 @@ const Test kinds("unit.viewer.journal.every_kind_of_edit_comes_back", [] {
         for (std::size_t k = 0; k < scene::sizes_of(edited.edits()[i].light).size(); ++k, ++resized)
             edited.set_size(i, k, 1.7f * scene::sizes_of(edited.edits()[i].light)[k].size);
     EXPECT_GE(resized, 2u);
-    edited.transform(1, glm::rotate(glm::translate(mat4(1.0f), vec3(0.1f, 0.2f, -0.3f)), 0.4f, vec3(0, 1, 0)));
+    edited.transform(1,
+                     glm::rotate(glm::translate(mat4(1.0f), vec3(0.1f, 0.2f, -0.3f)), 0.4f, vec3(0, 1, 0)));
     edited.remove(2);
     edited.enable(3, false);
     edited.set_quantity(edited.entries().size() - 1, vec3(7.0f, 5.0f, 3.0f));
