@@ -16,9 +16,9 @@ constexpr float own_size = 13.0f; // that Dear ImGui's own font is drawn for
 /// Path of DejaVu Sans on Debian, Fedora, Arch, openSUSE and macOS; null if there is none.
 const char* font_file() {
     for (const char* const file :
-         {"/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf", "/usr/share/fonts/dejavu-sans-fonts/DejaVuSans.ttf",
-          "/usr/share/fonts/TTF/DejaVuSans.ttf", "/usr/share/fonts/dejavu/DejaVuSans.ttf",
-          "/opt/homebrew/share/fonts/DejaVuSans.ttf"}) {
+         {"/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
+          "/usr/share/fonts/dejavu-sans-fonts/DejaVuSans.ttf", "/usr/share/fonts/TTF/DejaVuSans.ttf",
+          "/usr/share/fonts/dejavu/DejaVuSans.ttf", "/opt/homebrew/share/fonts/DejaVuSans.ttf"}) {
         std::error_code ignored;
         if (std::filesystem::is_regular_file(file, ignored)) return file;
     }
@@ -26,8 +26,9 @@ const char* font_file() {
 }
 
 /// Latin, Greek, punctuation, super- and subscripts, arrows, mathematical signs, triangles.
-constexpr std::array<ImWchar, 19> letters{0x20,   0x17f,  0x370,  0x3ff,  0x1d62, 0x1d65, 0x2010, 0x2033, 0x2070, 0x209c,
-                                          0x2190, 0x2193, 0x2200, 0x2265, 0x22c5, 0x22c5, 0x25a0, 0x25cf, 0};
+constexpr std::array<ImWchar, 19> letters{0x20,   0x17f,  0x370,  0x3ff,  0x1d62, 0x1d65, 0x2010,
+                                          0x2033, 0x2070, 0x209c, 0x2190, 0x2193, 0x2200, 0x2265,
+                                          0x22c5, 0x22c5, 0x25a0, 0x25cf, 0};
 
 } // namespace
 

@@ -33,7 +33,8 @@ void Layout::begin(vec2 window, float scale, bool has_panels) {
     window_ = window;
     scale_ = scale;
     has_panels_ = has_panels;
-    is_docked_ = has_panels && window.x >= (min_column + min_picture) * scale && window.y >= min_height * scale;
+    is_docked_ =
+        has_panels && window.x >= (min_column + min_picture) * scale && window.y >= min_height * scale;
     below_ = excess_ = 0.0f;
     right_parts_ = 0;
     if (!is_same) { // the strips are taken to be as high as they were
@@ -90,7 +91,8 @@ Area Layout::take_right() {
     const int part = right_parts_++;
     const int count = std::max(right_parts_, right_count_);
     const Area between = middle();
-    const float x = between.from.x + between.size.x, height = std::floor(rest_.size.y / static_cast<float>(count));
+    const float x = between.from.x + between.size.x,
+                height = std::floor(rest_.size.y / static_cast<float>(count));
     return {{x, rest_.from.y + static_cast<float>(part) * height}, {window_.x - x, height}};
 }
 

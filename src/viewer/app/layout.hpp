@@ -38,8 +38,9 @@ public:
 
     // The areas of docked panels, in the order in which they are taken.
     Area take_top(float height);
-    /// Takes a strip above the ones that were taken before. Of its height, the film makes room for `steady` alone:
-    /// where the strip needs more for a while, the picture is shown smaller, and is not rendered again.
+    /// Takes a strip above the ones that were taken before. Of its height, the film makes room for `steady`
+    /// alone: where the strip needs more for a while, the picture is shown smaller, and is not rendered
+    /// again.
     Area take_bottom(float height, float steady);
     Area left() const;
     /// Takes a part of the right column, which is divided among all that took a part of it in the last frame.
@@ -61,12 +62,12 @@ private:
     bool is_docked_ = false;
     bool has_panels_ = false;
     vec2 window_{1.0f};
-    Area rest_;            // of the window, columns included
-    float below_ = 0.0f;   // height that the picture misses between the columns
-    float excess_ = 0.0f;  // height of strips that the film makes no room for
-    vec2 insets_{0.0f};    // of the film from the top and the bottom of the window, in the last docked frame
-    int right_parts_ = 0;  // taken so far
-    int right_count_ = 0;  // taken in the last frame
+    Area rest_;           // of the window, columns included
+    float below_ = 0.0f;  // height that the picture misses between the columns
+    float excess_ = 0.0f; // height of strips that the film makes no room for
+    vec2 insets_{0.0f};   // of the film from the top and the bottom of the window, in the last docked frame
+    int right_parts_ = 0; // taken so far
+    int right_count_ = 0; // taken in the last frame
     Area film_;
     Area picture_;
 };

@@ -19,9 +19,7 @@ Panels::Panels(Workspace& workspace) : ws_(workspace) {
     begin();
 }
 
-void Panels::begin() {
-    ws_.layout.begin(ws_.window_size(), ws_.ui.scale(), are_shown_);
-}
+void Panels::begin() { ws_.layout.begin(ws_.window_size(), ws_.ui.scale(), are_shown_); }
 
 bool Panels::execute(Command command) {
     switch (command) {
@@ -69,7 +67,8 @@ Changes Panels::draw(const Tools& tools) {
         const Overlay overlay{ws_.projection(), ws_.ui.scale()};
         const Area& clip = ws_.layout.picture();
         ImDrawList& marks = *ImGui::GetBackgroundDrawList();
-        marks.PushClipRect({clip.from.x, clip.from.y}, {clip.from.x + clip.size.x, clip.from.y + clip.size.y});
+        marks.PushClipRect({clip.from.x, clip.from.y},
+                           {clip.from.x + clip.size.x, clip.from.y + clip.size.y});
         for (const auto& tool : tools) changes |= tool->draw(overlay);
         marks.PopClipRect();
         changes |= draw_column(tools);

@@ -14,8 +14,8 @@ public:
 
     /// Begins a frame: gives the picture the room that panels leave.
     void begin();
-    /// Describes all panels between Ui::begin() and Ui::end(), and the areas that they take. @return what they
-    /// changed
+    /// Describes all panels between Ui::begin() and Ui::end(), and the areas that they take. @return what
+    /// they changed
     Changes draw(const Tools& tools);
 
     /// Executes a command that shows or hides a panel. @return false if the command is another

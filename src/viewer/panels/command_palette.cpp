@@ -54,10 +54,12 @@ std::optional<Command> CommandPalette::draw(const Ui& ui) {
     const ImGuiViewport& viewport = *ImGui::GetMainViewport();
     const ImVec2 size{std::min(0.9f * viewport.Size.x, 560.0f * ui.scale()),
                       std::min(0.8f * viewport.Size.y, 420.0f * ui.scale())};
-    ImGui::SetNextWindowPos({viewport.GetCenter().x, 0.08f * viewport.Size.y}, ImGuiCond_Always, {0.5f, 0.0f});
+    ImGui::SetNextWindowPos({viewport.GetCenter().x, 0.08f * viewport.Size.y}, ImGuiCond_Always,
+                            {0.5f, 0.0f});
     ImGui::SetNextWindowSize(size);
-    ImGui::Begin("All commands", &is_open_, ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse
-                                                | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize);
+    ImGui::Begin("All commands", &is_open_,
+                 ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove
+                     | ImGuiWindowFlags_NoResize);
     ImGui::SetNextItemWidth(-1.0f);
     if (focus_.is_pending()) ImGui::SetKeyboardFocusHere();
     const bool is_entered =
@@ -75,7 +77,8 @@ std::optional<Command> CommandPalette::draw(const Ui& ui) {
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const CommandInfo& row = *rows[i];
         const bool is_chosen = static_cast<int>(i) == chosen_;
-        if (ImGui::Selectable((std::string(row.name) + "##" + row.group).c_str(), is_chosen)) chosen = row.command;
+        if (ImGui::Selectable((std::string(row.name) + "##" + row.group).c_str(), is_chosen))
+            chosen = row.command;
         if (is_chosen && is_moved) ImGui::SetScrollHereY();
         if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", row.what);
         const std::string keys = keys_of(row.command);

@@ -11,8 +11,8 @@
 
 namespace sr::viewer {
 
-/// Commands whose name, group or tooltip has every word of `typed`, in any case. Those that begin with it come
-/// first, then those with all words in the name.
+/// Commands whose name, group or tooltip has every word of `typed`, in any case. Those that begin with it
+/// come first, then those with all words in the name.
 std::vector<const CommandInfo*> commands_like(std::string_view typed);
 
 class CommandPalette {
