@@ -17,6 +17,7 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "libegl1, libgl1-mesa-dri") # opened at run time, so that dpkg-shlibdeps does not see them
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "fonts-dejavu-core") # letters of the viewer's panels
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "openimageio-tools, libosmesa6")
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 set(CPACK_DEBIAN_COMPRESSION_TYPE xz)

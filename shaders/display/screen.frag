@@ -9,7 +9,8 @@ uniform float film_weight;   // 1 / their number
 uniform sampler2D pixel_weights; // of the film's pixels that rest 1 / their number; 0 of the others
 uniform sampler2D other_sum; // what it is compared with
 uniform float other_weight;
-uniform vec2 window_size;
+uniform vec2 corner;       // the picture's lower left in the window
+uniform vec2 picture_size; // in the window
 uniform float exposure;
 uniform vec2 decades; // powers of ten [cd/m²] at the ends of the colour map
 uniform float wipe;             // where the other picture begins, 0 to 1
@@ -21,11 +22,13 @@ vec4 mean(sampler2D sum, float weight, bool has_rest, ivec2 at) {
     return texelFetch(sum, at, 0) * weight;
 }
 
-// Pixel by pixel where the film has the window's size, else bilinear in linear light.
+vec2 place() { return gl_FragCoord.xy - corner; }
+
+// Pixel by pixel where the film has the picture's size, else bilinear in linear light.
 vec4 radiance(sampler2D sum, float weight, bool has_rest) {
-    if (!is_scaled) return mean(sum, weight, has_rest, ivec2(gl_FragCoord.xy));
+    if (!is_scaled) return mean(sum, weight, has_rest, ivec2(place()));
     vec2 size = vec2(textureSize(sum, 0));
-    vec2 at = gl_FragCoord.xy * size / window_size - 0.5;
+    vec2 at = place() * size / picture_size - 0.5;
     ivec2 low = ivec2(floor(at + 1e-3)); // a pixel's centre must not fall below itself by rounding
     vec2 between = clamp(at - vec2(low), 0.0, 1.0);
     ivec2 last = ivec2(size) - 1;
@@ -72,7 +75,7 @@ void main() {
     }
     if (comparison == 3) color = colormap(other_radiance().r);
     if (comparison == 1) {
-        float edge = gl_FragCoord.x - wipe * window_size.x;
+        float edge = place().x - wipe * picture_size.x;
         if (edge > 0.0) color = shown_other();
         if (abs(edge) < 1.0) color = vec3(1.0);
     }

@@ -14,8 +14,7 @@ namespace {
 /// Code and links of a line of Markdown. Links lead to files that the page does not have: their text stays.
 std::string with_code(const std::string& line) {
     static const std::regex code("`([^`]*)`"), link(R"(\[([^\]]*)\]\([^)]*\))");
-    return std::regex_replace(std::regex_replace(escape_markup(line), link, "$1"), code,
-                              "<code>$1</code>");
+    return std::regex_replace(std::regex_replace(escape_markup(line), link, "$1"), code, "<code>$1</code>");
 }
 
 /// Collects the lines of a paragraph.

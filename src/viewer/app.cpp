@@ -1,10 +1,8 @@
 #include "viewer/app.hpp"
 
 #include "core/error.hpp"
-#include "core/math.hpp"
 #include "image/file.hpp"
 #include "viewer/config.hpp"
-#include "viewer/panels/help.hpp"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -13,7 +11,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <fmt/format.h>
-#include <imgui.h>
 #include <utility>
 #include <vector>
 
@@ -38,8 +35,8 @@ gl::WindowOptions window_options(const Options& options) {
 
 /// All tools, in the order in which they get events and draw. A drag of a light comes before a drag of the
 /// view, a click on a light before a probe.
-std::vector<std::unique_ptr<Tool>> make_tools(Workspace& workspace) {
-    std::vector<std::unique_ptr<Tool>> tools;
+Tools make_tools(Workspace& workspace) {
+    Tools tools;
     for (const auto make :
          {make_transform, make_navigate, make_edit_lights, make_animate, make_adjust_display, make_compare,
           make_assignment, make_tick, make_probe, make_files, make_turntable, make_keep_edits})
@@ -59,12 +56,13 @@ App::App(Options options)
                  .ui = ui_,
                  .messages = Messages(options.is_verbose),
                  .exposure = Exposure(options.ev100)},
+      panels_(workspace_),
       tools_(make_tools(workspace_)) {
     Statistics& statistics = workspace_.statistics;
     statistics.start.emplace_back("window", statistics.since_begin());
     statistics.renderer = window_.info().renderer;
     workspace_.display.curve = options.tone_curve;
-    glfwGetFramebufferSize(window_.handle(), &workspace_.width, &workspace_.height);
+    resize();
     workspace_.open(options.scene);
 }
 
@@ -83,7 +81,11 @@ void App::run(const std::stop_token& stop) {
             std::chrono::duration<double>(Clock::now() - std::exchange(last, Clock::now())).count();
         if (is_hidden() && !input_.has_cancel()) continue; // all waits until it is seen again, or closed
         resize();
-        apply(std::exchange(drawn, {}) | workspace_.take_loaded());
+        apply(std::exchange(drawn, {}));
+        if (const Changes loaded = workspace_.take_loaded(); loaded.any()) {
+            apply(loaded);
+            if (loaded == everything) apply(follow_shape()); // the window may have changed while it loaded
+        }
         apply(update(seconds));
         apply(std::exchange(workspace_.answered, {}));
         std::vector<Event> events = input_.take();
@@ -97,7 +99,7 @@ void App::run(const std::stop_token& stop) {
         }
         advance(seconds);
         present();
-        drawn = draw_panels();
+        drawn = panels_.draw(tools_);
         ui_.end();
         glfwSwapBuffers(window_.handle());
         workspace_.statistics.presented(workspace_.scene != nullptr);
@@ -135,15 +137,34 @@ void App::wait() const {
         glfwWaitEventsTimeout(activity() == Activity::waiting ? wait_interval : poll_interval);
 }
 
+/// Gives the film the room that panels leave.
 void App::resize() {
     int width = 0, height = 0;
     glfwGetFramebufferSize(window_.handle(), &width, &height);
-    const bool is_minimised = width == 0 || height == 0;
-    if (is_minimised || (width == workspace_.width && height == workspace_.height)) return;
-    workspace_.width = width;
-    workspace_.height = height;
-    if (workspace_.camera) workspace_.camera->set_aspect_ratio(workspace_.aspect_ratio());
-    if (workspace_.scene) workspace_.scene->resize(width, height);
+    if (width == 0 || height == 0) return; // it is minimised
+    panels_.begin();
+    const vec2 size = glm::round(workspace_.layout.film().size * vec2(width, height) / input_.window_size());
+    if (size == vec2(workspace_.width, workspace_.height)) return;
+    workspace_.width = static_cast<int>(size.x);
+    workspace_.height = static_cast<int>(size.y);
+    if (!workspace_.scene) return;
+    workspace_.scene->resize(workspace_.width, workspace_.height);
+    apply(follow_shape());
+}
+
+/// Tells the camera the shape of the film. A camera that frames the scene frames it in this shape.
+Changes App::follow_shape() {
+    CameraController& camera = *workspace_.camera;
+    camera.set_aspect_ratio(workspace_.aspect_ratio());
+    if (camera.argument() != "auto") return Change::redraw;
+    camera.use({workspace_.scene->framing_camera(workspace_.aspect_ratio()), "auto"});
+    return Change::camera;
+}
+
+void App::log_picture() const {
+    const Area at = workspace_.layout.film();
+    workspace_.messages.log(fmt::format("The picture has {}x{} pixels, at {},{}.", workspace_.width,
+                                        workspace_.height, at.from.x, at.from.y));
 }
 
 Changes App::update(double seconds) {
@@ -170,8 +191,10 @@ Changes App::dispatch_key(const KeyEvent& key) {
         if (const Answer* answer = workspace_.question->answer_of(key.key)) workspace_.answer(*answer);
         return Change::redraw;
     }
-    const bool has_dialog =
-        std::ranges::any_of(tools_, [](const auto& tool) { return tool->holds_keyboard(); });
+    if (panels_.take(key)) return Change::redraw;
+    const bool has_dialog = panels_.holds_keyboard() || std::ranges::any_of(tools_, [](const auto& tool) {
+                                return tool->holds_keyboard();
+                            });
     for (const auto& tool : tools_)
         if (const auto changes = workspace_.scene && !has_dialog ? tool->handle(key) : std::nullopt)
             return *changes;
@@ -186,6 +209,7 @@ Changes App::dispatch(const Event& event) {
     if (const auto* drop = std::get_if<DropEvent>(&event))
         for (const std::string& file : drop->files) input_.put(FileEvent{file});
     if (const auto* key = std::get_if<KeyEvent>(&event)) return dispatch_key(*key);
+    if (const auto command = command_in(event)) return execute(*command); // of a menu
     return belongs_to_panel(event) ? Changes() : dispatch_to_tools(event);
 }
 
@@ -211,22 +235,20 @@ Changes App::dispatch_to_tools(const Event& event) {
 
 Changes App::execute(Command command) {
     switch (command) {
-    case Command::help: has_help_ = !has_help_; break;
-    case Command::panels: has_panels_ = !has_panels_; break;
-    case Command::messages: has_history_ = !has_history_; break;
     case Command::quit: workspace_.leave(Departure::quit); break;
     case Command::fullscreen: toggle_fullscreen(); break;
     case Command::cancel: return cancel_innermost();
     case Command::open_file:
-    case Command::save_as: has_panels_ = true; [[fallthrough]]; // their dialog is a panel
-    default: return dispatch_to_tools(CommandEvent{command});
+    case Command::save_as: panels_.show(); [[fallthrough]]; // their dialog is a panel
+    default:
+        if (!panels_.execute(command)) return dispatch_to_tools(CommandEvent{command});
     }
     return Change::redraw;
 }
 
 /// Cancels one thing: the help, a dialog, an error, or what a tool has begun, the last tool first.
 Changes App::cancel_innermost() {
-    if (std::exchange(has_help_, false) || std::exchange(has_history_, false)) return Change::redraw;
+    if (panels_.close_one()) return Change::redraw;
     const auto cancel = [this](bool is_dialog) {
         std::optional<Changes> changes;
         for (auto tool = tools_.rbegin(); tool != tools_.rend() && !changes; ++tool)
@@ -261,6 +283,7 @@ void App::advance(double seconds) {
     workspace_.statistics.frame(render, seconds);
     const bool was_converged = render.is_converged();
     if (activity() != Activity::exclusive) render.advance();
+    if (render.is_converged() && !was_converged) log_picture();
     if (render.is_converged() && !was_converged)
         workspace_.messages.log(fmt::format("converged: {}, --camera '{}'{}", progress_of(render),
                                             workspace_.camera->argument(), workspace_.time_arguments()));
@@ -269,28 +292,33 @@ void App::advance(double seconds) {
 }
 
 void App::present() {
-    if (!workspace_.scene || workspace_.scene->render().sample_count() == 0) {
-        glBindFramebuffer(GL_FRAMEBUFFER, 0);
-        glClearColor(0.1f, 0.1f, 0.1f, 1.0f);
-        glClear(GL_COLOR_BUFFER_BIT);
-        return;
-    }
+    int width = 0, height = 0;
+    glfwGetFramebufferSize(window_.handle(), &width, &height);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glDisable(GL_SCISSOR_TEST);
+    glClearColor(0.1f, 0.1f, 0.1f, 1.0f);
+    glClear(GL_COLOR_BUFFER_BIT);
+    if (!workspace_.scene || workspace_.scene->render().sample_count() == 0) return;
     FilmSum reference;
     for (const auto& tool : tools_)
         if (!reference.sum) reference = tool->reference_film();
     workspace_.display.ev100 = workspace_.exposure.ev100();
-    presenter_.draw(workspace_.scene->render().shown(), reference, workspace_.display, workspace_.width,
-                    workspace_.height);
-    if (!workspace_.seen_file.empty()) write_seen();
+    const Area area = workspace_.picture();
+    const vec2 dense = vec2(width, height) / input_.window_size();
+    const vec2 from = glm::round(dense * area.from), size = glm::round(dense * area.size);
+    const ScreenRectangle place{static_cast<int>(from.x), height - static_cast<int>(from.y + size.y),
+                                static_cast<int>(size.x), static_cast<int>(size.y)};
+    presenter_.draw(workspace_.scene->render().shown(), reference, workspace_.display, place);
+    if (!workspace_.seen_file.empty()) write_seen(place);
 }
 
-/// Writes the frame as a PNG, before panels are drawn over it.
-void App::write_seen() {
+/// Writes the picture in the frame as a PNG, before panels are drawn over it.
+void App::write_seen(const ScreenRectangle& place) {
     const std::string file = std::exchange(workspace_.seen_file, {});
-    image::Image picture(workspace_.width, workspace_.height, 3);
+    image::Image picture(place.width, place.height, 3);
     std::vector<std::uint8_t> codes(picture.pixels.size());
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glReadPixels(0, 0, picture.width, picture.height, GL_RGB, GL_UNSIGNED_BYTE, codes.data());
+    glReadPixels(place.x, place.y, place.width, place.height, GL_RGB, GL_UNSIGNED_BYTE, codes.data());
     glPixelStorei(GL_PACK_ALIGNMENT, 4);
     const std::size_t row = 3 * static_cast<std::size_t>(picture.width);
     for (std::size_t i = 0; i < codes.size(); ++i) // GL's first row is the lowest
@@ -301,57 +329,6 @@ void App::write_seen() {
     } catch (const Error& error) {
         workspace_.messages.fail("Cannot write the picture.", error.what());
     }
-}
-
-Changes App::draw_panels() {
-    help_panel(has_help_);
-    const Messages& messages = workspace_.messages;
-    if (messages.has_error()) error_panel(messages.error_title(), messages.error_text());
-    if (workspace_.question)
-        if (const Answer* answer = draw_question(*workspace_.question)) workspace_.answer(*answer);
-    if (!workspace_.scene) {
-        message_area({fmt::format("loading {} ...", workspace_.options.scene), {}, {}});
-        return {};
-    }
-    history_panel(has_history_, messages.history());
-    if (!has_panels_) return {};
-    Changes changes;
-    const Overlay overlay{workspace_.projection(), ui_.scale()};
-    for (const auto& tool : tools_) changes |= tool->draw(overlay);
-    message_area({progress_of(workspace_.scene->render()), under_pointer(), messages.status()});
-    return changes | draw_main_panel();
-}
-
-Changes App::draw_main_panel() {
-    Changes changes;
-    ImGui::SetNextWindowPos({10.0f, 10.0f}, ImGuiCond_FirstUseEver);
-    ImGui::SetNextWindowSizeConstraints({0.0f, 0.0f}, {1e4f, 0.92f * workspace_.window_size().y});
-    if (ImGui::Begin("Steradian", nullptr, ui_.panel_flags())) {
-        ImGui::PushItemWidth(170.0f * ui_.scale());
-        ImGui::PushTextWrapPos(280.0f * ui_.scale());
-        for (const auto& tool : tools_) changes |= tool->draw_section();
-        ImGui::TextDisabled("F1 or ? shows all keys");
-        ImGui::PopTextWrapPos();
-        ImGui::PopItemWidth();
-    }
-    keep_in_viewport();
-    ImGui::End();
-    return changes;
-}
-
-/// Radiance and luminance at the pixel under the pointer.
-std::string App::under_pointer() const {
-    const vec2 place = input_.pointer() / workspace_.window_size();
-    const ProgressiveRender& render = workspace_.scene->render();
-    if (render.is_interactive() || render.sample_count() == 0 || ui_.has_pointer()) return {};
-    if (!(place.x >= 0.0f && place.x < 1.0f && place.y >= 0.0f && place.y < 1.0f)) return {};
-    const int column = static_cast<int>(place.x * static_cast<float>(workspace_.width));
-    const int row = static_cast<int>(place.y * static_cast<float>(workspace_.height));
-    const output::Variable* const view = workspace_.display.view;
-    if (view && view->finish != output::Finish::luminance) return {}; // the film has no radiance
-    const vec3 L = render.pixel(place);
-    return fmt::format("{},{}: L {:.4g} {:.4g} {:.4g}, luminance {:.4g} {}", column, row, L.r, L.g, L.b,
-                       luminance(L), scene::radiance_unit(workspace_.scene->stage().scene.units));
 }
 
 /// The title has the progress, which the task bar shows.

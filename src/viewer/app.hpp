@@ -1,6 +1,6 @@
 #pragma once
 // Application of the viewer: the window, the loop, and the one place that applies what tools change.
-#include "viewer/tools/tool.hpp"
+#include "viewer/app/panels.hpp"
 
 #include <array>
 
@@ -27,6 +27,8 @@ private:
     bool draws_again() const;
     Activity activity() const;
     void resize();
+    Changes follow_shape();
+    void log_picture() const;
     Changes update(double seconds);
     Changes dispatch(const Event& event);
     Changes dispatch_to_tools(const Event& event);
@@ -37,11 +39,8 @@ private:
     void apply(Changes changes);
     void advance(double seconds);
     void present();
-    void write_seen();
+    void write_seen(const ScreenRectangle& place);
     bool is_hidden() const;
-    Changes draw_panels();
-    Changes draw_main_panel();
-    std::string under_pointer() const;
     void update_title();
     void toggle_fullscreen();
 
@@ -50,11 +49,9 @@ private:
     Ui ui_;
     Workspace workspace_;
     Presenter presenter_;
-    std::vector<std::unique_ptr<Tool>> tools_; // in the order in which they get events and draw
+    Panels panels_;
+    Tools tools_; // in the order in which they get events and draw
     int frames_to_draw_ = 0;
-    bool has_panels_ = true;
-    bool has_help_ = false;
-    bool has_history_ = false; // of messages
     std::string title_;
     std::array<int, 4> windowed_{40, 40, 1280,
                                  720}; // place and size of the window before it became fullscreen

@@ -1,5 +1,7 @@
 #include "viewer/bindings.hpp"
 
+#include "core/error.hpp"
+
 #include <algorithm>
 #include <array>
 
@@ -11,98 +13,175 @@ namespace {
 
 using enum Command;
 
-constexpr auto table = std::to_array<Binding>({
-    {GLFW_KEY_LEFT, 0, orbit_left, "arrows", "orbit by 5 degrees", "Camera"},
-    {GLFW_KEY_RIGHT, 0, orbit_right},
-    {GLFW_KEY_UP, 0, orbit_up},
-    {GLFW_KEY_DOWN, 0, orbit_down},
-    {GLFW_KEY_KP_4, 0, orbit_left},
-    {GLFW_KEY_KP_6, 0, orbit_right},
-    {GLFW_KEY_KP_8, 0, orbit_up},
-    {GLFW_KEY_KP_2, 0, orbit_down},
-    {GLFW_KEY_LEFT, shift, pan_left, "Shift arrows", "pan", "Camera"},
+constexpr auto table = std::to_array<CommandInfo>({
+    {orbit_left, "Orbit left", "turn the view by 5° around the pivot", "Camera"},
+    {orbit_right, "Orbit right", "turn the view by 5° around the pivot", "Camera"},
+    {orbit_up, "Orbit up", "turn the view by 5° around the pivot", "Camera"},
+    {orbit_down, "Orbit down", "turn the view by 5° around the pivot", "Camera"},
+    {pan_left, "Pan left", "move the view by a twentieth of the picture's height", "Camera"},
+    {pan_right, "Pan right", "move the view by a twentieth of the picture's height", "Camera"},
+    {pan_up, "Pan up", "move the view by a twentieth of the picture's height", "Camera"},
+    {pan_down, "Pan down", "move the view by a twentieth of the picture's height", "Camera"},
+    {dolly_in, "Closer", "go a tenth closer to the pivot", "Camera"},
+    {dolly_out, "Farther", "go a tenth farther from the pivot", "Camera"},
+    {roll_left, "Roll left", "turn the picture by 5° around its centre", "Camera"},
+    {roll_right, "Roll right", "turn the picture by 5° around its centre", "Camera"},
+    {level, "Level", "remove roll", "Camera"},
+    {frame_all, "Frame all", "show the whole scene", "Camera"},
+    {frame_selection, "Frame selection", "show the selected light, or the whole scene", "Camera"},
+    {view_front, "View from the front", "look along -Z of the world", "Camera"},
+    {view_back, "View from the back", "look along +Z of the world", "Camera"},
+    {view_right, "View from the right", "look along -X of the world", "Camera"},
+    {view_left, "View from the left", "look along +X of the world", "Camera"},
+    {view_top, "View from the top", "look along -Y of the world", "Camera"},
+    {view_bottom, "View from the bottom", "look along +Y of the world", "Camera"},
+    {view_opposite, "Opposite view", "turn half around the pivot", "Camera"},
+    {toggle_orthographic, "Orthographic", "switch between perspective and orthographic", "Camera"},
+    {narrower, "Narrower field of view", "zoom in by the lens", "Camera"},
+    {wider, "Wider field of view", "zoom out by the lens", "Camera"},
+    {next_camera, "Next camera", "go to the file's next camera", "Camera"},
+    {file_camera, "Back to the camera", "go back to the camera that the view began with", "Camera"},
+    {copy_view, "Copy the view", "copy it as arguments of `steradian render` that make the same picture",
+     "Camera"},
+    {paste_view, "Paste a view", "go to a view that was copied", "Camera"},
+    {darker, "Darker", "raise the exposure value by 1/3 EV", "Picture"},
+    {brighter, "Brighter", "lower the exposure value by 1/3 EV", "Picture"},
+    {auto_exposure, "Automatic exposure", "let the exposure follow the picture", "Picture"},
+    {next_tone_curve, "Next tone curve", "show the picture by another curve", "Picture"},
+    {false_color, "Luminance in false colours",
+     "show luminance [cd/m²] on a colour map, or the picture again", "Picture"},
+    {next_view, "Next view", "show another term of the equation", "Picture"},
+    {compare, "Compare", "keep the render as the reference, then cycle through the comparisons with it",
+     "Picture"},
+    {screenshot_png, "Write a PNG", "once the render has converged; twice: as it is now", "Picture"},
+    {screenshot_exr, "Write an EXR", "radiance, once the render has converged; twice: as it is now",
+     "Picture"},
+    {screenshot_seen, "Write what is seen", "a PNG with wipe, difference or false colours", "Picture"},
+    {turntable, "Write a turntable", "36 PNGs around the pivot", "Picture"},
+    {next_light, "Next light", "select the next light of the list", "Lights"},
+    {switch_light, "Switch the light", "disable or enable the selected light", "Lights"},
+    {solo_light, "Light alone", "disable all other lights, or enable all again", "Lights"},
+    {edit_light, "Type a value", "of the selected light: 800 lm, 6500 K", "Lights"},
+    {delete_light, "Remove the light", "remove the selected light", "Lights"},
+    {undo_light, "Undo", "take back the last edit of a light", "Lights"},
+    {redo_light, "Redo", "make an edit again that was taken back", "Lights"},
+    {move_light, "Move the light", "by the pointer or a number; X, Y, Z choose an axis", "Lights"},
+    {turn_light, "Turn the light", "by the pointer or a number; X, Y, Z choose an axis", "Lights"},
+    {scale_light, "Scale the light", "by the pointer or a number; X, Y, Z choose an extent", "Lights"},
+    {probe_pixel, "Probe", "evaluate the equation at the pixel under the pointer", "Lights"},
+    {play, "Play or pause", "the animation; also Space while no light is selected", "Animation"},
+    {frame_back, "Frame back", "go back by 1/24 s; Left alone over the bar", "Animation"},
+    {frame_forward, "Frame forward", "go on by 1/24 s; Right alone over the bar", "Animation"},
+    {first_frame, "First frame", "go to the start; Home alone over the bar", "Animation"},
+    {last_frame, "Last frame", "go to the end; End alone over the bar", "Animation"},
+    {next_variant, "Next variant", "show the next material variant of the file", "Animation"},
+    {next_question, "Next question", "of the examination (view --tick)", "Examination"},
+    {show_answer, "Show the answer", "of the question, or hide it", "Examination"},
+    {try_question, "Try the question", "go to its pixel, or make its change and take it back", "Examination"},
+    {find_command, "All commands", "find a command by its name, and run it", "Program"},
+    {open_file, "Open", "a glTF file; a file can be dropped on the window, too", "Program"},
+    {save_as, "Save as", "write lights and view as a new glTF file", "Program"},
+    {reload, "Reload", "read scene and shaders again", "Program"},
+    {fullscreen, "Full screen", "fill the screen, or leave it", "Program"},
+    {panels, "Panels", "hide or show all panels; the next start remembers it", "Program"},
+    {messages, "Messages", "list all messages so far", "Program"},
+    {help, "Keys", "list all keys and gestures", "Program"},
+    {cancel, "Cancel", "close, deselect or cancel the innermost thing", "Program"},
+    {quit, "Quit", "close the window; unsaved edits ask first", "Program"},
+});
+
+/// The first key of a command is the one that help and menus show.
+constexpr auto keys = std::to_array<Binding>({
+    {GLFW_KEY_LEFT, no_modifier, orbit_left},
+    {GLFW_KEY_RIGHT, no_modifier, orbit_right},
+    {GLFW_KEY_UP, no_modifier, orbit_up},
+    {GLFW_KEY_DOWN, no_modifier, orbit_down},
+    {GLFW_KEY_KP_4, no_modifier, orbit_left},
+    {GLFW_KEY_KP_6, no_modifier, orbit_right},
+    {GLFW_KEY_KP_8, no_modifier, orbit_up},
+    {GLFW_KEY_KP_2, no_modifier, orbit_down},
+    {GLFW_KEY_LEFT, shift, pan_left},
     {GLFW_KEY_RIGHT, shift, pan_right},
     {GLFW_KEY_UP, shift, pan_up},
     {GLFW_KEY_DOWN, shift, pan_down},
-    {GLFW_KEY_PAGE_UP, 0, dolly_in, "PgUp, PgDn", "closer, farther", "Camera"},
-    {GLFW_KEY_PAGE_DOWN, 0, dolly_out},
-    {GLFW_KEY_KP_ADD, 0, dolly_in},
-    {GLFW_KEY_KP_SUBTRACT, 0, dolly_out},
-    {GLFW_KEY_LEFT_BRACKET, 0, roll_left, "[ ]", "roll", "Camera"},
-    {GLFW_KEY_RIGHT_BRACKET, 0, roll_right},
-    {GLFW_KEY_L, shift, level, "Shift L", "remove roll", "Camera"},
-    {GLFW_KEY_A, 0, frame_all, "A, Home", "frame all", "Camera"},
-    {GLFW_KEY_HOME, 0, frame_all},
-    {GLFW_KEY_F, 0, frame_selection, "F", "frame the selected light, or all", "Camera"},
-    {GLFW_KEY_KP_DECIMAL, 0, frame_selection},
-    {GLFW_KEY_1, 0, view_front, "1 3 7", "front, right, top (numpad, too)", "Camera"},
-    {GLFW_KEY_3, 0, view_right},
-    {GLFW_KEY_7, 0, view_top},
-    {GLFW_KEY_KP_1, 0, view_front},
-    {GLFW_KEY_KP_3, 0, view_right},
-    {GLFW_KEY_KP_7, 0, view_top},
-    {GLFW_KEY_1, control, view_back, "Ctrl 1 3 7", "back, left, bottom", "Camera"},
+    {GLFW_KEY_PAGE_UP, no_modifier, dolly_in},
+    {GLFW_KEY_PAGE_DOWN, no_modifier, dolly_out},
+    {GLFW_KEY_KP_ADD, no_modifier, dolly_in},
+    {GLFW_KEY_KP_SUBTRACT, no_modifier, dolly_out},
+    {GLFW_KEY_LEFT_BRACKET, no_modifier, roll_left},
+    {GLFW_KEY_RIGHT_BRACKET, no_modifier, roll_right},
+    {GLFW_KEY_L, shift, level},
+    {GLFW_KEY_A, no_modifier, frame_all},
+    {GLFW_KEY_HOME, no_modifier, frame_all},
+    {GLFW_KEY_F, no_modifier, frame_selection},
+    {GLFW_KEY_KP_DECIMAL, no_modifier, frame_selection},
+    {GLFW_KEY_1, no_modifier, view_front},
+    {GLFW_KEY_3, no_modifier, view_right},
+    {GLFW_KEY_7, no_modifier, view_top},
+    {GLFW_KEY_KP_1, no_modifier, view_front},
+    {GLFW_KEY_KP_3, no_modifier, view_right},
+    {GLFW_KEY_KP_7, no_modifier, view_top},
+    {GLFW_KEY_1, control, view_back},
     {GLFW_KEY_3, control, view_left},
     {GLFW_KEY_7, control, view_bottom},
     {GLFW_KEY_KP_1, control, view_back},
     {GLFW_KEY_KP_3, control, view_left},
     {GLFW_KEY_KP_7, control, view_bottom},
-    {GLFW_KEY_9, 0, view_opposite, "9", "the opposite view", "Camera"},
-    {GLFW_KEY_KP_9, 0, view_opposite},
-    {GLFW_KEY_5, 0, toggle_orthographic, "5", "perspective or orthographic", "Camera"},
-    {GLFW_KEY_KP_5, 0, toggle_orthographic},
-    {GLFW_KEY_MINUS, 0, narrower, "- =", "narrower, wider field of view", "Camera"},
-    {GLFW_KEY_EQUAL, 0, wider},
-    {GLFW_KEY_0, 0, file_camera, "0", "back to the file's camera", "Camera"},
-    {GLFW_KEY_KP_0, 0, file_camera},
-    {GLFW_KEY_C, 0, next_camera, "C", "the file's next camera", "Camera"},
-    {GLFW_KEY_C, control, copy_view, "Ctrl C", "copy the view as arguments of render", "Camera"},
-    {GLFW_KEY_V, control, paste_view, "Ctrl V", "go to a copied view", "Camera"},
-    {GLFW_KEY_COMMA, 0, darker, ", .", "darker, brighter by 1/3 EV", "Picture"},
-    {GLFW_KEY_PERIOD, 0, brighter},
-    {GLFW_KEY_X, 0, auto_exposure, "X", "automatic exposure", "Picture"},
-    {GLFW_KEY_T, 0, next_tone_curve, "T", "next tone curve", "Picture"},
-    {GLFW_KEY_Y, 0, false_color, "Y", "luminance as false colour", "Picture"},
-    {GLFW_KEY_V, 0, next_view, "V", "next view: one term of the equation", "Picture"},
-    {GLFW_KEY_B, 0, compare, "B", "keep a reference, then compare with it", "Picture"},
-    {GLFW_KEY_F12, 0, screenshot_png, "F12", "write a PNG, once converged (twice: as it is)", "Picture"},
-    {GLFW_KEY_F12, shift, screenshot_exr, "Shift F12", "write an EXR, likewise", "Picture"},
-    {GLFW_KEY_F12, alt, screenshot_seen, "Alt F12", "write a PNG of what is seen, wipe or difference",
-     "Picture"},
-    {GLFW_KEY_F12, control, turntable, "Ctrl F12", "write a turntable of PNGs", "Picture"},
-    {GLFW_KEY_TAB, 0, next_light, "Tab", "select the next light", "Lights"},
-    {GLFW_KEY_ENTER, 0, edit_light, "Enter", "type its value: 800 lm, 6500 K", "Lights"},
-    {GLFW_KEY_KP_ENTER, 0, edit_light},
-    {GLFW_KEY_SPACE, 0, switch_light, "Space", "disable, enable it", "Lights"},
-    {GLFW_KEY_SPACE, shift, solo_light, "Shift Space", "enable it alone", "Lights"},
-    {GLFW_KEY_DELETE, 0, delete_light, "Delete", "remove it", "Lights"},
-    {GLFW_KEY_G, 0, move_light, "G R S", "move, turn, scale it; then X Y Z or a number", "Lights"},
-    {GLFW_KEY_R, 0, turn_light},
-    {GLFW_KEY_S, 0, scale_light},
-    {GLFW_KEY_Z, control, undo_light, "Ctrl (Shift) Z", "undo, redo an edit of a light", "Lights"},
+    {GLFW_KEY_9, no_modifier, view_opposite},
+    {GLFW_KEY_KP_9, no_modifier, view_opposite},
+    {GLFW_KEY_5, no_modifier, toggle_orthographic},
+    {GLFW_KEY_KP_5, no_modifier, toggle_orthographic},
+    {GLFW_KEY_MINUS, no_modifier, narrower},
+    {GLFW_KEY_EQUAL, no_modifier, wider},
+    {GLFW_KEY_0, no_modifier, file_camera},
+    {GLFW_KEY_KP_0, no_modifier, file_camera},
+    {GLFW_KEY_C, no_modifier, next_camera},
+    {GLFW_KEY_C, control, copy_view},
+    {GLFW_KEY_V, control, paste_view},
+    {GLFW_KEY_COMMA, no_modifier, darker},
+    {GLFW_KEY_PERIOD, no_modifier, brighter},
+    {GLFW_KEY_X, no_modifier, auto_exposure},
+    {GLFW_KEY_T, no_modifier, next_tone_curve},
+    {GLFW_KEY_Y, no_modifier, false_color},
+    {GLFW_KEY_V, no_modifier, next_view},
+    {GLFW_KEY_B, no_modifier, compare},
+    {GLFW_KEY_F12, no_modifier, screenshot_png},
+    {GLFW_KEY_F12, shift, screenshot_exr},
+    {GLFW_KEY_F12, alt, screenshot_seen},
+    {GLFW_KEY_F12, control, turntable},
+    {GLFW_KEY_TAB, no_modifier, next_light},
+    {GLFW_KEY_ENTER, no_modifier, edit_light},
+    {GLFW_KEY_KP_ENTER, no_modifier, edit_light},
+    {GLFW_KEY_SPACE, no_modifier, switch_light},
+    {GLFW_KEY_SPACE, shift, solo_light},
+    {GLFW_KEY_DELETE, no_modifier, delete_light},
+    {GLFW_KEY_G, no_modifier, move_light},
+    {GLFW_KEY_R, no_modifier, turn_light},
+    {GLFW_KEY_S, no_modifier, scale_light},
+    {GLFW_KEY_Z, control, undo_light},
     {GLFW_KEY_Z, control | shift, redo_light},
     {GLFW_KEY_Y, control, redo_light},
-    {GLFW_KEY_P, 0, probe_pixel, "P", "probe the pixel under the pointer", "Lights"},
-    {GLFW_KEY_K, 0, play, "K, Space", "play, pause (Space: no light selected)", "Animation"},
-    {GLFW_KEY_LEFT, alt, frame_back, "Alt left, right", "a frame back, forward (over the bar without Alt)",
-     "Animation"},
+    {GLFW_KEY_P, no_modifier, probe_pixel},
+    {GLFW_KEY_K, no_modifier, play},
+    {GLFW_KEY_LEFT, alt, frame_back},
     {GLFW_KEY_RIGHT, alt, frame_forward},
-    {GLFW_KEY_HOME, alt, first_frame, "Alt Home, End", "to the start, the end (likewise)", "Animation"},
+    {GLFW_KEY_HOME, alt, first_frame},
     {GLFW_KEY_END, alt, last_frame},
-    {GLFW_KEY_N, 0, next_variant, "N", "the next material variant", "Animation"},
-    {GLFW_KEY_J, 0, next_question, "J", "the next question of --tick", "Examination"},
-    {GLFW_KEY_U, 0, show_answer, "U", "show, hide its answer", "Examination"},
-    {GLFW_KEY_I, 0, try_question, "I", "go to its pixel, or make its change and take it back", "Examination"},
-    {GLFW_KEY_O, control, open_file, "Ctrl O", "open a file, or drop it here", "Program"},
-    {GLFW_KEY_S, control, save_as, "Ctrl S", "save lights and view as a new glTF", "Program"},
-    {GLFW_KEY_F5, 0, reload, "F5", "reload scene and shaders", "Program"},
-    {GLFW_KEY_F11, 0, fullscreen, "F11", "full screen", "Program"},
-    {GLFW_KEY_H, 0, panels, "H", "hide or show the panels", "Program"},
-    {GLFW_KEY_M, 0, messages, "M", "all messages so far", "Program"},
-    {GLFW_KEY_F1, 0, help, "F1, ?", "this help", "Program"},
+    {GLFW_KEY_N, no_modifier, next_variant},
+    {GLFW_KEY_J, no_modifier, next_question},
+    {GLFW_KEY_U, no_modifier, show_answer},
+    {GLFW_KEY_I, no_modifier, try_question},
+    {GLFW_KEY_O, control, open_file},
+    {GLFW_KEY_S, control, save_as},
+    {GLFW_KEY_F5, no_modifier, reload},
+    {GLFW_KEY_F11, no_modifier, fullscreen},
+    {GLFW_KEY_H, no_modifier, panels},
+    {GLFW_KEY_M, no_modifier, messages},
+    {GLFW_KEY_F1, no_modifier, help},
     {GLFW_KEY_SLASH, shift, help},
-    {GLFW_KEY_ESCAPE, 0, cancel, "Esc", "close, deselect, cancel", "Program"},
-    {GLFW_KEY_Q, control, quit, "Ctrl Q", "quit", "Program"},
+    {GLFW_KEY_ESCAPE, no_modifier, cancel},
+    {GLFW_KEY_Q, control, quit},
+    {GLFW_KEY_P, control, find_command},
 });
 
 constexpr auto mouse = std::to_array<Gesture>({
@@ -117,19 +196,70 @@ constexpr auto mouse = std::to_array<Gesture>({
     {"arrow, ring, square", "move, turn, resize the light; Ctrl: in steps"},
 });
 
+/// Names of keys without a letter, digit or sign of their own.
+constexpr auto names = std::to_array<std::pair<int, const char*>>({
+    {GLFW_KEY_LEFT, "Left"},
+    {GLFW_KEY_RIGHT, "Right"},
+    {GLFW_KEY_UP, "Up"},
+    {GLFW_KEY_DOWN, "Down"},
+    {GLFW_KEY_PAGE_UP, "PgUp"},
+    {GLFW_KEY_PAGE_DOWN, "PgDn"},
+    {GLFW_KEY_HOME, "Home"},
+    {GLFW_KEY_END, "End"},
+    {GLFW_KEY_TAB, "Tab"},
+    {GLFW_KEY_ENTER, "Enter"},
+    {GLFW_KEY_SPACE, "Space"},
+    {GLFW_KEY_DELETE, "Delete"},
+    {GLFW_KEY_ESCAPE, "Esc"},
+    {GLFW_KEY_KP_ADD, "Num +"},
+    {GLFW_KEY_KP_SUBTRACT, "Num -"},
+    {GLFW_KEY_KP_DECIMAL, "Num ."},
+    {GLFW_KEY_KP_ENTER, "Num Enter"},
+});
+
+std::string name_of_key(int key) {
+    if (const auto found = std::ranges::find(names, key, &std::pair<int, const char*>::first);
+        found != names.end())
+        return found->second;
+    if (key >= GLFW_KEY_KP_0 && key <= GLFW_KEY_KP_9) return "Num " + std::to_string(key - GLFW_KEY_KP_0);
+    if (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F25) return "F" + std::to_string(key - GLFW_KEY_F1 + 1);
+    return std::string(1, static_cast<char>(key)); // GLFW numbers printable keys as ASCII does
+}
+
 } // namespace
 
-std::span<const Binding> bindings() { return table; }
+std::span<const CommandInfo> all_commands() { return table; }
+std::span<const Binding> bindings() { return keys; }
+
+const CommandInfo& info_of(Command command) {
+    const auto found = std::ranges::find(table, command, &CommandInfo::command);
+    require(found != table.end(), "every command has a row");
+    return *found;
+}
+
+std::string keys_of(const Binding& binding) {
+    std::string text;
+    if (binding.modifiers & control) text += "Ctrl ";
+    if (binding.modifiers & alt) text += "Alt ";
+    if (binding.modifiers & shift) text += "Shift ";
+    return text + name_of_key(binding.key);
+}
+
+std::string keys_of(Command command) {
+    const auto found = std::ranges::find(keys, command, &Binding::command);
+    return found == keys.end() ? std::string() : keys_of(*found);
+}
 
 std::optional<Command> command_of(int key, int modifiers) {
     const auto found = std::ranges::find_if(
-        table, [=](const Binding& b) { return b.key == key && b.modifiers == modifiers; });
-    return found == table.end() ? std::nullopt : std::optional(found->command);
+        keys, [=](const Binding& b) { return b.key == key && b.modifiers == modifiers; });
+    return found == keys.end() ? std::nullopt : std::optional(found->command);
 }
 
 bool works_in_text_fields(Command command) {
     switch (command) {
     case quit:
+    case find_command:
     case open_file:
     case save_as:
     case reload:

@@ -1,7 +1,8 @@
 #pragma once
-// Key bindings: one table for the keyboard, the help and the tests.
+// Commands and their keys: the tables that the keyboard, the help, the menus and the palette read.
 #include <optional>
 #include <span>
+#include <string>
 
 namespace sr::viewer {
 
@@ -66,6 +67,7 @@ enum class Command {
     screenshot_exr,
     screenshot_seen,
     turntable,
+    find_command,
     open_file,
     save_as,
     reload,
@@ -80,17 +82,30 @@ enum class Command {
 /// Modifiers, as bits.
 enum Modifier : int { no_modifier = 0, shift = 1, control = 2, alt = 4 };
 
+struct CommandInfo {
+    Command command{};
+    const char* name = ""; // in menus and the palette
+    const char* what = ""; // the tooltip
+    const char* group = "";
+};
+
+/// All commands, group by group.
+std::span<const CommandInfo> all_commands();
+const CommandInfo& info_of(Command command);
+
 struct Binding {
     int key = 0; // as GLFW numbers them
     int modifiers = no_modifier;
     Command command{};
-    const char* keys = ""; // for the help; empty: another key for the same command, which the help omits
-    const char* what = "";
-    const char* group = "";
 };
 
-/// All bindings, group by group.
+/// All keys. A command can have several.
 std::span<const Binding> bindings();
+
+/// "Ctrl Shift Z".
+std::string keys_of(const Binding& binding);
+/// The first key of a command; empty if it has none.
+std::string keys_of(Command command);
 
 /// The command of a key with these modifiers; absent if it has none.
 std::optional<Command> command_of(int key, int modifiers);

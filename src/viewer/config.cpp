@@ -94,6 +94,18 @@ void remember_size(WindowSize size) {
     write_lines(file_named("window"), {std::to_string(size.width) + " " + std::to_string(size.height)});
 }
 
+PanelSettings remembered_panels() {
+    PanelSettings panels;
+    const std::vector<std::string> lines = lines_of(file_named("panels"));
+    if (!lines.empty()) std::istringstream(lines.front()) >> panels.column >> panels.are_shown;
+    constexpr float widest = 4096.0f;
+    return panels.column >= 0.0f && panels.column <= widest ? panels : PanelSettings{};
+}
+
+void remember_panels(const PanelSettings& panels) {
+    write_lines(file_named("panels"), {fmt::format("{:.0f} {:d}", panels.column, panels.are_shown)});
+}
+
 std::string free_name(const std::string& scene_file, const std::string& extension) {
     const std::string stem = std::filesystem::path(scene_file).stem().string();
     for (int number = 1;; ++number) {

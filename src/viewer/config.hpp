@@ -27,6 +27,14 @@ struct WindowSize {
 WindowSize remembered_size();
 void remember_size(WindowSize size);
 
+/// Panels when they were last changed.
+struct PanelSettings {
+    float column = 0.0f; // width of the left column [pixels, before scaling]; 0 if unknown
+    bool are_shown = true;
+};
+PanelSettings remembered_panels();
+void remember_panels(const PanelSettings& panels);
+
 /// "STEM-001.EXT" in the working directory, or the first number after that is free.
 std::string free_name(const std::string& scene_file, const std::string& extension);
 

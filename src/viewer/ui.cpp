@@ -5,12 +5,10 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <algorithm>
-#include <array>
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_opengl3.h>
 #include <imgui.h>
 #include <imgui_internal.h>
-#include <string_view>
 #include <utility>
 
 namespace sr::viewer {
@@ -23,16 +21,8 @@ void set_style(float scale) {
     ImGui::StyleColorsDark();
     ImGuiStyle& style = ImGui::GetStyle();
     style.WindowRounding = style.FrameRounding = style.GrabRounding = 3.0f;
-    style.Colors[ImGuiCol_WindowBg].w = 0.88f;
+    style.Colors[ImGuiCol_WindowBg] = {0.11f, 0.11f, 0.12f, 0.95f};
     style.ScaleAllSizes(scale);
-}
-
-void load_font(float scale) {
-    ImGuiIO& io = ImGui::GetIO();
-    io.Fonts->Clear();
-    ImFontConfig config;
-    config.SizePixels = 13.0f * scale; // Dear ImGui's own font is drawn for 13
-    io.Fonts->AddFontDefault(&config);
 }
 
 /// Lets Ctrl A, C, V, X, Y and Z of text fields go by labels. Later versions do so themselves.
@@ -92,7 +82,7 @@ void Ui::watch_scale() {
     if (scale == scale_) return;
     scale_ = scale;
     set_style(scale);
-    load_font(scale);
+    fonts_ = load_fonts(scale);
     ImGui_ImplOpenGL3_DestroyDeviceObjects(); // they come back with the next frame, font included
 }
 
@@ -113,8 +103,12 @@ void Ui::end() {
 }
 
 bool Ui::has_pointer() const { return ImGui::GetIO().WantCaptureMouse; }
-int Ui::panel_flags() const {
-    return ImGuiWindowFlags_AlwaysAutoResize | (has_keyboard() ? 0 : ImGuiWindowFlags_NoNavInputs);
+int Ui::panel_flags(bool is_docked) const {
+    constexpr int docked = ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoTitleBar
+                           | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus
+                           | ImGuiWindowFlags_NoResize;
+    return (is_docked ? docked : ImGuiWindowFlags_AlwaysAutoResize)
+           | (has_keyboard() ? 0 : ImGuiWindowFlags_NoNavInputs);
 }
 bool Ui::has_keyboard() const { return ImGui::GetIO().WantTextInput; }
 
@@ -130,19 +124,15 @@ bool Ui::needs_frame() {
 
 bool Ui::took_keyboard() { return !std::exchange(had_keyboard_, has_keyboard()) && had_keyboard_; }
 
-std::string in_plain_letters(std::string text) {
-    constexpr std::array<std::pair<const char*, const char*>, 38> spellings{
-        {{"α", "alpha"}, {"β", "beta"},   {"γ", "gamma"}, {"δ", "delta"},     {"ε", "epsilon"}, {"η", "eta"},
-         {"θ", "theta"}, {"λ", "lambda"}, {"μ", "mu"},    {"ν", "nu"},        {"π", "pi"},      {"ρ", "rho"},
-         {"σ", "sigma"}, {"τ", "tau"},    {"φ", "phi"},   {"χ", "chi"},       {"ω", "omega"},   {"Σ", "sum "},
-         {"∑", "sum "},  {"Φ", "Phi"},    {"Ω", "Omega"}, {"∫", "integral "}, {"√", "sqrt"},    {"≤", "<="},
-         {"≥", ">="},    {"≠", "!="},     {"≈", "~"},     {"∞", "infinity"},  {"−", "-"},       {"⁻", "^-"},
-         {"⁴", "^4"},    {"⁵", "^5"},     {"→", "->"},    {"…", "..."},       {"“", "\""},      {"”", "\""},
-         {"’", "'"},     {"–", "-"}}};
-    for (const auto& [sign, spelling] : spellings)
-        for (std::size_t at = 0; (at = text.find(sign, at)) != std::string::npos;)
-            text.replace(at, std::string_view(sign).size(), spelling);
-    return text;
+void heading(const char* text, const Ui& ui) {
+    ImGui::PushFont(ui.fonts().heading);
+    ImGui::TextUnformatted(text);
+    ImGui::PopFont();
+}
+
+void place_next_window(const Area& area) {
+    ImGui::SetNextWindowPos({area.from.x, area.from.y});
+    ImGui::SetNextWindowSize({area.size.x, area.size.y});
 }
 
 void keep_in_viewport() {

@@ -1,5 +1,7 @@
 #pragma once
 // Dear ImGui on a window, during the lifetime of a Ui.
+#include "viewer/app/fonts.hpp"
+#include "viewer/app/layout.hpp"
 #include "viewer/input.hpp"
 
 #include <string>
@@ -21,11 +23,15 @@ private:
     int frames_left_ = 0;
 };
 
-/// Replaces characters that the font lacks: "π" by "pi".
-std::string in_plain_letters(std::string text);
+/// Places the next window of Dear ImGui over an area.
+void place_next_window(const Area& area);
 
 /// Moves the current ImGui window back into the viewport, between its Begin() and End().
 void keep_in_viewport();
+
+class Ui;
+/// Puts a line in the larger font into the current window.
+void heading(const char* text, const Ui& ui);
 
 class Ui {
 public:
@@ -45,12 +51,13 @@ public:
     bool has_keyboard() const;
     /// ImGuiWindowFlags of a panel. Tab selects the next light until a field has the keyboard; then it goes
     /// to the next field.
-    int panel_flags() const;
+    int panel_flags(bool is_docked) const;
     /// True if panels need another frame: an item became active or inactive, or input is queued.
     bool needs_frame();
     /// True once after a text field took the keyboard.
     bool took_keyboard();
     float scale() const { return scale_; } // of a HiDPI screen
+    const Fonts& fonts() const { return fonts_; }
 
 private:
     void watch_scale();
@@ -58,6 +65,7 @@ private:
     GLFWwindow* window_;
     std::vector<KeyEvent> taps_;
     float scale_ = 0.0f;
+    Fonts fonts_;
     bool had_active_item_ = false;
     bool had_keyboard_ = false;
     std::string layout_file_;

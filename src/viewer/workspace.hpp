@@ -1,6 +1,7 @@
 #pragma once
 // Workspace that tools and panels share: the window, the file, its view and how it is shown.
 #include "gl/window.hpp"
+#include "viewer/app/layout.hpp"
 #include "viewer/changes.hpp"
 #include "viewer/document/playback.hpp"
 #include "viewer/input.hpp"
@@ -58,7 +59,8 @@ struct Workspace {
     std::optional<Reference> reference{};
     std::optional<vec2> wanted_probe{}; // a place in the window that the probe tool shall take
     bool is_time_held = false;          // while a light is dragged
-    int width = 0;                      // of the framebuffer [pixels]
+    Layout layout{};
+    int width = 0; // of the film [pixels]
     int height = 0;
 
     std::optional<std::future<LoadedScene>> loading{};
@@ -75,7 +77,11 @@ struct Workspace {
     /// Size of the window, in the unit of the pointer.
     vec2 window_size() const { return input.window_size(); }
     float aspect_ratio() const { return static_cast<float>(width) / static_cast<float>(height); }
-    Projection projection() const { return {camera->camera(), camera->aspect_ratio(), window_size()}; }
+    /// Area of the window that shows the film.
+    Area picture() const { return fitted_into(layout.picture(), aspect_ratio()); }
+    /// Place of a point of the window in the picture, from 0 at its upper left to 1.
+    vec2 place_in_picture(vec2 at) const { return (at - picture().from) / picture().size; }
+    Projection projection() const { return {camera->camera(), camera->aspect_ratio(), picture()}; }
     render::RenderOptions render_options() const { return viewer::render_options(options, width, height); }
 
     void ask(Question asked);

@@ -1,5 +1,7 @@
 #include "viewer/panels/animation.hpp"
 
+#include "viewer/ui.hpp"
+
 #include <algorithm>
 #include <fmt/format.h>
 #include <imgui.h>
@@ -58,13 +60,10 @@ std::string animation_argument(Animations all, std::span<const int> chosen) {
     return "all";
 }
 
-AnimationRequest animation_bar(Playback& playback, Animations all, float scale) {
+AnimationRequest animation_bar(Playback& playback, Animations all, Layout& layout, float scale) {
     AnimationRequest request;
-    const ImGuiViewport& viewport = *ImGui::GetMainViewport();
-    const float line = ImGui::GetFrameHeight(); // height of the status line below
-    const float height = line + 10.0f * scale;
-    ImGui::SetNextWindowPos({viewport.Pos.x, viewport.Pos.y + viewport.Size.y - line - height});
-    ImGui::SetNextWindowSize({viewport.Size.x, height});
+    const float height = ImGui::GetFrameHeight() + 10.0f * scale;
+    place_next_window(layout.take_bottom(height, height));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1.0f, 1.0f});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {6.0f * scale, 5.0f * scale});
     ImGui::Begin("animation", nullptr,

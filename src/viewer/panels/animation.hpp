@@ -1,5 +1,6 @@
 #pragma once
 // Animation bar (play, scrub, speed, choice of animations) and the list of material variants.
+#include "viewer/app/layout.hpp"
 #include "viewer/bindings.hpp"
 #include "viewer/document/playback.hpp"
 
@@ -16,9 +17,9 @@ struct AnimationRequest {
     std::optional<std::string> animation; // as `--animation` takes it
     bool has_pointer = false;             // arrows, Home and End belong to the bar
 };
-/// Draws the bar. `scale`: of a HiDPI screen.
+/// Draws the bar above the message area. `scale`: of a HiDPI screen.
 AnimationRequest animation_bar(Playback& playback, std::span<const gltf::Contents::AnimationInfo> all,
-                               float scale);
+                               Layout& layout, float scale);
 
 /// Draws the list. @return the variant that was chosen; empty for the file's own materials
 std::optional<std::string> variants_section(std::span<const std::string> variants, const std::string& shown);

@@ -1,10 +1,12 @@
 #include "viewer/panels/help.hpp"
 
 #include "viewer/bindings.hpp"
+#include "viewer/ui.hpp"
 
 #include <algorithm>
 #include <array>
 #include <imgui.h>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -13,50 +15,78 @@ namespace {
 
 const ImVec4 orange{0.902f, 0.624f, 0.0f, 1.0f}; // Okabe & Ito 2008
 
-void text(const std::string& line) { ImGui::TextUnformatted(line.data(), line.data() + line.size()); }
+void text(const std::string& line) { ImGui::TextUnformatted(with_superscripts(line).c_str()); }
 
 /// A line of the help; a heading if `keys` is empty.
 struct HelpLine {
-    const char* keys = "";
+    std::string keys;
     const char* what = "";
+    const char* tip = "";
 };
 
 std::vector<HelpLine> help_lines() {
     std::vector<HelpLine> lines{{"", "Pointer"}};
     for (const Gesture& gesture : gestures()) lines.push_back({gesture.gesture, gesture.what});
     std::string_view group;
-    for (const Binding& binding : bindings()) {
-        if (!*binding.what) continue;
-        if (group != binding.group) lines.push_back({"", binding.group});
-        group = binding.group;
-        lines.push_back({binding.keys, binding.what});
+    for (const CommandInfo& command : all_commands()) {
+        if (group != command.group) lines.push_back({"", command.group});
+        group = command.group;
+        lines.push_back({keys_of(command.command), command.name, command.what});
     }
     return lines;
 }
 
 /// Width of the keys and of what they do.
-float width_of(const std::vector<HelpLine>& lines) {
+float width_of(std::span<const HelpLine> lines) {
     float keys = 0.0f, what = 0.0f;
     for (const HelpLine& line : lines) {
-        keys = std::max(keys, ImGui::CalcTextSize(line.keys).x);
-        if (*line.keys) what = std::max(what, ImGui::CalcTextSize(line.what).x);
+        keys = std::max(keys, ImGui::CalcTextSize(line.keys.c_str()).x);
+        if (!line.keys.empty()) what = std::max(what, ImGui::CalcTextSize(line.what).x);
     }
-    return keys + what + 2.0f * ImGui::GetStyle().CellPadding.x;
+    return keys + what + 4.0f * ImGui::GetStyle().CellPadding.x;
 }
 
 void help_cells(const HelpLine& line) {
     ImGui::TableNextColumn();
-    if (!*line.keys)
+    if (line.keys.empty())
         ImGui::TextColored(orange, "%s", line.what);
     else
-        ImGui::TextUnformatted(line.keys);
+        ImGui::TextUnformatted(line.keys.c_str());
     ImGui::TableNextColumn();
-    if (*line.keys) ImGui::TextUnformatted(line.what);
+    if (line.keys.empty()) return;
+    ImGui::TextUnformatted(line.what);
+    if (*line.tip && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", line.tip);
+}
+
+/// As many columns as the lines need in `room`, or as fit beside each other.
+std::size_t columns_in(ImVec2 room, std::span<const HelpLine> lines) {
+    const float row = ImGui::GetTextLineHeight() + 2.0f * ImGui::GetStyle().CellPadding.y;
+    const float margin = 4.0f * ImGui::GetFontSize(); // title, frame, scrollbar
+    const auto rows_in_room = static_cast<std::size_t>(std::max(1.0f, (room.y - margin) / row));
+    for (std::size_t columns = (lines.size() + rows_in_room - 1) / rows_in_room; columns > 1; --columns) {
+        const std::size_t rows = (lines.size() + columns - 1) / columns;
+        float width = margin;
+        for (std::size_t i = 0; i < lines.size(); i += rows)
+            width += width_of(lines.subspan(i, std::min(rows, lines.size() - i)));
+        if (width <= room.x) return columns;
+    }
+    return 1;
+}
+
+/// Draws lines in so many columns, from top to bottom.
+void help_table(const std::vector<HelpLine>& lines, std::size_t columns) {
+    const std::size_t rows = (lines.size() + columns - 1) / columns;
+    if (!ImGui::BeginTable("keys", 2 * static_cast<int>(columns), ImGuiTableFlags_SizingFixedFit)) return;
+    for (std::size_t row = 0; row < rows; ++row) {
+        ImGui::TableNextRow();
+        for (std::size_t i = row; i < lines.size(); i += rows) help_cells(lines[i]);
+    }
+    ImGui::EndTable();
 }
 
 } // namespace
 
-void message_area(const Status& status) {
+void message_area(const Status& status, Layout& layout) {
     const ImGuiViewport& viewport = *ImGui::GetMainViewport();
     const ImVec2 padding{6.0f, 2.0f};
     const float width = viewport.Size.x - 2.0f * padding.x, gap = 3.0f * ImGui::GetFontSize();
@@ -74,8 +104,8 @@ void message_area(const Status& status) {
         x = begins_line[i] ? needed.x : x + gap + needed.x;
     }
     height = std::min(std::max(height, ImGui::GetFrameHeight()), 0.4f * viewport.Size.y);
-    ImGui::SetNextWindowPos({viewport.Pos.x, viewport.Pos.y + viewport.Size.y - height});
-    ImGui::SetNextWindowSize({viewport.Size.x, height});
+    const float two_lines = 2.0f * ImGui::GetTextLineHeightWithSpacing() + 2.0f * padding.y;
+    place_next_window(layout.take_bottom(height, layout.is_docked() ? two_lines : 0.0f));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1.0f, 1.0f});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
     ImGui::Begin("status", nullptr,
@@ -115,17 +145,7 @@ void help_panel(bool& is_open) {
     ImGui::Begin("Keys (Esc closes)", &is_open,
                  ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings);
     const std::vector<HelpLine> lines = help_lines();
-    const bool is_wide = room.x > 2.0f * width_of(lines) + 6.0f * ImGui::GetFontSize();
-    std::size_t half = is_wide ? (lines.size() + 1) / 2 : lines.size();
-    while (is_wide && *lines[half].keys) --half; // the second column begins with a heading
-    if (ImGui::BeginTable("keys", is_wide ? 4 : 2, ImGuiTableFlags_SizingFixedFit)) {
-        for (std::size_t i = 0; i < std::max(half, lines.size() - half); ++i) {
-            ImGui::TableNextRow();
-            help_cells(i < half ? lines[i] : HelpLine{" ", ""});
-            if (half + i < lines.size()) help_cells(lines[half + i]);
-        }
-        ImGui::EndTable();
-    }
+    help_table(lines, columns_in(room, lines));
     ImGui::End();
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 // Help panel, message area with its history, and error panel.
+#include "viewer/app/layout.hpp"
+
 #include <string>
 #include <vector>
 
@@ -11,13 +13,13 @@ struct Status {
     std::string under_pointer; // radiance and luminance
     std::string message;       // the last one
 };
-/// Draws the message area over the lower edge of the window, as high as its text needs.
-void message_area(const Status& status);
+/// Draws the message area at the lower edge of the window, as high as its text needs.
+void message_area(const Status& status, Layout& layout);
 
 /// Lists the messages so far, if `is_open`.
 void history_panel(bool& is_open, const std::vector<std::string>& messages);
 
-/// Lists all keys and gestures, if `is_open`.
+/// Lists all commands with their keys, and all gestures, if `is_open`.
 void help_panel(bool& is_open);
 
 /// Shows an error over the picture.

@@ -87,7 +87,8 @@ Changes LightsPanel::draw_list(LightEditor& editor, const LoadedScene& loaded,
         ImGui::SameLine();
         if (ImGui::Selectable(entry.name.c_str(), selected == i)) selected = i;
         if (ImGui::IsItemHovered())
-            ImGui::SetTooltip("%s", value_text(group_of(lights, loaded.stage.scene)).c_str());
+            ImGui::SetTooltip("%s",
+                              with_superscripts(value_text(group_of(lights, loaded.stage.scene))).c_str());
         ImGui::PopID();
     }
     return change;
@@ -98,7 +99,7 @@ Changes LightsPanel::draw_value(LightEditor& editor, const LoadedScene& loaded, 
     const auto lights = editor.lights_of(selected);
     const LightGroup group = group_of(lights, loaded.stage.scene);
     Changes change;
-    ImGui::TextDisabled("%s", value_text(group).c_str());
+    ImGui::TextDisabled("%s", with_superscripts(value_text(group)).c_str());
     if (focus_.is_pending()) ImGui::SetKeyboardFocusHere();
     const bool is_entered = ImGui::InputTextWithHint("value", "800 lm, 6500 K", typed_.data(), typed_.size(),
                                                      ImGuiInputTextFlags_EnterReturnsTrue);

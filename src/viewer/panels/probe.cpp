@@ -44,22 +44,33 @@ std::array<std::string, 7> cells_of(const render::LightTerms& t) {
             arrives ? fmt::format("{:.4f}", t.V) : "-",
             fmt::format("{:.4g}", luminance(t.f_r)),
             fmt::format("{:.4g}", luminance(t.E)),
-            three(t.L_r)};
+            fmt::format("{:.3g} {:.3g} {:.3g}", t.L_r.x, t.L_r.y, t.L_r.z)};
 }
 
 /// render::Probing::Kind of each of cells_of().
 constexpr std::array<std::size_t, 7> kind_of_cell{3, 2, 2, 3, 1, 1, 0};
 
+/// Draws the heads, each with a tooltip of its meaning.
 void header_cells(const scene::Scene& scene) {
     const auto unit = [&](const char* symbol, scene::Quantity quantity) {
         return fmt::format("{} [{}]", symbol, scene::name_of({quantity, scene.units}));
     };
-    for (const std::string& head :
-         {std::string("light"), std::string("Omega [sr]"), std::string("wi"), std::string("cos_i"),
-          std::string("V"), std::string("f_r [1/sr]"), unit("E", scene::Quantity::irradiance),
-          unit("L", scene::Quantity::radiance)})
-        ImGui::TableSetupColumn(head.c_str());
-    ImGui::TableHeadersRow();
+    const std::array<std::pair<std::string, const char*>, 8> heads{
+        {{"light", "its number and name; a click selects it"},
+         {"Ω [sr]", "solid angle of the light, seen from x, without shadows"},
+         {"ωᵢ", "mean direction to the light, in the world"},
+         {"cos θᵢ", "mean cosine of the angle between n and ωᵢ, over what arrives"},
+         {"V", "visibility: the share of the light that nothing blocks"},
+         {"fᵣ [1/sr]", "BRDF for ωᵢ and ωₒ, as luminance: the mean over what arrives"},
+         {unit("E", scene::Quantity::irradiance), "irradiance by this light, shadows included, as luminance"},
+         {unit("L", scene::Quantity::radiance), "part of Lₒ that this light makes: red, green, blue"}}};
+    for (const auto& [head, tip] : heads) ImGui::TableSetupColumn(in_plain_letters(head).c_str());
+    ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
+    for (const auto& [head, tip] : heads) {
+        ImGui::TableNextColumn();
+        ImGui::TableHeader(with_superscripts(in_plain_letters(head)).c_str());
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", in_plain_letters(tip).c_str());
+    }
 }
 
 constexpr ImU32 lobe_veil = IM_COL32(0, 158, 115, 26), lobe_net = IM_COL32(120, 220, 190, 90);
@@ -147,9 +158,9 @@ void LobePanel::draw(const Lobe& lobe, int hovered, float scale) {
     if (!is_shown_) return;
     int kind = settings_.has_cosine ? 1 : 0;
     ImGui::SameLine();
-    ImGui::RadioButton("f_r", &kind, 0);
+    ImGui::RadioButton(in_plain_letters("fᵣ").c_str(), &kind, 0);
     ImGui::SameLine();
-    ImGui::RadioButton("f_r cos_i", &kind, 1);
+    ImGui::RadioButton(in_plain_letters("fᵣ cos θᵢ").c_str(), &kind, 1);
     settings_.has_cosine = kind == 1;
     ImGui::SameLine();
     ImGui::Checkbox("logarithmic", &settings_.is_logarithmic);
@@ -158,14 +169,15 @@ void LobePanel::draw(const Lobe& lobe, int hovered, float scale) {
     frame.grid();
     const float theta_o = std::abs(plane_angle(lobe, lobe.wo));
     frame.dashes(-theta_o, palette::white);
-    frame.label(-theta_o, 0.85f, palette::white, "wo");
+    frame.label(-theta_o, 0.85f, palette::white, in_plain_letters("ωₒ"));
     if (lobe.is_mirror) {
         frame.line(theta_o, 0.0f, 1.0f, palette::green, 3.0f);
         ImGui::TextUnformatted(fmt::format("a mirror of reflectance {:.3g}", lobe.f_r[0]).c_str());
     } else {
         draw_curve(lobe, settings_, to, frame);
         ImGui::TextUnformatted(
-            fmt::format("{} at most {:.4g} 1/sr", settings_.has_cosine ? "f_r cos_i" : "f_r", to.largest)
+            in_plain_letters(
+                fmt::format("{} at most {:.4g} 1/sr", settings_.has_cosine ? "fᵣ cos θᵢ" : "fᵣ", to.largest))
                 .c_str());
         if (settings_.is_logarithmic) {
             ImGui::SameLine();
@@ -174,7 +186,7 @@ void LobePanel::draw(const Lobe& lobe, int hovered, float scale) {
     }
     draw_light_directions(lobe, settings_, to, hovered, frame);
     ImGui::SameLine();
-    ImGui::TextUnformatted(fmt::format("  wo at {:.1f} deg", glm::degrees(theta_o)).c_str());
+    ImGui::TextUnformatted(in_plain_letters(fmt::format("  ωₒ at {:.1f}°", glm::degrees(theta_o))).c_str());
 }
 
 void LobePanel::draw_in_scene(const Lobe& lobe, vec3 x, const Projection& projection, float scale) const {
@@ -212,12 +224,14 @@ void LobePanel::draw_in_scene(const Lobe& lobe, vec3 x, const Projection& projec
     }
 }
 
-/// Puts a new panel into the corner where it hides the probed pixel and the window `avoided` least.
-void ProbePanel::place(const char* avoided) {
+/// Puts a new panel into the corner where it hides the probed pixel and a window "Assignment" least.
+void ProbePanel::place_floating() {
     if (!std::exchange(is_placed_, true)) frames_to_place_ = 3;
+    ImGui::SetNextWindowSizeConstraints(
+        {0.0f, 0.0f}, {ImGui::GetMainViewport()->Size.x, 0.6f * ImGui::GetMainViewport()->Size.y});
     if (frames_to_place_-- <= 0) return;
     const ImVec2 view = ImGui::GetMainViewport()->Size;
-    const ImGuiWindow* window = ImGui::FindWindowByName(avoided);
+    const ImGuiWindow* window = ImGui::FindWindowByName("Assignment");
     const ImVec2 from = window && window->WasActive ? window->Pos : ImVec2(0.0f, 0.0f);
     const ImVec2 size = window && window->WasActive ? window->Size : ImVec2(0.0f, 0.0f);
     const float pixel =
@@ -241,48 +255,80 @@ void ProbePanel::place(const char* avoided) {
 }
 
 void ProbePanel::draw(const scene::RenderScene& stage, const LightEditor& lights,
-                      std::optional<std::size_t>& selected, const char* avoided, float scale) {
+                      std::optional<std::size_t>& selected, Layout& layout, const Ui& ui) {
     if (!result) {
         is_placed_ = false;
         return;
     }
-    const render::PixelTerms& terms = result->terms;
     bool is_open = true;
     hovered_ = -1;
-    place(avoided);
-    ImGui::SetNextWindowSizeConstraints(
-        {0.0f, 0.0f}, {ImGui::GetMainViewport()->Size.x, 0.6f * ImGui::GetMainViewport()->Size.y});
-    if (ImGui::Begin("L_o = L_e + sum of E f_r", &is_open,
-                     ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoNavInputs)) {
-        put(fmt::format("pixel {},{}, {} samples{}, coverage {:.3g}", result->column, result->row,
-                        result->samples, result->is_complete ? "" : " (refining)", terms.coverage));
-        const glm::dvec3 x = stage.scene.origin + glm::dvec3(terms.x); // in the file's world
-        const bool is_far = stage.scene.origin != glm::dvec3(0.0);
-        put(fmt::format("x {} m   n {}   wo {}",
-                        is_far ? fmt::format("{:.10g} {:.10g} {:.10g}", x.x, x.y, x.z) : three(terms.x),
-                        three(terms.n), three(terms.wo)));
-        const auto flags =
-            ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerV;
-        if (ImGui::BeginTable("lights", 8, flags)) {
-            header_cells(stage.scene);
-            for (int k = 0; k < static_cast<int>(terms.lights.size()); ++k)
-                draw_row(k, stage, lights, selected);
-            ImGui::EndTable();
+    const bool is_docked = layout.is_docked();
+    if (is_docked)
+        place_next_window(layout.take_below_picture(size_.y));
+    else
+        place_floating();
+    const std::string title = in_plain_letters("Lₒ = Lₑ + Σ E fᵣ") + "###probe";
+    if (ImGui::Begin(title.c_str(), &is_open, ui.panel_flags(is_docked) | ImGuiWindowFlags_NoNavInputs)) {
+        if (is_docked) draw_head(ui, is_open);
+        ImGui::BeginGroup();
+        draw_terms(stage, lights, selected);
+        ImGui::EndGroup();
+        const float lobe_width = 300.0f * ui.scale();
+        if (is_docked && ImGui::GetItemRectSize().x + lobe_width < ImGui::GetWindowSize().x)
+            ImGui::SameLine(0.0f, ImGui::GetFontSize());
+        if (result->lobe) {
+            ImGui::BeginGroup();
+            lobe_.draw(*result->lobe, hovered_, ui.scale());
+            ImGui::EndGroup();
         }
-        vec3 sum = terms.L_e;
-        for (const render::LightTerms& light : terms.lights) sum += light.L_r;
-        put(fmt::format("L_e {}   sum {}   L_o {}", three(terms.L_e), three(sum), three(terms.L_o)));
-        if (result->reference)
-            ImGui::TextDisabled("%s",
-                                fmt::format("Lower numbers: the reference. L_e {}   L_o {}",
-                                            three(result->reference->L_e), three(result->reference->L_o))
-                                    .c_str());
-        if (result->lobe) lobe_.draw(*result->lobe, hovered_, scale);
     }
-    keep_in_viewport();
-    size_ = {ImGui::GetWindowSize().x, ImGui::GetWindowSize().y};
+    if (!is_docked) keep_in_viewport();
+    const ImGuiWindow& window = *ImGui::GetCurrentWindow();
+    const float margin = 2.0f * ImGui::GetStyle().WindowPadding.y;
+    size_ = {ImGui::GetWindowSize().x, is_docked ? window.ContentSize.y + margin : ImGui::GetWindowSize().y};
     ImGui::End();
     if (!is_open) result.reset();
+}
+
+/// Draws the title and the button that closes the panel.
+void ProbePanel::draw_head(const Ui& ui, bool& is_open) {
+    ImGui::PushFont(ui.fonts().heading);
+    put(in_plain_letters("Lₒ = Lₑ + Σ E fᵣ"));
+    ImGui::PopFont();
+    const float button = ImGui::GetFrameHeight();
+    ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - button);
+    if (ImGui::Button("x", {button, 0.0f})) is_open = false;
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("close (Esc)");
+}
+
+void ProbePanel::draw_terms(const scene::RenderScene& stage, const LightEditor& lights,
+                            std::optional<std::size_t>& selected) {
+    const render::PixelTerms& terms = result->terms;
+    put(fmt::format("pixel {},{}, {} samples{}, coverage {:.3g}", result->column, result->row,
+                    result->samples, result->is_complete ? "" : " (refining)", terms.coverage));
+    const glm::dvec3 x = stage.scene.origin + glm::dvec3(terms.x); // in the file's world
+    const bool is_far = stage.scene.origin != glm::dvec3(0.0);
+    put(in_plain_letters(
+        fmt::format("x {} m   n {}   ωₒ {}",
+                    is_far ? fmt::format("{:.10g} {:.10g} {:.10g}", x.x, x.y, x.z) : three(terms.x),
+                    three(terms.n), three(terms.wo))));
+    const auto flags = ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerV
+                       | ImGuiTableFlags_NoHostExtendX;
+    if (ImGui::BeginTable("lights", 8, flags)) {
+        header_cells(stage.scene);
+        for (int k = 0; k < static_cast<int>(terms.lights.size()); ++k) draw_row(k, stage, lights, selected);
+        ImGui::EndTable();
+    }
+    vec3 sum = terms.L_e;
+    for (const render::LightTerms& light : terms.lights) sum += light.L_r;
+    put(in_plain_letters(
+        fmt::format("Lₑ {}   Lₑ + Σ {}   Lₒ {} {}", three(terms.L_e), three(sum), three(terms.L_o),
+                    with_superscripts(std::string(scene::radiance_unit(stage.scene.units))))));
+    if (result->reference)
+        ImGui::TextDisabled(
+            "%s", in_plain_letters(fmt::format("Lower numbers: the reference. Lₑ {}   Lₒ {}",
+                                               three(result->reference->L_e), three(result->reference->L_o)))
+                      .c_str());
 }
 
 void ProbePanel::draw_row(int k, const scene::RenderScene& stage, const LightEditor& lights,
@@ -332,7 +378,7 @@ void ProbePanel::draw_directions(const scene::RenderScene& stage, const Projecti
     line(list, projection, terms.x, terms.x + 0.15f * far * terms.n, palette::white, 2.0f * scale);
     label(list, projection, terms.x + 0.15f * far * terms.n, "n");
     line(list, projection, terms.x, terms.x + 0.2f * far * terms.wo, palette::white, 1.0f * scale);
-    label(list, projection, terms.x + 0.2f * far * terms.wo, "wo");
+    label(list, projection, terms.x + 0.2f * far * terms.wo, in_plain_letters("ωₒ").c_str());
     if (const auto at = projection(terms.x))
         list.AddCircleFilled({at->x, at->y}, 4.0f * scale, palette::orange);
 }

@@ -3,6 +3,7 @@
 #include "render/probe.hpp"
 #include "viewer/document/light_edits.hpp"
 #include "viewer/panels/lobe.hpp"
+#include "viewer/ui.hpp"
 #include "viewer/view/projection.hpp"
 
 #include <array>
@@ -41,16 +42,19 @@ class ProbePanel {
 public:
     std::optional<ProbeResult> result;
 
-    /// Draws the table, if there is a result. A click on a row selects its light in `selected`. `avoided`: a
-    /// window that the panel does not open over.
+    /// Draws the table below the picture, if there is a result. A click on a row selects its light in
+    /// `selected`.
     void draw(const scene::RenderScene& stage, const LightEditor& lights,
-              std::optional<std::size_t>& selected, const char* avoided, float scale);
+              std::optional<std::size_t>& selected, Layout& layout, const Ui& ui);
 
     /// Draws n, wo, the mean wi of every light and the lobe at x.
     void draw_directions(const scene::RenderScene& stage, const Projection& projection, float scale) const;
 
 private:
-    void place(const char* avoided);
+    void place_floating();
+    static void draw_head(const Ui& ui, bool& is_open);
+    void draw_terms(const scene::RenderScene& stage, const LightEditor& lights,
+                    std::optional<std::size_t>& selected);
     void draw_row(int light, const scene::RenderScene& stage, const LightEditor& lights,
                   std::optional<std::size_t>& selected);
 

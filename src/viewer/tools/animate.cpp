@@ -106,7 +106,8 @@ Changes Animate::draw(const Overlay& overlay) {
     Playback& playback = ws_.playback;
     if (!playback.has_any()) return {};
     const LoadedScene& loaded = ws_.scene->loaded();
-    const AnimationRequest request = animation_bar(playback, loaded.contents.animations, overlay.scale);
+    const AnimationRequest request =
+        animation_bar(playback, loaded.contents.animations, ws_.layout, overlay.scale);
     bar_has_pointer_ = request.has_pointer;
     Changes changes;
     if (request.command) changes |= step(*request.command);

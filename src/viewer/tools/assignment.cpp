@@ -317,18 +317,24 @@ void Assignment::draw_comparison() {
 }
 
 Changes Assignment::draw(const Overlay& overlay) {
-    const vec2 window = ws_.window_size();
-    const float width = std::min(540.0f * overlay.scale, 0.6f * window.x);
-    const float below_errors = 6.0f * ImGui::GetFontSize(); // so that an error of few lines hides no mark
-    ImGui::SetNextWindowPos({window.x - width - 10.0f, below_errors}, ImGuiCond_FirstUseEver);
-    ImGui::SetNextWindowSizeConstraints({width, 0.0f}, {width, window.y - 2.0f * below_errors});
-    if (ImGui::Begin("Assignment", nullptr, ws_.ui.panel_flags())) {
+    const bool is_docked = ws_.layout.is_docked();
+    if (is_docked) {
+        place_next_window(ws_.layout.take_right());
+    } else {
+        const vec2 window = ws_.window_size();
+        const float width = std::min(540.0f * overlay.scale, 0.6f * window.x);
+        const float below_errors = 6.0f * ImGui::GetFontSize(); // so that an error of few lines hides no mark
+        ImGui::SetNextWindowPos({window.x - width - 10.0f, below_errors}, ImGuiCond_FirstUseEver);
+        ImGui::SetNextWindowSizeConstraints({width, 0.0f}, {width, window.y - 2.0f * below_errors});
+    }
+    if (ImGui::Begin("Assignment", nullptr, ws_.ui.panel_flags(is_docked))) {
+        if (is_docked) heading("Assignment", ws_.ui);
         if (!ws_.reference) draw_comparison(); // the section "Compare" has the modes of a kept reference
         if (ws_.options.shows_reference)
             ImGui::TextDisabled("This is the reference until your code is checked.");
         checker_.draw();
     }
-    keep_in_viewport();
+    if (!is_docked) keep_in_viewport();
     ImGui::End();
     return {};
 }

@@ -136,7 +136,7 @@ std::optional<Changes> Navigate::handle(const Event& event) {
         return hit ? std::optional(hit->point) : std::nullopt;
     };
     Viewpoint view = ws_.camera->view();
-    const Navigation::Effect effect = navigation_.handle(event, view, ws_.window_size(), point_under);
+    const Navigation::Effect effect = navigation_.handle(event, view, ws_.picture().size, point_under);
     if (effect.clicked) ws_.input.put(ClickEvent{*effect.clicked});
     if (!effect.has_moved) return effect.clicked ? Changes(Change::redraw) : Changes();
     ws_.camera->move_to(view);

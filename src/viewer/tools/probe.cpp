@@ -66,7 +66,11 @@ void Probe::stop() {
 Changes Probe::request(vec2 at) {
     constexpr int max_samples = 64;
     stop();
-    const vec2 place = at / ws_.window_size();
+    if (!ws_.picture().contains(at)) {
+        ws_.messages.notify("Point at the picture to probe a pixel.");
+        return Change::redraw;
+    }
+    const vec2 place = ws_.place_in_picture(at);
     const auto pixel = [](float part, int size) {
         return std::clamp(static_cast<int>(part * static_cast<float>(size)), 0, size - 1);
     };
@@ -160,7 +164,7 @@ void Probe::notice(Changes changes) {
 Changes Probe::draw(const Overlay& overlay) {
     const scene::RenderScene& stage = ws_.scene->stage();
     panel_.draw_directions(stage, overlay.projection, overlay.scale);
-    panel_.draw(stage, ws_.scene->lights(), ws_.selected, "Assignment", overlay.scale);
+    panel_.draw(stage, ws_.scene->lights(), ws_.selected, ws_.layout, ws_.ui);
     if (probing_ && !panel_.result) stop(); // the panel was closed
     return {};
 }

@@ -259,11 +259,18 @@ void Tick::draw_question(const TickQuestion& question) {
 }
 
 Changes Tick::draw(const Overlay& overlay) {
-    const vec2 window = ws_.window_size();
-    const float width = std::min(440.0f * overlay.scale, 0.5f * window.x);
-    ImGui::SetNextWindowPos({10.0f, window.y - 10.0f}, ImGuiCond_FirstUseEver, {0.0f, 1.0f});
-    ImGui::SetNextWindowSizeConstraints({width, 0.0f}, {width, 0.7f * window.y});
-    if (ImGui::Begin("Examination", nullptr, ws_.ui.panel_flags())) {
+    const bool is_docked = ws_.layout.is_docked();
+    if (is_docked) {
+        place_next_window(ws_.layout.take_right());
+    } else {
+        const vec2 window = ws_.window_size();
+        const float width = std::min(440.0f * overlay.scale, 0.5f * window.x);
+        ImGui::SetNextWindowPos({10.0f, ws_.layout.rest().size.y - 10.0f}, ImGuiCond_FirstUseEver,
+                                {0.0f, 1.0f});
+        ImGui::SetNextWindowSizeConstraints({width, 0.0f}, {width, 0.7f * window.y});
+    }
+    if (ImGui::Begin("Examination", nullptr, ws_.ui.panel_flags(is_docked))) {
+        if (is_docked) heading("Examination", ws_.ui);
         ImGui::PushTextWrapPos();
         if (making_.valid()) ImGui::TextDisabled("Questions are being made ...");
         if (!questions_.empty()) {
@@ -275,7 +282,7 @@ Changes Tick::draw(const Overlay& overlay) {
         for (const std::string& line : missing_) ImGui::TextDisabled("%s", in_plain_letters(line).c_str());
         ImGui::PopTextWrapPos();
     }
-    keep_in_viewport();
+    if (!is_docked) keep_in_viewport();
     ImGui::End();
     return {};
 }

@@ -54,30 +54,32 @@ Presenter::Codes::Codes(int columns, int rows) : width(columns), height(rows) {
 }
 
 void Presenter::draw(const FilmSum& film, const FilmSum& reference, const DisplaySettings& settings,
-                     int width, int height) {
+                     const ScreenRectangle& place) {
     const bool is_compared = reference.sum && settings.comparison != ComparisonMode::none;
-    if (is_compared || (film.width == width && film.height == height)) {
+    if (is_compared || (film.width == place.width && film.height == place.height)) {
         glBindFramebuffer(GL_FRAMEBUFFER, 0);
-        return fill(film, reference, settings, width, height);
+        return fill(film, reference, settings, place);
     }
     if (!codes_ || codes_->width != film.width || codes_->height != film.height)
         codes_.emplace(film.width, film.height);
     glBindFramebuffer(GL_FRAMEBUFFER, codes_->framebuffer.id());
-    fill(film, {}, settings, film.width, film.height);
+    fill(film, {}, settings, {0, 0, film.width, film.height});
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
-    glBlitFramebuffer(0, 0, film.width, film.height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_LINEAR);
+    glBlitFramebuffer(0, 0, film.width, film.height, place.x, place.y, place.x + place.width,
+                      place.y + place.height, GL_COLOR_BUFFER_BIT, GL_LINEAR);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
 void Presenter::fill(const FilmSum& film, const FilmSum& reference, const DisplaySettings& settings,
-                     int width, int height) {
-    glViewport(0, 0, width, height);
+                     const ScreenRectangle& place) {
+    const auto [x, y, width, height] = place;
+    glViewport(x, y, width, height);
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
     glDisable(GL_BLEND);
     glDisable(GL_SCISSOR_TEST);
     const bool is_compared = reference.sum && settings.comparison != ComparisonMode::none;
-    const auto fits = [&](const FilmSum& f) { return f.width == width && f.height == height; };
+    const auto fits = [&](const FilmSum& f) { return f.width == place.width && f.height == place.height; };
     const bool is_scaled = !fits(film) || (is_compared && !fits(reference));
     const gl::Program& used =
         program({settings.curve, settings.view, is_compared ? settings.comparison : ComparisonMode::none,
@@ -93,7 +95,8 @@ void Presenter::fill(const FilmSum& film, const FilmSum& reference, const Displa
     glBindSampler(1, 0);
     glUniform1f(at("film_weight"), weight(film));
     glUniform1f(at("other_weight"), weight(reference));
-    glUniform2f(at("window_size"), static_cast<float>(width), static_cast<float>(height));
+    glUniform2f(at("corner"), static_cast<float>(x), static_cast<float>(y));
+    glUniform2f(at("picture_size"), static_cast<float>(width), static_cast<float>(height));
     glUniform1f(at("exposure"), image::exposure_factor(settings.ev100));
     glUniform2f(at("decades"), settings.decades.first, settings.decades.last);
     glUniform1f(at("wipe"), settings.wipe);

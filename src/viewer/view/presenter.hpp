@@ -41,12 +41,20 @@ struct FilmSum {
     bool is_display_referred = false; // linear light of a screen, 0 to 1: no exposure and no tone curve apply
 };
 
+/// Rectangle of a framebuffer, from its lower left [pixels].
+struct ScreenRectangle {
+    int x = 0;
+    int y = 0;
+    int width = 0;
+    int height = 0;
+};
+
 class Presenter {
 public:
-    /// Fills the window, whose framebuffer is width × height pixels. A film of another size that is not
-    /// compared is scaled as code values, which costs a third of scaling in linear light.
-    void draw(const FilmSum& film, const FilmSum& reference, const DisplaySettings& settings, int width,
-              int height);
+    /// Fills a rectangle of the window. A film of another size that is not compared is scaled as code values,
+    /// which costs a third of scaling in linear light.
+    void draw(const FilmSum& film, const FilmSum& reference, const DisplaySettings& settings,
+              const ScreenRectangle& place);
 
 private:
     /// Constants of a program: curve, view, comparison, whether films are scaled, whether the reference is
@@ -54,8 +62,8 @@ private:
     using Choice =
         std::tuple<const image::ToneCurve*, const output::Variable*, ComparisonMode, bool, bool, bool>;
     const gl::Program& program(const Choice& choice);
-    void fill(const FilmSum& film, const FilmSum& reference, const DisplaySettings& settings, int width,
-              int height);
+    void fill(const FilmSum& film, const FilmSum& reference, const DisplaySettings& settings,
+              const ScreenRectangle& place);
 
     /// Framebuffer of code values with the size of a film.
     struct Codes {

@@ -48,7 +48,7 @@ mat4 around(vec3 center, const mat4& change) {
 
 std::optional<vec2> Projection::operator()(vec3 point) const {
     const auto place = projected(camera, aspect_ratio, point);
-    return place ? std::optional(*place * window) : std::nullopt;
+    return place ? std::optional(picture.from + *place * picture.size) : std::nullopt;
 }
 
 std::optional<float> metres_of(vec3 point, const Projection& projection, float pixels) {

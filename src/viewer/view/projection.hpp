@@ -1,6 +1,7 @@
 #pragma once
 // Projection between the scene and the window: where points are drawn, what the pointer points at.
 #include "scene/scene.hpp"
+#include "viewer/app/layout.hpp"
 #include "viewer/view/viewpoint.hpp"
 
 #include <array>
@@ -17,11 +18,13 @@ mat4 around(vec3 center, const mat4& change);
 struct Projection {
     const scene::Camera& camera;
     float aspect_ratio = 1.0f;
-    vec2 window{1.0f}; // size, in the unit of the pointer
+    Area picture{vec2(0.0f), vec2(1.0f)}; // that shows it
 
     /// Place of a point in the window; absent behind the camera.
     std::optional<vec2> operator()(vec3 point) const;
-    PickRay ray(vec2 at) const { return ray_through(camera, aspect_ratio, at / window); }
+    PickRay ray(vec2 at) const {
+        return ray_through(camera, aspect_ratio, (at - picture.from) / picture.size);
+    }
 };
 
 /// Length of so many pixels at a point, across the view [m]; absent behind the camera.

@@ -1,6 +1,7 @@
 #include "viewer/view/scene_view.hpp"
 
 #include "core/error.hpp"
+#include "scene/prepare.hpp"
 
 #include <chrono>
 #include <exception>
@@ -43,6 +44,16 @@ void SceneView::restart(const Options& options, const scene::Camera& camera, int
 void SceneView::resize(int width, int height) {
     render_->resize(width, height);
     if (reference_) reference_->resize(width, height);
+}
+
+scene::Camera SceneView::framing_camera(float aspect_ratio) {
+    std::vector<scene::Instance>& instances = loaded_.stage.scene.instances;
+    const auto own = instances.begin() + static_cast<std::ptrdiff_t>(loaded_.base.instances);
+    const std::vector<scene::Instance> others(own, instances.end()); // surfaces of lights
+    instances.erase(own, instances.end());
+    const scene::Camera camera = scene::framing_camera(loaded_.stage.scene, aspect_ratio);
+    instances.insert(instances.end(), others.begin(), others.end());
+    return camera;
 }
 
 void SceneView::move(const scene::Camera& camera) {

@@ -21,6 +21,9 @@ public:
     ProgressiveRender& render() { return *render_; }
     const ProgressiveRender& render() const { return *render_; }
 
+    /// The camera that frames the file's contents in a picture of this width / height.
+    scene::Camera framing_camera(float aspect_ratio);
+
     // These three are for both renders, this one and the reference's.
     void resize(int width, int height);
     void move(const scene::Camera& camera);

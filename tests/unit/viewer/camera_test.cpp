@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
-#include <set>
 
 using namespace sr;
 using namespace sr::viewer;
@@ -184,17 +183,6 @@ const Test inertia("unit.viewer.navigation.glides_only_if_asked_and_let_go_in_mo
     EXPECT_GT(frames_of_gliding(true, 0.02, 4.0f), 10);
     EXPECT_GT(frames_of_gliding(true, 0.02, 4.0f), frames_of_gliding(true, 0.02, 1.0f));
     EXPECT_EQ(frames_of_gliding(true, 10.0, 4.0f), 0) << "the pointer rested before the release";
-});
-
-const Test keys("unit.viewer.bindings.every_command_has_one_key_and_no_key_two", [] {
-    std::set<std::pair<int, int>> taken;
-    std::set<Command> reachable;
-    for (const Binding& binding : bindings()) {
-        EXPECT_TRUE(taken.insert({binding.key, binding.modifiers}).second) << binding.keys << binding.what;
-        reachable.insert(binding.command);
-    }
-    for (int c = 0; c <= static_cast<int>(Command::quit); ++c)
-        EXPECT_TRUE(reachable.contains(static_cast<Command>(c))) << c;
 });
 
 constexpr double frame = 0.05; // [s] that is aimed at

@@ -56,6 +56,11 @@ class Display:
         start = header[0] + 12 * header[19]
         return memoryview(data)[start:start + header[12] * header[5]].cast("I")
 
+    def size(self) -> tuple[int, int]:
+        """Width and height [pixels]."""
+        header = struct.unpack(">25I", self.file.read_bytes()[:100])
+        return header[4], header[5]
+
     def pixels(self):
         """The screen: its width and a function from x, y to (r, g, b)."""
         data = self.file.read_bytes()
@@ -74,12 +79,15 @@ class Display:
 
 
 class Viewer:
-    """A running `steradian view`, in the working directory `folder`, where its screenshots go."""
+    """A running `steradian view`, in the working directory `folder`, where its screenshots go. It begins with all panels, unless it
+    remembers those of the run before."""
 
-    def __init__(self, display: Display, steradian: str, folder: Path, *arguments):
+    def __init__(self, display: Display, steradian: str, folder: Path, *arguments, remembers: bool = False):
         self.display, self.folder = display, folder
         shutil.rmtree(folder, ignore_errors=True)
         folder.mkdir(parents=True)
+        if not remembers:
+            (Path(display.environment["XDG_CONFIG_HOME"]) / "steradian/panels").unlink(missing_ok=True)
         self.fields = 0  # that were typed into
         self.log = open(folder / "stderr", "w+")
         self.process = subprocess.Popen([steradian, "view", "--verbose", *map(str, arguments)], cwd=folder,
@@ -136,6 +144,12 @@ class Viewer:
         moves = [part for i in range(1, 5)
                  for part in ("mousemove", *(round(a + (b - a) * i / 4) for a, b in zip(begin, end)))]
         self.display.do("mousemove", *begin, "mousedown", button, *moves, "mouseup", button)
+
+    def pull(self, begin, end):
+        """Drags a part of a panel, which sees the pointer once a frame."""
+        for action in ("mousemove", *begin), ("mousedown", 1), ("mousemove", *end), ("mouseup", 1):
+            self.display.do(*action)
+            self.pause()
 
     def click(self, x, y):
         self.display.do("mousemove", x, y, "click", "1")

@@ -75,6 +75,29 @@ def cancelling(viewer: Viewer):
     assert "text field" not in after, after
 
 
+def finding(viewer: Viewer):
+    """Ctrl P finds a command by a part of its name; arrows choose, Enter runs it, Esc leaves all as it is."""
+    focused, framed = viewer.errors().count("text field focused"), viewer.errors().count("Reference kept.")
+
+    def look_for(text: str, *keys: str):
+        nonlocal focused
+        viewer.key("ctrl+p")
+        focused += 1
+        viewer.said("text field focused", focused)
+        viewer.display.do("type", "--delay", "30", text)
+        viewer.key(*keys)
+
+    viewer.key("Escape", "Escape")
+    look_for("cop", "Return")
+    viewer.said("Copied: --camera")
+    viewer.changed_by(lambda: look_for("view from", "Down", "Down", "Return"))  # front, back, right
+    eye, target = ([float(x) for x in re.search(rf"{name}=([^;']*)", camera_of(viewer))[1].split(",")] for name in ("eye", "target"))
+    assert eye[0] > target[0] and abs(eye[2] - target[2]) < 1e-3, camera_of(viewer)
+    look_for("b", "Escape")
+    viewer.changed_by(lambda: viewer.key("0"))
+    assert viewer.errors().count("Reference kept.") == framed, "a letter that was typed is a command"
+
+
 def main() -> int:
     skip_without("setxkbmap")
     shutil.rmtree(SCRATCH, ignore_errors=True)
@@ -87,6 +110,7 @@ def main() -> int:
         layout(display, "de")
         qwertz(viewer)
         cancelling(viewer)
+        finding(viewer)
         viewer.close()
     return 0
 

@@ -28,7 +28,7 @@ vec3 applied(const mat4& m, vec3 p) { return vec3(m * vec4(p, 1.0f)); }
 
 const Test turning("unit.viewer.transform.a_ring_turns_what_is_under_the_pointer", [] {
     const scene::Camera eye = camera();
-    const Projection projection{eye, 1.5f, {600.0f, 400.0f}};
+    const Projection projection{eye, 1.5f, {vec2(0.0f), {600.0f, 400.0f}}};
     for (int axis = 0; axis < 3; ++axis) {
         vec3 u(0.0f), about(0.0f);
         about[axis] = 1.0f;
@@ -58,7 +58,7 @@ const Test turning("unit.viewer.transform.a_ring_turns_what_is_under_the_pointer
 
 const Test moving("unit.viewer.transform.what_is_moved_stays_under_the_pointer", [] {
     const scene::Camera eye = camera();
-    const Projection projection{eye, 1.5f, {600.0f, 400.0f}};
+    const Projection projection{eye, 1.5f, {vec2(0.0f), {600.0f, 400.0f}}};
     TransformDrag drag{.mode = TransformMode::move, .center = center};
     drag.from = *projection(center);
     const vec2 pointer = drag.from + vec2(70.0f, -20.0f);
@@ -73,7 +73,7 @@ const Test moving("unit.viewer.transform.what_is_moved_stays_under_the_pointer",
 
 const Test sizing("unit.viewer.transform.an_edge_goes_to_the_pointer", [] {
     const scene::Camera eye = camera();
-    const Projection projection{eye, 1.5f, {600.0f, 400.0f}};
+    const Projection projection{eye, 1.5f, {vec2(0.0f), {600.0f, 400.0f}}};
     scene::Light light = scene::RectangleLight{"plate", center, {0.4f, 0, 0}, {0, 0.3f, 0}};
     TransformDrag drag{
         .mode = TransformMode::scale, .axis = 0, .center = center, .extents = scene::sizes_of(light)};
@@ -89,7 +89,7 @@ const Test sizing("unit.viewer.transform.an_edge_goes_to_the_pointer", [] {
 
 const Test found("unit.viewer.transform.handles_are_found_where_they_are_drawn", [] {
     const scene::Camera eye = camera();
-    const Projection projection{eye, 1.5f, {600.0f, 400.0f}};
+    const Projection projection{eye, 1.5f, {vec2(0.0f), {600.0f, 400.0f}}};
     const scene::Light light = scene::TubeLight{"tube", center, {0.8f, 0, 0}, 0.4f};
     const Handles handles = handles_of(scene::sizes_of(light), center, true, projection, 1.0f);
     EXPECT_EQ(handles.arrows.size(), 3u);

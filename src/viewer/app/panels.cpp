@@ -1,0 +1,157 @@
+#include "viewer/app/panels.hpp"
+
+#include "core/math.hpp"
+#include "viewer/config.hpp"
+#include "viewer/panels/help.hpp"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <fmt/format.h>
+#include <imgui.h>
+#include <utility>
+
+namespace sr::viewer {
+
+Panels::Panels(Workspace& workspace) : ws_(workspace) {
+    const auto remembered = remembered_panels();
+    are_shown_ = remembered.are_shown;
+    if (remembered.column > 0.0f) ws_.layout.set_column(remembered.column);
+    begin();
+}
+
+void Panels::begin() { ws_.layout.begin(ws_.window_size(), ws_.ui.scale(), are_shown_); }
+
+bool Panels::execute(Command command) {
+    switch (command) {
+    case Command::help: has_help_ = !has_help_; return true;
+    case Command::messages: has_history_ = !has_history_; return true;
+    case Command::panels: toggle(); return true;
+    case Command::find_command: palette_.open(); return true;
+    default: return false;
+    }
+}
+
+bool Panels::take(const KeyEvent& key) {
+    const int rows = (key.key == GLFW_KEY_DOWN) - (key.key == GLFW_KEY_UP);
+    if (!palette_.is_open() || rows == 0) return false;
+    palette_.move(rows);
+    return true;
+}
+
+void Panels::toggle() {
+    are_shown_ = !are_shown_;
+    remember_panels({ws_.layout.column(), are_shown_});
+}
+
+void Panels::show() {
+    if (!are_shown_) toggle();
+}
+
+bool Panels::close_one() {
+    return palette_.close() || std::exchange(has_help_, false) || std::exchange(has_history_, false);
+}
+
+Changes Panels::draw(const Tools& tools) {
+    draw_over_picture();
+    Changes changes;
+    if (ws_.layout.is_docked()) draw_menu();
+    if (const auto command = palette_.draw(ws_.ui)) {
+        ws_.input.put(CommandEvent{*command});
+        changes |= Change::redraw;
+    }
+    if (palette_.wants_frame()) changes |= Change::redraw;
+    if (!ws_.scene) {
+        message_area({fmt::format("loading {} ...", ws_.options.scene), {}, {}}, ws_.layout);
+    } else if (are_shown_) {
+        message_area({progress_of(ws_.scene->render()), under_pointer(), ws_.messages.status()}, ws_.layout);
+        const Overlay overlay{ws_.projection(), ws_.ui.scale()};
+        const Area& clip = ws_.layout.picture();
+        ImDrawList& marks = *ImGui::GetBackgroundDrawList();
+        marks.PushClipRect({clip.from.x, clip.from.y},
+                           {clip.from.x + clip.size.x, clip.from.y + clip.size.y});
+        for (const auto& tool : tools) changes |= tool->draw(overlay);
+        marks.PopClipRect();
+        changes |= draw_column(tools);
+    }
+    ws_.layout.end();
+    return changes;
+}
+
+void Panels::draw_over_picture() {
+    help_panel(has_help_);
+    if (ws_.messages.has_error()) error_panel(ws_.messages.error_title(), ws_.messages.error_text());
+    history_panel(has_history_, ws_.messages.history());
+    if (!ws_.question) return;
+    if (const Answer* answer = draw_question(*ws_.question)) ws_.answer(*answer);
+}
+
+/// Draws a menu for each group of commands.
+void Panels::draw_menu() {
+    if (!ImGui::BeginMainMenuBar()) return;
+    const auto commands = all_commands();
+    for (std::size_t i = 0; i < commands.size();) {
+        const std::string_view group = commands[i].group;
+        const bool is_open = ImGui::BeginMenu(commands[i].group);
+        for (; i < commands.size() && group == commands[i].group; ++i) {
+            if (!is_open) continue;
+            const std::string keys = keys_of(commands[i].command);
+            if (ImGui::MenuItem(commands[i].name, keys.c_str()))
+                ws_.input.put(CommandEvent{commands[i].command});
+            if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", in_plain_letters(commands[i].what).c_str());
+        }
+        if (is_open) ImGui::EndMenu();
+    }
+    ws_.layout.take_top(ImGui::GetWindowSize().y);
+    ImGui::EndMainMenuBar();
+}
+
+Changes Panels::draw_column(const Tools& tools) {
+    Changes changes;
+    const bool is_docked = ws_.layout.is_docked();
+    if (is_docked) {
+        const Area area = ws_.layout.left();
+        const vec2 range = ws_.layout.column_range();
+        place_next_window(area);
+        ImGui::SetNextWindowSizeConstraints({range.x, area.size.y}, {range.y, area.size.y});
+    } else {
+        ImGui::SetNextWindowPos({10.0f, 10.0f}, ImGuiCond_FirstUseEver);
+        ImGui::SetNextWindowSizeConstraints({0.0f, 0.0f}, {1e4f, 0.92f * ws_.window_size().y});
+    }
+    // The edge of the docked column can be dragged.
+    const int flags = ws_.ui.panel_flags(is_docked) & ~ImGuiWindowFlags_NoResize;
+    if (ImGui::Begin("Steradian", nullptr, flags)) {
+        const float width = is_docked ? ImGui::GetContentRegionAvail().x : 280.0f * ws_.ui.scale();
+        ImGui::PushItemWidth(is_docked ? 0.58f * width : 170.0f * ws_.ui.scale());
+        ImGui::PushTextWrapPos(is_docked ? 0.0f : width);
+        for (const auto& tool : tools) changes |= tool->draw_section();
+        ImGui::TextDisabled("F1 or ? shows all keys");
+        ImGui::PopTextWrapPos();
+        ImGui::PopItemWidth();
+    }
+    if (!is_docked) keep_in_viewport();
+    const float width = ImGui::GetWindowSize().x / ws_.ui.scale();
+    ImGui::End();
+    if (!is_docked || width == ws_.layout.column()) return changes;
+    const bool is_dragged = ImGui::IsMouseDragging(ImGuiMouseButton_Left);
+    if (!is_dragged) return changes; // a narrow window is no wish of a person
+    ws_.layout.set_column(width);
+    remember_panels({width, are_shown_});
+    return changes | Change::redraw;
+}
+
+/// Radiance and luminance at the pixel under the pointer.
+std::string Panels::under_pointer() const {
+    const ProgressiveRender& render = ws_.scene->render();
+    if (render.is_interactive() || render.sample_count() == 0 || ws_.ui.has_pointer()) return {};
+    const vec2 place = ws_.place_in_picture(ws_.input.pointer());
+    if (!(place.x >= 0.0f && place.x < 1.0f && place.y >= 0.0f && place.y < 1.0f)) return {};
+    const int column = static_cast<int>(place.x * static_cast<float>(ws_.width));
+    const int row = static_cast<int>(place.y * static_cast<float>(ws_.height));
+    const output::Variable* const view = ws_.display.view;
+    if (view && view->finish != output::Finish::luminance) return {}; // the film has no radiance
+    const vec3 L = render.pixel(place);
+    return fmt::format("{},{}: L {:.4g} {:.4g} {:.4g}, luminance {:.4g} {}", column, row, L.r, L.g, L.b,
+                       luminance(L), scene::radiance_unit(ws_.scene->stage().scene.units));
+}
+
+} // namespace sr::viewer
