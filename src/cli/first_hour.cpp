@@ -1,7 +1,7 @@
 #include "cli/first_hour.hpp"
 
 #include "cli/first_hour_text.hpp"
-#include "golden/page.hpp"
+#include "core/markup.hpp"
 
 #include <fmt/format.h>
 #include <regex>
