@@ -66,6 +66,13 @@ float distance(std::span<const float> a, std::span<const float> b) {
 
 enum class Side { none, old_value, new_value };
 
+/// The side whose value, of the pixel's two, these values resemble more.
+Side side_of(const AlignedImages& images, std::size_t pixel, std::span<const float> values) {
+    return distance(values, images.reference_at(pixel)) <= distance(values, images.test_at(pixel))
+               ? Side::old_value
+               : Side::new_value;
+}
+
 /// Gives a corner of the circle to the side of both pixels beside it: it touches the middle at a point only,
 /// and another surface may begin there.
 void settle_corners(std::array<Side, 8>& sides) {
@@ -87,13 +94,58 @@ bool has_two_sides(const AlignedImages& images, std::size_t pixel, PixelAt at, i
     std::array<Side, 8> sides{};
     for (std::size_t k = 0; k < 8; ++k) {
         const auto i = beside(images, pixel, circle[k]);
-        if (!i) continue;
-        const float from_old = distance((images.*at)(*i), images.reference_at(pixel)),
-                    from_new = distance((images.*at)(*i), images.test_at(pixel));
-        sides[k] = from_old <= from_new ? Side::old_value : Side::new_value;
+        if (i) sides[k] = side_of(images, pixel, (images.*at)(*i));
     }
     settle_corners(sides);
     return is_one_arc(sides, Side::old_value, min_length) && is_one_arc(sides, Side::new_value, min_length);
+}
+
+/// True if the pixels of the reference that resemble the old value, and hang together with a neighbour in a
+/// window around the pixel, are a surface without the pixel itself.
+bool is_old_side_surface(const AlignedImages& images, std::size_t pixel) {
+    constexpr int reach = surface_window / 2, edge = surface_window, middle = edge * reach + reach;
+    std::array<bool, static_cast<std::size_t>(edge) * edge> is_free{}; // on this side, and not yet counted
+    for (int k = 0; k < edge * edge; ++k)
+        if (const auto i = beside(images, pixel, {k % edge - reach, k / edge - reach}); i && k != middle)
+            is_free[static_cast<std::size_t>(k)] =
+                side_of(images, pixel, images.reference_at(*i)) == Side::old_value;
+    std::vector<int> found;
+    const auto visit = [&](int x, int y) {
+        if (x < 0 || y < 0 || x >= edge || y >= edge || !is_free[static_cast<std::size_t>(y * edge + x)])
+            return;
+        is_free[static_cast<std::size_t>(y * edge + x)] = false;
+        found.push_back(y * edge + x);
+    };
+    for (const Offset offset : circle) visit(reach + offset.x, reach + offset.y);
+    for (std::size_t k = 0; k < found.size() && found.size() < min_surface; ++k)
+        for (const Offset offset : circle) visit(found[k] % edge + offset.x, found[k] / edge + offset.y);
+    return found.size() >= min_surface;
+}
+
+/// The median distance of adjacent pixels in a window of the reference around the pixel: edges are too few to
+/// move it.
+float grain_around(const AlignedImages& images, std::size_t pixel) {
+    constexpr int reach = surface_window / 2;
+    std::vector<float> distances;
+    for (int y = -reach; y <= reach; ++y)
+        for (int x = -reach; x <= reach; ++x) {
+            const auto here = beside(images, pixel, {x, y});
+            for (const Offset next : {Offset{x + 1, y}, Offset{x, y + 1}})
+                if (const auto there = beside(images, pixel, next); here && there)
+                    distances.push_back(distance(images.reference_at(*here), images.reference_at(*there)));
+        }
+    if (distances.empty()) return 0.0f;
+    const auto median = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
+    std::ranges::nth_element(distances, median);
+    return *median;
+}
+
+/// True if the pixel changed by no more than its neighbours differ, and by little.
+bool is_lost_in_grain(const AlignedImages& images, std::size_t pixel, const Slack& slack) {
+    const auto before = images.reference_at(pixel), after = images.test_at(pixel);
+    for (std::size_t c = 0; c < before.size(); ++c)
+        if (std::abs(after[c] - before[c]) > max_grain_limits * slack(pixel, c, before[c])) return false;
+    return distance(before, after) <= max_grain * grain_around(images, pixel);
 }
 
 /// The number of failing pixels that touch the given one, directly or through one another, with itself.
@@ -111,9 +163,12 @@ bool is_explained(const AlignedImages& images, std::size_t pixel,
                   const std::unordered_set<std::size_t>& failing, const Slack& slack) {
     const std::size_t cluster = cluster_of(images, pixel, failing);
     const int min_length = cluster == 1 ? 2 : 3;
-    return cluster <= max_edge_cluster
-           && has_two_sides(images, pixel, &AlignedImages::reference_at, min_length)
-           && has_two_sides(images, pixel, &AlignedImages::test_at, min_length)
+    const auto is_at_edge = [&] {
+        return has_two_sides(images, pixel, &AlignedImages::reference_at, min_length)
+               && has_two_sides(images, pixel, &AlignedImages::test_at, min_length)
+               && is_old_side_surface(images, pixel);
+    };
+    return cluster <= max_edge_cluster && (is_lost_in_grain(images, pixel, slack) || is_at_edge())
            && is_within_neighbours(images, pixel, images.test_at(pixel), &AlignedImages::reference_at, slack,
                                    0.0f)
            && is_within_neighbours(images, pixel, images.reference_at(pixel), &AlignedImages::test_at, slack,
@@ -146,6 +201,25 @@ bool are_in_line(const std::unordered_set<std::size_t>& pixels, std::size_t widt
     return std::ranges::any_of(rows, fails) || std::ranges::any_of(columns, fails);
 }
 
+/// True if four of the pixels are the corners of an upright rectangle, as where all corners of a button
+/// change. Those of a cluster do not count.
+bool are_in_rectangle(const std::unordered_set<std::size_t>& pixels, std::size_t width) {
+    constexpr std::size_t min_edge = 3; // [pixels]
+    std::map<std::size_t, std::vector<std::size_t>> rows;
+    for (const std::size_t i : pixels) rows[i / width].push_back(i % width);
+    std::map<std::pair<std::size_t, std::size_t>, std::size_t> row_of; // the first that has both columns
+    for (auto& [row, columns] : rows) {
+        std::ranges::sort(columns);
+        for (std::size_t a = 0; a < columns.size(); ++a)
+            for (std::size_t b = a + 1; b < columns.size(); ++b) {
+                if (columns[b] - columns[a] < min_edge) continue;
+                const auto [place, is_new] = row_of.try_emplace({columns[a], columns[b]}, row);
+                if (!is_new && row - place->second >= min_edge) return true;
+            }
+    }
+    return false;
+}
+
 } // namespace
 
 EdgeJudgement judge_edges(const AlignedImages& images, const std::vector<bool>& fails, const Slack& slack) {
@@ -163,6 +237,7 @@ EdgeJudgement judge_edges(const AlignedImages& images, const std::vector<bool>& 
         failing, [&](std::size_t pixel) { return !is_explained(images, pixel, failing, slack); }));
     judgement.is_crowded = densest_window(images, fails, edge_window).most > max_at_edges_nearby;
     judgement.is_in_line = are_in_line(failing, static_cast<std::size_t>(images.reference.width));
+    judgement.is_in_rectangle = are_in_rectangle(failing, static_cast<std::size_t>(images.reference.width));
     return judgement;
 }
 

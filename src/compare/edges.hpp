@@ -17,6 +17,12 @@ inline constexpr std::size_t max_edge_cluster = 4; // pixels that touch one anot
 inline constexpr std::size_t max_in_line = 12;     // in one row or column
 inline constexpr std::size_t max_in_rhythm = 3;    // the same, where all distances are equal
 
+inline constexpr int surface_window = 7;      // [pixels] edge, around the pixel
+inline constexpr std::size_t min_surface = 6; // pixels of one side in that window that hang together
+
+inline constexpr float max_grain = 3.0f;        // a change in it, over the median distance of adjacent pixels
+inline constexpr float max_grain_limits = 4.0f; // the same, over the limit
+
 /// The largest distance of the old value from those around it, as a share of the change.
 inline constexpr float max_lost_share = 0.5f;
 
@@ -26,11 +32,14 @@ using Slack = std::function<float(std::size_t pixel, std::size_t channel, float 
 /// The failing pixels, and how many of them an edge explains.
 struct EdgeJudgement {
     std::size_t failing = 0;
-    std::size_t unexplained = 0; // fail the image
-    std::size_t max_count = 0;   // the cap on all failing pixels
-    bool is_crowded = false;     // more than max_at_edges_nearby in a window
-    bool is_in_line = false;     // more than max_in_line or max_in_rhythm in a row or a column
-    bool passes() const { return unexplained == 0 && failing <= max_count && !is_crowded && !is_in_line; }
+    std::size_t unexplained = 0;  // fail the image
+    std::size_t max_count = 0;    // the cap on all failing pixels
+    bool is_crowded = false;      // more than max_at_edges_nearby in a window
+    bool is_in_line = false;      // more than max_in_line or max_in_rhythm in a row or a column
+    bool is_in_rectangle = false; // four at the corners of an upright rectangle
+    bool passes() const {
+        return unexplained == 0 && failing <= max_count && !is_crowded && !is_in_line && !is_in_rectangle;
+    }
 };
 
 /// Judges the failing pixels. An edge explains a pixel if all of this is so:
@@ -45,7 +54,12 @@ struct EdgeJudgement {
 ///    those that resemble the old value are one arc of at least two, and those that resemble the new one are
 ///    another; of three where failing pixels touch. A gap in a line has two arcs of the line's colour.
 ///
-/// 4. It touches at most three other failing pixels, directly or through one another.
+/// 4. What lost the pixel is a surface and no speck: around it, at least min_surface pixels hang together.
+///
+/// 5. It touches at most three other failing pixels, directly or through one another.
+///
+/// In grain, where adjacent pixels differ as much as the pixel changed, and that is little, there is no edge
+/// to find: 3 and 4 need not be so.
 ///
 /// @param fails one entry for each compared pixel
 EdgeJudgement judge_edges(const AlignedImages& images, const std::vector<bool>& fails, const Slack& slack);

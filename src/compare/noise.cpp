@@ -1,5 +1,6 @@
 #include "compare/noise.hpp"
 
+#include "compare/edges.hpp"
 #include "core/error.hpp"
 
 #include <algorithm>
@@ -18,6 +19,7 @@ constexpr double false_alarms = 1e-3; // of all comparisons of equal images
 constexpr double rounding = 1e-6;     // relative; eight units in the last place of a float
 constexpr double max_score = 5.0;     // of a pixel in a sum of scores, so that no single one decides
 constexpr double many_seeds = 1e6;    // as good as a known standard error
+constexpr float max_rare = 4.0f;      // of a rare value, over the largest of the reference
 constexpr const char* seeds_attribute = "steradian:seeds";
 
 /// The division of an image into blocks.
@@ -246,6 +248,109 @@ std::vector<Image> noise_of(const std::vector<Image>& noise, const std::vector<s
     return known;
 }
 
+namespace {
+
+/// The deviation of each pixel's colours, compared or not.
+std::vector<Deviation> deviations_of(const AlignedImages& images, const std::vector<Noise>& noise) {
+    const auto colors = static_cast<std::size_t>(images.colors);
+    std::vector<Deviation> deviations(images.pixels.size() * colors);
+    for (std::size_t i = 0; i < images.pixels.size(); ++i)
+        for (std::size_t c = 0; c < colors; ++c) {
+            const double r = images.reference_at(i)[c];
+            Deviation& deviation = deviations[i * colors + c];
+            deviation = {static_cast<double>(images.test_at(i)[c]) - r, rounding * rounding * r * r, 1.0};
+            for (const Noise& known : noise) deviation.variance += pooled_variance(known, i, c);
+        }
+    return deviations;
+}
+
+NoiseLimits limits_of(const AlignedImages& images, const Blocks& blocks) {
+    const double chance = false_alarms / 3.0 / static_cast<double>(images.colors);
+    std::vector<bool> has_pixels(blocks.count, false);
+    for (const std::size_t i : images.compared) has_pixels[blocks.of(i)] = true;
+    const auto at_least_one = [](auto count) {
+        return static_cast<double>(std::max<std::ptrdiff_t>(count, 1));
+    };
+    return {two_sided_z(chance / at_least_one(std::ssize(images.compared))),
+            two_sided_z(chance / at_least_one(std::ranges::count(has_pixels, true))), two_sided_z(chance)};
+}
+
+/// The pixels around one that are compared, without it.
+std::vector<std::size_t> around(const AlignedImages& images, std::size_t pixel) {
+    const int width = images.reference.width, height = images.reference.height;
+    const int x = static_cast<int>(pixel) % width, y = static_cast<int>(pixel) / width;
+    std::vector<std::size_t> pixels;
+    for (int v = std::max(y - 1, 0); v <= std::min(y + 1, height - 1); ++v)
+        for (int u = std::max(x - 1, 0); u <= std::min(x + 1, width - 1); ++u) {
+            const auto i = static_cast<std::size_t>(v * width + u);
+            if (i != pixel && images.pixels[i] == PixelState::compared) pixels.push_back(i);
+        }
+    return pixels;
+}
+
+/// True if, in each colour, the dimmer value is no hole among those around it in its own image, and the
+/// brighter one is no more than `brightest`.
+bool may_be_rare(const AlignedImages& images, std::size_t pixel, float brightest) {
+    const auto neighbours = around(images, pixel);
+    if (neighbours.empty()) return false;
+    for (std::size_t c = 0; c < static_cast<std::size_t>(images.colors); ++c) {
+        const float t = images.test_at(pixel)[c], r = images.reference_at(pixel)[c];
+        const auto value_at = [&](std::size_t i) {
+            return t < r ? images.test_at(i)[c] : images.reference_at(i)[c];
+        };
+        const float lowest = value_at(std::ranges::min(neighbours, {}, value_at));
+        if (std::min(t, r) < lowest || std::max(t, r) > brightest) return false;
+    }
+    return true;
+}
+
+/// The compared pixels whose scores are rare events; none if they are too many.
+std::vector<bool> rare_events(const AlignedImages& images, const PixelValues& scores, double limit) {
+    std::vector<bool> fails(images.pixels.size(), false), is_rare(images.pixels.size(), false);
+    float largest = 0.0f;
+    for (std::size_t k = 0; k < scores.size(); ++k) {
+        const std::size_t i = images.compared[k];
+        fails[i] = static_cast<double>(scores[k]) > limit;
+        for (const float value : images.reference_at(i).first(static_cast<std::size_t>(images.colors)))
+            largest = std::max(largest, value);
+    }
+    std::size_t count = 0;
+    for (const std::size_t i : images.compared) {
+        if (!fails[i]) continue;
+        const auto touching =
+            std::ranges::count_if(around(images, i), [&](std::size_t n) { return fails[n]; });
+        is_rare[i] = touching <= 1 && may_be_rare(images, i, max_rare * largest);
+        count += is_rare[i];
+    }
+    const auto share =
+        static_cast<std::size_t>(max_share_at_edges * static_cast<double>(scores.size()) + 1e-9);
+    if (count > std::min(max_at_edges, share)) is_rare.assign(is_rare.size(), false);
+    return is_rare;
+}
+
+/// The sums over all pixels but those left out.
+DeviationSums sums_of(const AlignedImages& images, const std::vector<Deviation>& deviations,
+                      const std::vector<bool>& left_out, const Blocks& blocks) {
+    const auto colors = static_cast<std::size_t>(images.colors);
+    DeviationSums sums(blocks, colors);
+    for (std::size_t i = 0; i < images.pixels.size(); ++i)
+        for (std::size_t c = 0; c < colors; ++c) {
+            const Deviation& deviation = deviations[i * colors + c];
+            const std::size_t block = blocks.of(i) * colors + c;
+            sums.whole_blocks[block] += deviation;
+            sums.whole_totals[c] += deviation;
+            if (images.pixels[i] != PixelState::compared || left_out[i]) continue;
+            const double z =
+                std::clamp(std::copysign(deviation.t(), deviation.difference), -max_score, max_score);
+            sums.blocks[block] += deviation;
+            sums.scores[block] += {z, 1.0, 1.0};
+            sums.totals[c] += deviation;
+        }
+    return sums;
+}
+
+} // namespace
+
 NoiseScores score_noise(const AlignedImages& images, const std::vector<Image>& given,
                         const std::vector<std::string>& channels) {
     const auto colors = static_cast<std::size_t>(images.colors);
@@ -253,45 +358,33 @@ NoiseScores score_noise(const AlignedImages& images, const std::vector<Image>& g
     std::vector<Noise> noise;
     for (const Image& image : given) noise.push_back(read_noise(image, images, channels));
     const double n = std::ranges::min_element(noise, {}, &Noise::degrees_of_freedom)->degrees_of_freedom;
-    DeviationSums sums(blocks, colors);
+    const std::vector<Deviation> deviations = deviations_of(images, noise);
     NoiseScores scores;
     scores.judges_blocks = all_know(noise, &Noise::blocks);
-    scores.pixels.reserve(images.compared.size());
-    scores.errors.assign(images.pixels.size() * colors, 0.0f);
-    for (std::size_t i = 0; i < images.pixels.size(); ++i) {
-        const bool is_compared = images.pixels[i] == PixelState::compared;
+    scores.limits = limits_of(images, blocks);
+    scores.errors.assign(deviations.size(), 0.0f);
+    for (const std::size_t i : images.compared) {
         double largest = 0.0;
         for (std::size_t c = 0; c < colors; ++c) {
-            const double r = images.reference_at(i)[c];
-            Deviation deviation{static_cast<double>(images.test_at(i)[c]) - r, rounding * rounding * r * r,
-                                1.0};
-            for (const Noise& known : noise) deviation.variance += pooled_variance(known, i, c);
-            sums.whole_blocks[blocks.of(i) * colors + c] += deviation;
-            sums.whole_totals[c] += deviation;
-            if (!is_compared) continue;
+            const Deviation& deviation = deviations[i * colors + c];
             largest = std::max(largest, z_of_t(deviation.t(), n));
             scores.errors[i * colors + c] = static_cast<float>(std::sqrt(deviation.variance));
-            const double z =
-                std::clamp(std::copysign(deviation.t(), deviation.difference), -max_score, max_score);
-            sums.blocks[blocks.of(i) * colors + c] += deviation;
-            sums.scores[blocks.of(i) * colors + c] += {z, 1.0, 1.0};
-            sums.totals[c] += deviation;
         }
-        if (is_compared) scores.pixels.push_back(static_cast<float>(largest));
+        scores.pixels.push_back(static_cast<float>(largest));
     }
+    std::vector<bool> is_rare(images.pixels.size(), false);
+    if (n < many_seeds) is_rare = rare_events(images, scores.pixels, scores.limits.pixel);
+    for (std::size_t k = 0; k < scores.pixels.size(); ++k)
+        if (is_rare[images.compared[k]]) {
+            ++scores.rare_events;
+            scores.pixels[k] = 0.0f;
+        }
+    DeviationSums sums = sums_of(images, deviations, is_rare, blocks);
     if (scores.judges_blocks) correct_blocks(sums, noise, blocks, colors, images.compared);
     for (const Deviation& block : sums.blocks)
         scores.max_block = std::max(scores.max_block, z_of_t(block.t(), n));
     for (std::size_t c = 0; c < colors; ++c)
         scores.total = std::max(scores.total, total_z(sums, noise, colors, c, n));
-    const double chance = false_alarms / 3.0 / static_cast<double>(colors);
-    const auto compared_blocks =
-        std::ranges::count_if(sums.blocks, [](const Deviation& b) { return b.count > 0.0; });
-    scores.limits = {
-        two_sided_z(chance / static_cast<double>(std::max<std::size_t>(images.compared.size(), 1))),
-        two_sided_z(chance * static_cast<double>(colors)
-                    / static_cast<double>(std::max<std::ptrdiff_t>(compared_blocks, 1))),
-        two_sided_z(chance)};
     return scores;
 }
 

@@ -50,6 +50,7 @@ struct NoiseScores {
     bool judges_blocks = false; // the errors of blocks are known
     double total = 0.0;
     NoiseLimits limits;
+    int rare_events = 0;       // pixels that score_noise() leaves out of all scores
     std::vector<float> errors; // standard errors of t - r, by pixel and colour
 };
 
@@ -65,6 +66,11 @@ std::vector<image::Image> noise_of(const std::vector<image::Image>& noise,
 /// chance. A noise image without "steradian:seeds" has as many seeds as the scatter of neighbours' variances
 /// tells. One without errors of blocks has no verdict on them, and the error of the whole is the scatter of
 /// the blocks' scores around their mean. A number (1×1) is noise that is independent from pixel to pixel.
+///
+/// A few seeds do not see rare events: one sample of a pixel meets a small lamp or its mirror image. Pixels
+/// beyond the limit are such if the dimmer of the two values is no hole, darker than all around it in its own
+/// image; the brighter one is at most four times the reference's largest; and they touch at most one other.
+/// They are as many as edges explain at most (edges.hpp).
 ///
 /// Where a region or a mask leaves a part of a block, the pixels left err alike as much as those of the whole
 /// block do: their sum's variance is as many times that of independent pixels.

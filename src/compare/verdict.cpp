@@ -83,7 +83,9 @@ Verdict judge_with_edges(const Tolerance& tolerance, const AlignedImages& images
                         edges.is_crowded ? fmt::format(", more than {0} of them in a {1}x{1} window",
                                                        max_at_edges_nearby, edge_window)
                                          : "",
-                        edges.is_in_line ? ", too many of them in one row or column" : "");
+                        edges.is_in_line        ? ", too many of them in one row or column"
+                        : edges.is_in_rectangle ? ", four of them at the corners of a rectangle"
+                                                : "");
     return verdict;
 }
 
@@ -114,6 +116,8 @@ Verdict judge_by_pixel(const Tolerance& tolerance, const AlignedImages& images,
         verdict.line += fmt::format("; of block sums {:.4g} (≤ {:.4g})", noise.max_block, noise.limits.block);
     verdict.line += fmt::format("{} of the whole sum {:.4g} (≤ {:.4g})", noise.judges_blocks ? "," : ";",
                                 noise.total, noise.limits.total);
+    if (noise.rare_events > 0)
+        verdict.line += fmt::format("; {} single pixels left out as rare events", noise.rare_events);
     return verdict;
 }
 

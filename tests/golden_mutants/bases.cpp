@@ -27,14 +27,16 @@ struct Seen {
     float depth = 0.0f;
 };
 
-Seen ball(vec2 offset, float radius, const RenderBase& o) {
+Seen ball(vec2 offset, float radius, float pixel, const RenderBase& o) {
     const vec2 p = offset / radius;
     const vec3 n(p.x, -p.y, std::sqrt(std::max(0.0f, 1.0f - glm::dot(p, p))));
+    const vec2 q = p - vec2(o.gloss_offset * pixel / radius, 0.0f);
+    const vec3 glossy(q.x, -q.y, std::sqrt(std::max(0.0f, 1.0f - glm::dot(q, q))));
     Seen seen;
     for (std::size_t k = 0; k < 2; ++k) {
         const vec3 h = glm::normalize(base_lights[k].direction + vec3(0.0f, 0.0f, 1.0f));
         const float a2 = o.roughness * o.roughness * o.roughness * o.roughness;
-        const float nh = std::max(glm::dot(n, h), 0.0f), d = nh * nh * (a2 - 1.0f) + 1.0f;
+        const float nh = std::max(glm::dot(glossy, h), 0.0f), d = nh * nh * (a2 - 1.0f) + 1.0f;
         const float gloss = o.has_gloss ? 0.02f * a2 / (pi * d * d) : 0.0f;
         const float cosine = std::max(glm::dot(n, base_lights[k].direction), 0.0f);
         seen.light[k] = base_lights[k].color * cosine * (vec3(0.5f, 0.12f, 0.1f) + gloss);
@@ -43,19 +45,21 @@ Seen ball(vec2 offset, float radius, const RenderBase& o) {
     return seen;
 }
 
-Seen ground(vec2 p, vec2 ball_at, float radius, const RenderBase& o) {
+Seen ground(vec2 p, vec2 ball_at, float radius, float pixel, const RenderBase& o) {
     Seen seen;
     const float z = 0.35f / (p.y - 0.3f), x = (p.x - 0.6f) * z;
     const int column = static_cast<int>(std::floor(x * 3.0f)), row = static_cast<int>(std::floor(z * 3.0f));
     const float wear = 0.9f + 0.1f * std::sin(11.0f * x) * std::cos(7.0f * z);
     const vec3 rho = (column + row) % 2 == 0 ? vec3(0.6f, 0.55f, 0.5f) : vec3(0.12f, 0.14f, 0.2f);
     const float tile = column == 1 && row == 3 ? o.tile : 1.0f;
-    const vec2 from_shadow = (p - ball_at - radius * vec2(-0.5f, 0.95f)) / (radius * vec2(1.2f, 0.3f));
+    const vec2 from_shadow = (p - ball_at - radius * vec2(-0.5f, 0.95f) - vec2(o.shadow_offset * pixel, 0.0f))
+                             / (radius * vec2(1.2f, 0.3f));
     const bool is_dark = o.has_shadow && glm::dot(from_shadow, from_shadow) < 1.0f;
     for (std::size_t k = 0; k < 2; ++k)
-        seen.light[k] = is_dark && k == 0
-                            ? vec3(0.0f)
-                            : base_lights[k].color * rho * wear * tile * base_lights[k].direction.y;
+        seen.light[k] =
+            is_dark && k == 0
+                ? o.shadow_leak * base_lights[k].color * rho * wear * tile * base_lights[k].direction.y
+                : base_lights[k].color * rho * wear * tile * base_lights[k].direction.y;
     seen.depth = z;
     return seen;
 }
@@ -65,8 +69,8 @@ Seen seen_at(vec2 p, float pixel, const RenderBase& o) {
     const float radius = 0.2f * o.ball_radius;
     if (p.x > 0.75f && p.x < 0.9f && p.y > 0.08f && p.y < 0.16f)
         return {{o.lamp * vec3(1.0f, 0.9f, 0.75f), vec3(0.0f)}, 1.0f, 2.0f};
-    if (glm::length(p - ball_at) < radius) return ball(p - ball_at, radius, o);
-    if (p.y > 0.45f) return ground(p, ball_at, radius, o);
+    if (glm::length(p - ball_at) < radius) return ball(p - ball_at, radius, pixel, o);
+    if (p.y > 0.45f) return ground(p, ball_at, radius, pixel, o);
     return {{vec3(0.0f), vec3(0.05f, 0.06f, 0.08f) * (0.5f + p.y)}, 0.0f, 0.0f};
 }
 
@@ -78,7 +82,7 @@ void put_small_things(Image& image, const RenderBase& o) {
                           pixel.begin());
     };
     if (o.has_wire)
-        for (int y = 0; y < image.height * 2 / 5; ++y)
+        for (int y = 0; y < image.height * 2 / 5 - o.wire_end; ++y)
             set(image.width / 8 + y / 9 + o.wire_offset, y, o.wire * vec3(1.0f, 0.6f, 0.4f), 3.0f);
     if (o.has_object)
         for (const auto& [x, y] : {std::pair{0, 0}, {1, 0}, {2, 0}, {0, 1}, {1, 1}, {2, 1}, {1, 2}})

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <string_view>
 
 namespace sr::testing {
@@ -94,31 +95,41 @@ Image interface_base(Extent size, const InterfaceBase& o) {
     InterfaceBase smaller = o;
     smaller.text_size = 0.8f * o.text_size;
     put_text(image, o.title, 10, 8, paper, smaller);
-    if (o.has_badge) // a plus of five pixels
-        for (const auto& [x, y] : {std::pair{0, 1}, {1, 0}, {1, 1}, {1, 2}, {2, 1}})
-            blend(image, size.width - 20 + x, 12 + y, vec3(0.9f, 0.2f, 0.2f), 1.0f);
+    if (o.has_badge) { // a plus of five pixels
+        constexpr std::array<std::pair<int, int>, 5> plus{{{0, 1}, {1, 0}, {1, 1}, {1, 2}, {2, 1}}};
+        for (const auto& [x, y] : std::span(plus).first(static_cast<std::size_t>(o.badge_pixels)))
+            blend(image, size.width - 20 + o.badge_offset + x, 12 + y, vec3(0.9f, 0.2f, 0.2f), 1.0f);
+    }
     put_text(image, "Total:", 12, 44, ink, o);
     put_text(image, o.amount, 100, 44, ink, o);
     if (o.has_rule)
         put_rectangle(image, 12, 70 + o.rule_offset, std::min(800, size.width - 24), 1, vec3(0.7f));
     put_rectangle(image, 12, 84, 90 + o.button_growth, 30, accent);
+    if (o.has_round_corners)
+        for (const auto& [x, y] : {std::pair{12, 84}, {101, 84}, {12, 113}, {101, 113}})
+            put_rectangle(image, x, y, 1, 1, paper);
     if (o.has_focus_ring) {
         put_rectangle(image, 9, 81, 96, 1, accent);
         put_rectangle(image, 9, 116, 96, 1, accent);
         put_rectangle(image, 9, 81, 1, 36, accent);
         put_rectangle(image, 104, 81, 1, 36, accent);
     }
-    put_text(image, o.label, 30 + o.label_offset, 91, paper, o);
+    const auto kerned = std::min(static_cast<std::size_t>(o.kerned), o.label.size());
+    put_text(image, std::string_view(o.label).substr(0, kerned), 30 + o.label_offset, 91, paper, o);
+    put_text(image, std::string_view(o.label).substr(kerned),
+             30 + o.label_offset + static_cast<int>(static_cast<float>(kerned) * 6.0f * o.text_size)
+                 + (kerned > 0),
+             91, paper, o);
     if (o.has_icon)
         for (const auto& [x, y] : {std::pair{0, 2}, {1, 3}, {2, 4}, {3, 3}, {4, 2}, {5, 1}, {6, 0}})
-            blend(image, 120 + x, 96 + y, ink, 1.0f); // a tick, one pixel wide
+            blend(image, 120 + x, 96 + y, vec3(o.icon, ink.y, ink.z), 1.0f); // a tick, one pixel wide
     put_rectangle(image, 140, 84, size.width - 152, 30, vec3(1.0f));
     if (o.has_caret) put_rectangle(image, 146, 90, 1, 16, ink);
     const float line_size = 1.2f;
     InterfaceBase lines = o;
     lines.text_size = line_size * o.text_size / 2.0f;
-    constexpr std::array words{"settings are not so easy:", "some noise is on line 1,380",
-                               "areas are stored once."};
+    const std::array<std::string_view, 3> words{"settings are not so easy:", o.body,
+                                                "areas are stored once."};
     for (int y = 128, line = 0; y < size.height - 16; y += 16, ++line)
         put_text(image, words[static_cast<std::size_t>(line % 3)], 12, y, ink, lines);
     round_to_codes(image);

@@ -190,7 +190,8 @@ std::vector<Recipe> recipes() {
     std::vector<Recipe> all;
     for (const Base base : {Base::render, Base::photo, Base::interface})
         for (Recipe& recipe : damaged(base)) all.push_back(std::move(recipe));
-    for (auto* family : {wrong_renders, wrong_photos, wrong_interfaces, wrong_details, harmless_recipes})
+    for (auto* family :
+         {wrong_renders, wrong_photos, wrong_interfaces, wrong_details, wrong_by_little, harmless_recipes})
         for (Recipe& recipe : family()) all.push_back(std::move(recipe));
     return all;
 }

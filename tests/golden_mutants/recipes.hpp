@@ -31,6 +31,8 @@ std::vector<Recipe> wrong_photos();
 std::vector<Recipe> wrong_interfaces();
 /// Dotted lines, cut strokes, damage in layers, and damage beside known noise or a mask.
 std::vector<Recipe> wrong_details();
+/// Mistakes of a pixel or two, or of little contrast, in all bases.
+std::vector<Recipe> wrong_by_little();
 /// Differences that are no mistake.
 std::vector<Recipe> harmless_recipes();
 /// All of the above.

@@ -5,7 +5,8 @@
     build/golden_mutants /tmp/mutants 256x256 > /tmp/mutants.json      # those of the three bases, at any sizes
     tools/golden/others.py /tmp/mutants /tmp/mutants.json
 
-Prints the Markdown table of src/compare/README.md and the counts under it. Development only. The packages are
+Prints the Markdown table of src/compare/README.md and the counts under it. What the other tools measure is
+kept in FOLDER/TOOL.json: delete it after the mutants changed. Development only. The packages are
 installed outside the tree, in ~/.cache/steradian-others; a tool that cannot be had is named and left out.
 
 Each tool gets a fair setting: the tolerance of a value that `steradian compare` has by default (pixelmatch and odiff
@@ -121,10 +122,21 @@ def needs_an_option(row):
 
 
 def measures(tool, folder, rows):
+    """What a tool measures of each mutant, from an earlier call where it is kept."""
+    kept = Path(folder) / f"{tool}.json"
+    known = json.loads(kept.read_text()) if kept.exists() else {}
+    missing = [row for row in rows if row["name"] not in known]
     if tool == "pixelmatch":
-        return pixelmatch_shares(folder, rows)
-    one = {"idiff": idiff_share, "odiff": odiff_share, "FLIP": flip_mean}[tool]
-    return [one(folder, row) for row in rows]
+        values = pixelmatch_shares(folder, missing) if missing else []
+    else:
+        one = {"idiff": idiff_share, "odiff": odiff_share, "FLIP": flip_mean}[tool]
+        values = []
+        for number, row in enumerate(missing, 1):
+            values.append(one(folder, row))
+            print(f"\r{tool}: {number} of {len(missing)}", end="", file=sys.stderr, flush=True)
+    known |= {row["name"]: value for row, value in zip(missing, values)}
+    kept.write_text(json.dumps(known))
+    return [known[row["name"]] for row in rows]
 
 
 def wrong_of(values, rows, limit):
