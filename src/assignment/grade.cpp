@@ -186,7 +186,8 @@ void add_duplicates(std::vector<ordered_json>& results) {
     for (const ordered_json& result : results) keys[result["student"]].push_back(result["key"]);
     for (ordered_json& result : results)
         for (const std::string& key : keys.at(result["student"]))
-            if (key != result["key"] && result["student"] != "") result["same_student"].push_back(key);
+            if (key != result["key"].get<std::string>() && !result["student"].get<std::string>().empty())
+                result["same_student"].push_back(key);
 }
 
 } // namespace
