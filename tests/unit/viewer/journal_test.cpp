@@ -8,6 +8,8 @@
 #include <cstdlib>
 #include <fstream>
 #include <glm/gtc/matrix_transform.hpp>
+#include <string>
+#include <unistd.h>
 
 using namespace sr;
 using namespace sr::viewer;
@@ -20,7 +22,8 @@ namespace fs = std::filesystem;
 /// A state folder of its own, and a copy of a bundled scene.
 struct Place {
     explicit Place(const char* scene, const std::string& name = "scene.gltf")
-        : folder(fs::temp_directory_path() / "steradian_journal"), file((folder / name).string()) {
+        : folder(fs::temp_directory_path() / ("steradian_journal_" + std::to_string(getpid()))),
+          file((folder / name).string()) {
         fs::remove_all(folder);
         fs::create_directories(folder);
         for (const fs::path& part : {fs::path(scene), fs::path("downlight.ies")})
