@@ -41,6 +41,7 @@ enum class Command {
     auto_exposure,
     next_tone_curve,
     false_color,
+    fit_range,
     next_view,
     next_light,
     switch_light,

@@ -10,6 +10,10 @@
 
 struct GLFWwindow;
 
+namespace sr::output {
+struct Variable;
+}
+
 namespace sr::viewer {
 
 enum class Button { left, right, middle };
@@ -39,6 +43,9 @@ struct CloseEvent {};
 struct CommandEvent { // a key's or a button's
     Command command{};
 };
+struct ViewEvent {                          // of a menu
+    const output::Variable* view = nullptr; // null: radiance
+};
 struct ClickEvent { // the left button, pressed and released in one place
     vec2 at{0.0f};
 };
@@ -47,7 +54,7 @@ struct FileEvent { // a file to open or to compare with
 };
 
 using Event = std::variant<KeyEvent, ButtonEvent, MotionEvent, ScrollEvent, DropEvent, CloseEvent,
-                           CommandEvent, ClickEvent, FileEvent>;
+                           CommandEvent, ViewEvent, ClickEvent, FileEvent>;
 
 /// The key whose label on a US keyboard is that of the key in this place. Letters and punctuation go by their
 /// labels in the current layout; digits and all other keys go by their places. Needs GLFW.

@@ -101,8 +101,22 @@ void Panels::draw_menu() {
         }
         if (is_open) ImGui::EndMenu();
     }
+    draw_views_menu();
     ws_.layout.take_top(ImGui::GetWindowSize().y);
     ImGui::EndMainMenuBar();
+}
+
+/// Draws a menu of all views, each with its meaning as a tooltip.
+void Panels::draw_views_menu() {
+    if (!ImGui::BeginMenu("Views")) return;
+    if (ImGui::MenuItem("radiance", nullptr, !ws_.display.view)) ws_.input.put(ViewEvent{});
+    for (const output::Variable& variable : output::all_variables()) {
+        if (!output::view_named(variable.name)) continue;
+        if (ImGui::MenuItem(variable.name, nullptr, ws_.display.view == &variable))
+            ws_.input.put(ViewEvent{&variable});
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", in_plain_letters(variable.what).c_str());
+    }
+    ImGui::EndMenu();
 }
 
 Changes Panels::draw_column(const Tools& tools) {

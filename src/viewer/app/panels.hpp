@@ -33,6 +33,7 @@ private:
     void toggle();
     void draw_over_picture();
     void draw_menu();
+    void draw_views_menu();
     Changes draw_column(const Tools& tools);
     std::string under_pointer() const;
 

@@ -2,6 +2,7 @@
 #include "core/error.hpp"
 #include "gl/program.hpp"
 #include "output/variables.hpp"
+#include "viewer/panels/legend.hpp"
 #include "viewer/tools/tool.hpp"
 
 #include <algorithm>
@@ -24,33 +25,6 @@ const output::Variable* next_view(const output::Variable* view) {
     return nullptr;
 }
 
-/// Draws the false colours with labelled decades.
-void draw_legend(const image::Decades& decades, std::string_view unit) {
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    const float width = ImGui::CalcItemWidth(), height = ImGui::GetFontSize();
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    const float step = width / static_cast<float>(image::viridis.size() - 1);
-    const auto color = [](const vec3& c) { return ImGui::ColorConvertFloat4ToU32({c.r, c.g, c.b, 1.0f}); };
-    for (std::size_t i = 0; i + 1 < image::viridis.size(); ++i) {
-        const float x = at.x + step * static_cast<float>(i);
-        const ImU32 left = color(image::viridis[i]), right = color(image::viridis[i + 1]);
-        list.AddRectFilledMultiColor({x, at.y}, {x + step, at.y + height}, left, right, right, left);
-    }
-    const float range = decades.last - decades.first;
-    const int stride = static_cast<int>(std::ceil(range / 4.0f)); // decades between two labels
-    for (int k = static_cast<int>(std::ceil(decades.first)); static_cast<float>(k) <= decades.last; ++k) {
-        const float x = at.x + width * (static_cast<float>(k) - decades.first) / range;
-        list.AddLine({x, at.y + 0.6f * height}, {x, at.y + height}, IM_COL32_WHITE);
-        if (k % stride != 0) continue;
-        const std::string label = fmt::format("1e{}", k);
-        const float half = 0.5f * ImGui::CalcTextSize(label.c_str()).x;
-        list.AddText({x - half, at.y + height}, ImGui::GetColorU32(ImGuiCol_Text), label.c_str());
-    }
-    ImGui::Dummy({width, 2.0f * height});
-    ImGui::SameLine();
-    ImGui::TextUnformatted(unit.data(), unit.data() + unit.size());
-}
-
 } // namespace
 
 class AdjustDisplay : public Tool {
@@ -58,14 +32,17 @@ public:
     using Tool::Tool;
 
     std::optional<Changes> handle(const Event& event) override;
+    Changes draw(const Overlay& overlay) override;
     Changes draw_section() override;
 
 private:
     Changes draw_views();
+    Changes fit_range();
     Changes set_view(const output::Variable* view);
 };
 
 std::optional<Changes> AdjustDisplay::handle(const Event& event) {
+    if (const auto* chosen = std::get_if<ViewEvent>(&event)) return set_view(chosen->view);
     const auto command = command_in(event);
     if (!command) return std::nullopt;
     Exposure& exposure = ws_.exposure;
@@ -82,6 +59,7 @@ std::optional<Changes> AdjustDisplay::handle(const Event& event) {
         const output::Variable* luminance = output::view_named("luminance");
         return set_view(display.view == luminance ? nullptr : luminance);
     }
+    case Command::fit_range: return fit_range();
     case Command::next_view: return set_view(next_view(display.view));
     default: return std::nullopt;
     }
@@ -112,8 +90,30 @@ Changes AdjustDisplay::draw_section() {
     image::Decades& decades = display.decades;
     ImGui::DragFloatRange2("decades", &decades.first, &decades.last, 0.05f, -12.0f, 12.0f, "1e%.1f");
     decades.last = std::max(decades.last, decades.first + 0.5f);
-    draw_legend(decades, scene::radiance_unit(ws_.scene->stage().scene.units));
-    return changes;
+    ImGui::SameLine();
+    return ImGui::Button("fit") ? changes | fit_range() : changes;
+}
+
+Changes AdjustDisplay::draw(const Overlay& overlay) {
+    const output::Variable* const view = ws_.display.view;
+    if (view)
+        draw_legend(overlay.projection.picture, *view, ws_.display,
+                    output::unit_of(view, ws_.scene->stage().scene.units), overlay.scale);
+    return {};
+}
+
+/// Shows luminance in false colours, and gives them the range of the picture.
+Changes AdjustDisplay::fit_range() {
+    const output::Variable* const luminance = output::view_named("luminance");
+    const Changes changes = ws_.display.view == luminance ? Changes(Change::display) : set_view(luminance);
+    if (ws_.scene->render().sample_count() == 0) return changes;
+    const auto range = range_of(ws_.scene->render().read_film());
+    if (range) ws_.display.decades = *range;
+    ws_.messages.notify(range ? fmt::format("Range: {:.3g} to {:.3g} {}.", std::pow(10.0, range->first),
+                                            std::pow(10.0, range->last),
+                                            scene::radiance_unit(ws_.scene->stage().scene.units))
+                              : "The picture has no light to fit a range to.");
+    return changes | Change::display;
 }
 
 Changes AdjustDisplay::draw_views() {

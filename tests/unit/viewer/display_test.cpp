@@ -6,12 +6,15 @@
 #include "support/address.hpp"
 #include "support/gl.hpp"
 #include "support/glsl_table.hpp"
+#include "viewer/panels/legend.hpp"
 #include "viewer/view/presenter.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 using namespace sr;
+using namespace sr::viewer;
 using sr::testing::Test;
 
 namespace {
@@ -92,6 +95,25 @@ const Test views("unit.viewer.display.views_equal_the_files", [] {
                             expected.at(i, 0)[static_cast<std::size_t>(c)], 4e-5f)
                     << variable.name << " at " << i;
     }
+});
+
+const Test fits("unit.viewer.legend.a_fitted_range_has_all_but_the_extremes", [] {
+    image::Image film(1000, 1, 4); // from 0.01 to 100 cd/m², one pixel far out, some without light
+    for (int x = 0; x < film.width; ++x) {
+        const float Y = std::pow(10.0f, -2.0f + 4.0f * static_cast<float>(x) / 999.0f);
+        for (std::size_t c = 0; c < 3; ++c) film.at(x, 0)[c] = x % 10 == 0 ? 0.0f : Y;
+    }
+    for (std::size_t c = 0; c < 3; ++c) film.at(501, 0)[c] = 1e7f;
+    const auto range = range_of(film);
+    ASSERT_TRUE(range.has_value());
+    EXPECT_NEAR(range->first, -2.0f, 0.11f);
+    EXPECT_NEAR(range->last, 2.0f, 0.11f);
+    for (float& value : film.pixels) value = std::min(value, 0.0f);
+    EXPECT_FALSE(range_of(film)) << "nothing is lit";
+    for (float& value : film.pixels) value = 3.0f;
+    const auto even = range_of(film);
+    ASSERT_TRUE(even.has_value());
+    EXPECT_NEAR(even->last - even->first, 0.5f, 1e-5f) << "one value has a range, too";
 });
 
 } // namespace

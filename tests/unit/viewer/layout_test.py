@@ -117,6 +117,23 @@ def probing(viewer: Viewer):
     assert viewer.converged() == before
 
 
+def viewing(viewer: Viewer):
+    """A view has a legend over the picture. Shift Y gives the false colours the range of the picture. A click on a menu runs its row."""
+    lowest, highest = (68, 1, 84), (253, 231, 37)  # the ends of the colour map
+    viewer.key("y")
+    viewer.said("View: luminance")
+    viewer.wait(lambda: min(viewer.count(lowest), viewer.count(highest)) > 20, "both ends of the colour map in the legend")
+    viewer.key("shift+y")
+    viewer.said("Range: ")
+    low, high = map(float, re.findall(r"Range: (\S+) to (\S+) cd/m", viewer.errors())[-1])
+    assert 0 < low < high, (low, high)
+    viewer.changed_by(lambda: viewer.key("v"))
+    viewer.said("View: leaks")
+    viewer.wait(lambda: viewer.count(highest) == 0, "no colour map")
+    viewer.changed_by(lambda: viewer.key("v"))
+    viewer.said("View: radiance")
+
+
 def main() -> int:
     skip_without("oiiotool", modules=("Xlib",))
     shutil.rmtree(SCRATCH, ignore_errors=True)
@@ -129,6 +146,7 @@ def main() -> int:
         viewer = hiding(display)
         widening(viewer)
         probing(viewer)
+        viewing(viewer)
         viewer.close()
         viewer = Viewer(display, STERADIAN, SCRATCH / "run", SCENES / "cornell.gltf", "--size", "900x500", *OPTIONS, remembers=True)
         viewer.done()
