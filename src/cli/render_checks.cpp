@@ -58,6 +58,19 @@ void check_view(const RenderCommand& command) {
                                      command.view->name));
 }
 
+/// Refuses one light a sample where all are needed.
+void check_lights(const RenderCommand& command) {
+    if (command.rendering.lights != render::LightSampling::one) return;
+    if (command.rendering.estimator != render::Estimator::sampled)
+        refuse("--lights", "one is for --estimator sampled: choose that estimator, or all lights");
+    if (command.visibility == render::Visibility::map)
+        refuse("--lights",
+               "one needs rays, and --visibility map draws maps of all lights: choose ray or none");
+    if (command.view && command.view->finish != output::Finish::luminance)
+        refuse("--lights",
+               fmt::format("'{}' visits all lights: choose all, or leave it out", command.view->name));
+}
+
 /// Refuses to filter noise that shadows do not cause, and numbers that a filtered picture does not have.
 void check_denoising(const RenderCommand& command) {
     if (!command.denoises) return;
@@ -93,6 +106,7 @@ void check_outputs(const RenderCommand& command) {
 
 void check(const RenderCommand& command) {
     check_view(command);
+    check_lights(command);
     check_denoising(command);
     check_outputs(command);
 }

@@ -97,6 +97,7 @@ struct Picture {
     std::optional<image::Image> layers; // the film and further channels
     settings::SampleCounts samples;
     Stop stop;
+    int light_choices = 0; // of a sample; 0: it visits all lights
 };
 
 /// Sets the provenance of the images.
@@ -108,7 +109,8 @@ void describe(Picture& picture, const RenderCommand& command, const scene::Rende
                                  .camera = stage.camera.name,
                                  .samples = picture.samples,
                                  .error = picture.stop.error,
-                                 .stopped_by = picture.stop.by},
+                                 .stopped_by = picture.stop.by,
+                                 .light_choices = picture.light_choices},
                                 gl);
     std::ranges::move(output::name_tables(command.aovs, stage.scene), std::back_inserter(attributes));
     picture.film.channel_names = {"R", "G", "B", "A"};
@@ -169,7 +171,8 @@ ordered_json stopping(const Picture& picture) {
     ordered_json json{{"samples", picture.samples.max},
                       {"samples_mean", picture.samples.mean},
                       {"samples_min", picture.samples.min},
-                      {"stopped_by", name_of(picture.stop.by)}};
+                      {"stopped_by", name_of(picture.stop.by)},
+                      {"light_choices", picture.light_choices}};
     if (picture.stop.error) json["error"] = *picture.stop.error;
     return json;
 }
@@ -256,6 +259,7 @@ Picture draw(const Work& work) {
     picture.stop = add_samples(work.renderer, work.command.stop, work.interruption.token(), work.what);
     const std::vector<int> samples = work.renderer.pixel_samples();
     picture.samples = settings::count_samples(samples);
+    picture.light_choices = work.renderer.light_choices();
     work.times.end("draw");
     picture.film = work.renderer.read_film();
     if (work.command.view) picture.film = output::numbers_of(*work.command.view, picture.film);
@@ -390,6 +394,9 @@ ExitStatus render(const RenderCommand& command) {
     render::Renderer renderer(gpu_scene, open.stage.camera, options);
     renderer.compile();
     times.end("compile");
+    if (options.lights == render::LightSampling::one && renderer.light_choices() == 0)
+        print_remark("{}: a folder of --shaders sums over the lights itself: its samples visit all lights",
+                     command.scene);
     Rendering rendering{command, open, gpu_scene, options, renderer, times};
     if (!(command.frames ? make_frames(rendering) : make_single(rendering))) return interrupted;
     if (command.json) print_summary(rendering);
@@ -418,6 +425,8 @@ void add_render_command(CLI::App& app) {
         "  steradian render scene.glb -o picture.png\n"
         "  steradian render scene.glb -o radiance.exr -o picture.png --samples 256 --size 1920x1080\n"
         "  steradian render scene.glb -o converged.exr --error 0.5%\n"
+        "  steradian render city.glb -o night.png --lights one     (each sample visits a few of its "
+        "thousand lights)\n"
         "  steradian render scene.glb -o quick.png --time 2s --error 2%    (whichever comes first)\n"
         "  steradian render scene.glb -o layers.exr --layers lights --aov depth,normal,object\n"
         "  steradian render scene.glb -o luminance.png --view luminance\n"
