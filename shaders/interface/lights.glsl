@@ -1,5 +1,5 @@
-// The emitters, eight texels each in a buffer texture, and behind them what some of them point to.
-// Keep in sync with pack_lights() in src/render/gpu/light_table.cpp.
+// The emitters, eight texels each in a buffer texture, behind them the light tree (light/tree.glsl), and then what some
+// of the emitters point to. Keep in sync with pack_lights() in src/render/gpu/light_table.cpp.
 #include "interface/features.glsl"
 
 uniform samplerBuffer light_table;
@@ -60,3 +60,9 @@ Light light_at(int index) {
 
 // Returns whether single-sided faces that the light meets from behind cast no shadow of it (scene::passes_back_faces).
 bool passes_back_faces(int index) { return texelFetch(light_table, 8 * index + 4).w >= 2.0; }
+
+// The light's leaf in the light tree; negative: it sends out nothing.
+int leaf_of(int index) { return int(texelFetch(light_table, 8 * index + 6).w); }
+
+// The first texel of the light tree, and its number of nodes.
+ivec2 light_tree() { return ivec2(texelFetch(light_table, textureSize(light_table) - 1).xy); }

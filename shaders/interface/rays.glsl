@@ -1,5 +1,6 @@
-// The shadow rays that are recorded for the CPU. Ray r of light k has number k * rays_per_light + r.
-// Keep in sync with RaysBlock in src/render/gpu/blocks.hpp.
+// The shadow rays that are recorded for the CPU. Ray r of light k has number k * rays_per_light + r. Where samples
+// choose lights (interface/estimator.glsl), that of choice r has number k * (light_choices + 1) + r, and that along the
+// BRDF comes last. Keep in sync with RaysBlock in src/render/gpu/blocks.hpp.
 const int rays_a_pass = 7; // OpenGL 4.1 has eight colour attachments; the first is the receiver
 
 layout(std140) uniform Rays {

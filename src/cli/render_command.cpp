@@ -141,6 +141,9 @@ ExitStatus render(const RenderCommand& command) {
     render::Renderer renderer(gpu_scene, open.stage.camera, options);
     renderer.compile();
     times.end("compile");
+    if (options.lights == render::LightSampling::one && renderer.light_choices() == 0)
+        print_remark("{}: a folder of --shaders sums over the lights itself: its samples visit all lights",
+                     command.scene);
     Rendering rendering{command, open, gpu_scene, options, renderer, times};
     if (!(command.frames ? make_frames(rendering) : make_single(rendering))) return interrupted;
     if (command.json) print_summary(rendering);
@@ -169,6 +172,8 @@ void add_render_command(CLI::App& app) {
         "  steradian render scene.glb -o picture.png\n"
         "  steradian render scene.glb -o radiance.exr -o picture.png --samples 256 --size 1920x1080\n"
         "  steradian render scene.glb -o converged.exr --error 0.5%\n"
+        "  steradian render city.glb -o night.png --lights one     (each sample visits a few of its "
+        "thousand lights)\n"
         "  steradian render scene.glb -o quick.png --time 2s --error 2%    (whichever comes first)\n"
         "  steradian render scene.glb -o layers.exr --layers lights --aov depth,normal,object\n"
         "  steradian render scene.glb -o luminance.png --view luminance\n"

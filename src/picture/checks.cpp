@@ -26,6 +26,18 @@ void check_view(const RenderSettings& settings) {
                                    settings.view->name));
 }
 
+/// Refuses one light a sample where all are needed.
+void check_lights(const RenderSettings& settings) {
+    if (settings.rendering.lights != render::LightSampling::one) return;
+    if (settings.rendering.estimator != render::Estimator::sampled)
+        refuse("lights", "one is for --estimator sampled: choose that estimator, or all lights");
+    if (settings.visibility == render::Visibility::map)
+        refuse("lights", "one needs rays, and --visibility map draws maps of all lights: choose ray or none");
+    if (settings.view && settings.view->finish != output::Finish::luminance)
+        refuse("lights",
+               fmt::format("'{}' visits all lights: choose all, or leave it out", settings.view->name));
+}
+
 /// Refuses to filter noise that shadows do not cause, and numbers that a filtered picture does not have.
 void check_denoising(const RenderSettings& settings) {
     if (!settings.denoises) return;
@@ -50,6 +62,7 @@ void check_samples(const RenderSettings& settings) {
 
 void check(const RenderSettings& settings) {
     check_view(settings);
+    check_lights(settings);
     check_denoising(settings);
     check_samples(settings);
 }

@@ -115,6 +115,7 @@ Picture draw(const Work& work) {
     picture.stop = add_samples(work, work.renderer, work.settings.stop, work.what);
     const std::vector<int> samples = work.renderer.pixel_samples();
     picture.samples = settings::count_samples(samples);
+    picture.light_choices = work.renderer.light_choices();
     work.times.end("draw");
     picture.film = work.renderer.read_film();
     if (work.settings.view) picture.film = output::numbers_of(*work.settings.view, picture.film);
@@ -139,7 +140,8 @@ void describe(Picture& picture, const RenderSettings& settings, const scene::Ren
                                  .camera = stage.camera.name,
                                  .samples = picture.samples,
                                  .error = picture.stop.error,
-                                 .stopped_by = picture.stop.by},
+                                 .stopped_by = picture.stop.by,
+                                 .light_choices = picture.light_choices},
                                 gl);
     std::ranges::move(output::name_tables(settings.aovs, stage.scene), std::back_inserter(attributes));
     picture.film.channel_names = {"R", "G", "B", "A"};

@@ -25,6 +25,7 @@ struct Picture {
     std::optional<image::Image> layers; // the film and further channels
     settings::SampleCounts samples;
     SamplingEnd stop;
+    int light_choices = 0; // of a sample; 0: it visits all lights
     std::optional<float>
         ev100{}; // of files for screens, automatic or that of the settings; absent: none was written
 };

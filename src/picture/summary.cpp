@@ -46,7 +46,8 @@ ordered_json stopping(const Picture& picture) {
     ordered_json json{{"samples", picture.samples.max},
                       {"samples_mean", picture.samples.mean},
                       {"samples_min", picture.samples.min},
-                      {"stopped_by", name_of(picture.stop.by)}};
+                      {"stopped_by", name_of(picture.stop.by)},
+                      {"light_choices", picture.light_choices}};
     if (picture.stop.error) json["error"] = *picture.stop.error;
     return json;
 }

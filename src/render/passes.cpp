@@ -17,7 +17,7 @@ void cull(bool is_double_sided, GLenum face = GL_BACK) {
 
 /// Draws the opaque surfaces where the pre-pass left them in front.
 void draw_visible(const GpuScene& scene, ShaderLibrary& shaders, const std::string& fragment,
-                  VisibilityTerm visibility) {
+                  ProgramTerms terms) {
     glDisable(GL_BLEND);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_EQUAL);
@@ -25,7 +25,7 @@ void draw_visible(const GpuScene& scene, ShaderLibrary& shaders, const std::stri
     scene.bind_lights();
     for (const Draw& draw : scene.opaque_draws()) {
         cull(draw.is_double_sided);
-        shaders.mesh_program(fragment, draw.features, visibility).use();
+        shaders.mesh_program(fragment, draw.features, terms).use();
         scene.draw(draw);
     }
 }
@@ -46,6 +46,19 @@ void begin_nearest(const RenderTarget& frame, vec3 background) {
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glClearColor(background.r, background.g, background.b, 0.0f);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+}
+
+/// Clears the attachments in the rows of the scissor, at all columns of the viewport: these rows are read
+/// back whole.
+void clear_rows(int attachments) {
+    constexpr float nothing[4]{0.0f, 0.0f, 0.0f, 0.0f}; // a ray without distance asks nothing
+    GLint scissor[4], viewport[4];
+    glGetIntegerv(GL_SCISSOR_BOX, scissor);
+    glGetIntegerv(GL_VIEWPORT, viewport);
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(0, scissor[1], viewport[2], scissor[3]);
+    for (int i = 0; i < attachments; ++i) glClearBufferfv(GL_COLOR, i, nothing);
+    glScissor(scissor[0], scissor[1], scissor[2], scissor[3]);
 }
 
 } // namespace
@@ -95,22 +108,19 @@ void mask_pass(const RenderTarget& frame, ShaderLibrary& shaders) {
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-void record_pass(const GpuScene& scene, ShaderLibrary& shaders, int attachments) {
-    constexpr float nothing[4]{0.0f, 0.0f, 0.0f, 0.0f}; // a ray without distance asks nothing
-    glDisable(GL_SCISSOR_TEST);                         // what lies outside asks nothing, either
-    for (int i = 0; i < attachments; ++i) glClearBufferfv(GL_COLOR, i, nothing);
-    glEnable(GL_SCISSOR_TEST);
-    draw_visible(scene, shaders, "record.frag", VisibilityTerm::record);
+void record_pass(const GpuScene& scene, ShaderLibrary& shaders, int attachments, int light_choices) {
+    clear_rows(attachments);
+    draw_visible(scene, shaders, "record.frag", {VisibilityTerm::record, light_choices});
 }
 
 void forward_pass(const RenderTarget& frame, const GpuScene& scene, ShaderLibrary& shaders,
-                  const std::string& shader, VisibilityTerm visibility) {
+                  const std::string& shader, ProgramTerms terms) {
     frame.bind();
-    draw_visible(scene, shaders, shader, visibility);
+    draw_visible(scene, shaders, shader, terms);
 }
 
 void blend_pass(const RenderTarget& frame, const GpuScene& scene, ShaderLibrary& shaders,
-                const std::string& shader, vec4 eye, VisibilityTerm visibility) {
+                const std::string& shader, vec4 eye, ProgramTerms terms) {
     if (scene.blended_draws().empty()) return;
     frame.bind();
     glEnable(GL_BLEND);
@@ -128,7 +138,7 @@ void blend_pass(const RenderTarget& frame, const GpuScene& scene, ShaderLibrary&
             glBlendFuncSeparate(GL_ONE, GL_SRC1_COLOR, GL_ONE, GL_SRC1_ALPHA);
         else
             glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA); // the shader multiplies by its coverage
-        shaders.mesh_program(fragment, draw.features, visibility).use();
+        shaders.mesh_program(fragment, draw.features, terms).use();
         if (draw.is_double_sided && draw.is_surface) {
             cull(false, GL_FRONT);
             scene.draw(draw);

@@ -18,13 +18,13 @@ void background_pass(const RenderTarget& frame, const GpuScene& scene, ShaderLib
 void mask_pass(const RenderTarget& frame, ShaderLibrary& shaders);
 
 /// Writes the rays that the forward pass will ask about within the scissor into the bound framebuffer, whose
-/// depth is the pre-pass's: to attachment 0 the receivers, to `attachments` - 1 others a ray each.
-void record_pass(const GpuScene& scene, ShaderLibrary& shaders, int attachments);
+/// depth is the pre-pass's: to attachment 0 the receivers, to `attachments` - 1 others a ray each. With
+/// `light_choices` as the forward pass has it.
+void record_pass(const GpuScene& scene, ShaderLibrary& shaders, int attachments, int light_choices);
 
 /// Shades the surfaces whose depth the pre-pass left, each pixel once, by the fragment shader `shader`.
-/// `visibility` says how V is found.
 void forward_pass(const RenderTarget& frame, const GpuScene& scene, ShaderLibrary& shaders,
-                  const std::string& shader, VisibilityTerm visibility);
+                  const std::string& shader, ProgramTerms terms);
 
 /// The fragment shader that draws this in the place of `shader`: glass multiplies what is behind it by a
 /// colour, which takes glass.frag instead of forward.frag.
@@ -33,7 +33,7 @@ const std::string& fragment_of(const Draw& draw, const std::string& shader);
 /// Blends the transparent instances over what is behind them, the farthest first; of double-sided ones the
 /// backs first. Instances that interpenetrate are not split.
 void blend_pass(const RenderTarget& frame, const GpuScene& scene, ShaderLibrary& shaders,
-                const std::string& shader, vec4 eye, VisibilityTerm visibility);
+                const std::string& shader, vec4 eye, ProgramTerms terms);
 
 /// Not of a frame that is rendered: writes which instance and triangle each pixel sees, transparent ones
 /// included.

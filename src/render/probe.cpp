@@ -30,6 +30,7 @@ public:
 private:
     static RenderOptions windowed(RenderOptions options, std::string shader, int column, int row) {
         options.shader = std::move(shader);
+        options.lights = LightSampling::all; // each light has its terms
         options.window = PixelRect{column, row, 1, 1};
         return options;
     }

@@ -6,9 +6,13 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <utility>
 
 namespace sr::render {
 namespace {
+
+/// LightSampling::automatic samples one light where there are more: tools/bench/results/lights.md.
+constexpr int max_lights_to_visit = 32;
 
 /// The analytic estimator evaluates f_r lobe by lobe.
 /// @throws Error if a user's folder changes f_r without its lobes.
@@ -27,7 +31,8 @@ std::optional<glsl::Root> estimator(const RenderOptions& options) {
     if (options.estimator == Estimator::sampled) return std::nullopt;
     require_lobes(options.shader_path);
     const std::string limits = fmt::format("const int analytic_points = {};\n"
-                                           "const int max_outlined_triangles = {};\n",
+                                           "const int max_outlined_triangles = {};\n"
+                                           "const int light_choices = 0;\n",
                                            options.analytic_points, max_outlined_triangles);
     return glsl::Root::memory(
         "estimator", {{"integrator/reflected.glsl", "#include \"integrator/reflected_analytic.glsl\"\n"},
@@ -68,7 +73,23 @@ void Renderer::resize(int width, int height, int samples) {
     options_.samples = samples;
     use_lights(0, scene_.light_count());
     ask_for_shadows();
+    sample_count_ = 0; // the films are new
     clear();
+}
+
+/// Returns light_choices().
+int Renderer::choices_of_lights() const {
+    const bool is_wanted =
+        options_.lights == LightSampling::one
+        || (options_.lights == LightSampling::automatic && scene_.light_count() > max_lights_to_visit);
+    const auto sums_itself = [](const glsl::Root& root) {
+        return root.text_of("integrator/reflected.glsl").has_value();
+    };
+    const std::vector<glsl::Root>& path = options_.shader_path;
+    const bool is_possible = options_.estimator == Estimator::sampled && !depth_maps_
+                             && options_.shader == "forward.frag"
+                             && std::none_of(path.begin(), path.end() - 1, sums_itself);
+    return is_wanted && is_possible ? options_.light_choices : 0;
 }
 
 void Renderer::ask_for_shadows() {
@@ -78,22 +99,28 @@ void Renderer::ask_for_shadows() {
         depth_maps_.emplace(scene_, options_.maps);
     const bool is_asked =
         options_.has_shadows && scene_.visibility_backend() && scene_.visibility_backend()->occlusion();
+    const int choices_before = std::exchange(light_choices_, choices_of_lights());
     const int rays_per_point = scene_.light_count() * scene_.rays_per_light();
-    if (is_asked == shadow_rays_.has_value() && rays_per_point == rays_per_point_) return;
+    if (is_asked == shadow_rays_.has_value() && rays_per_point == rays_per_point_
+        && light_choices_ == choices_before)
+        return;
     shadow_rays_.reset();
     rays_per_point_ = rays_per_point;
-    if (is_asked) shadow_rays_.emplace(scene_, frame_, options_.width, options_.height, options_.max_rays);
+    if (is_asked)
+        shadow_rays_.emplace(scene_, frame_, options_.width, options_.height, options_.max_rays,
+                             light_choices_);
 }
 
 void Renderer::compile() {
     if (depth_maps_) depth_maps_->compile(*shaders_);
     for (const Draw& draw : scene_.opaque_draws()) {
         shaders_->mesh_program("depth.frag", depth_features(draw.features));
-        shaders_->mesh_program(options_.shader, draw.features, opaque_visibility());
-        if (shadow_rays_) shaders_->mesh_program("record.frag", draw.features, VisibilityTerm::record);
+        shaders_->mesh_program(options_.shader, draw.features, opaque_terms());
+        if (shadow_rays_)
+            shaders_->mesh_program("record.frag", draw.features, {VisibilityTerm::record, light_choices_});
     }
     for (const Draw& draw : scene_.blended_draws())
-        shaders_->mesh_program(fragment_of(draw, options_.shader), draw.features, blended_visibility());
+        shaders_->mesh_program(fragment_of(draw, options_.shader), draw.features, blended_terms());
     if (shows_environment()) shaders_->fullscreen_program("background.frag");
     shaders_->fullscreen_program("accumulate.frag");
 }
@@ -110,13 +137,16 @@ void Renderer::clear() {
 }
 
 void Renderer::repeat() {
+    const bool is_black_outside = sample_count_ > 0 && options_.window; // since the first clearing
     sample_count_ = rows_done_ = 0;
+    if (is_black_outside) set_scissor(*options_.window);
     glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
     for (const RenderTarget* target : {&film_, first_half_ ? &*first_half_ : nullptr}) {
         if (!target) continue;
         target->bind();
         glClear(GL_COLOR_BUFFER_BIT);
     }
+    glDisable(GL_SCISSOR_TEST);
 }
 
 void Renderer::look_from(const scene::Camera& camera) {
@@ -158,7 +188,7 @@ void Renderer::draw(const PixelRect& part) {
     }
     shade_opaque(part);
     set_scissor(part);
-    blend_pass(frame_, scene_, *shaders_, options_.shader, view.eye, blended_visibility());
+    blend_pass(frame_, scene_, *shaders_, options_.shader, view.eye, blended_terms());
     accumulate();
     glDisable(GL_SCISSOR_TEST);
 }
@@ -198,20 +228,22 @@ View Renderer::begin_frame() {
     return view;
 }
 
-VisibilityTerm Renderer::opaque_visibility() const {
-    if (!scene_.visibility_backend() || !options_.has_shadows) return VisibilityTerm::none;
-    return shadow_rays_ ? VisibilityTerm::resolve : blended_visibility();
+ProgramTerms Renderer::opaque_terms() const {
+    ProgramTerms terms = blended_terms();
+    if (shadow_rays_) terms.visibility = VisibilityTerm::resolve;
+    return terms;
 }
 
-VisibilityTerm Renderer::blended_visibility() const {
-    if (!scene_.visibility_backend() || !options_.has_shadows) return VisibilityTerm::none;
+ProgramTerms Renderer::blended_terms() const {
+    if (!scene_.visibility_backend() || !options_.has_shadows) return {VisibilityTerm::none, light_choices_};
     // A pixel can have several blended layers, so the shader traces their rays itself.
-    return scene_.visibility_backend()->shadow_map_scene() ? VisibilityTerm::map : VisibilityTerm::ray;
+    const bool has_maps = scene_.visibility_backend()->shadow_map_scene() != nullptr;
+    return {has_maps ? VisibilityTerm::map : VisibilityTerm::ray, light_choices_};
 }
 
 void Renderer::shade_opaque(const PixelRect& window) {
     if (!shadow_rays_ || first_light_ == end_light_) {
-        forward_pass(frame_, scene_, *shaders_, options_.shader, opaque_visibility());
+        forward_pass(frame_, scene_, *shaders_, options_.shader, opaque_terms());
         return;
     }
     const RowRange rows{options_.height - window.row - window.height, window.height};
@@ -220,7 +252,7 @@ void Renderer::shade_opaque(const PixelRect& window) {
     for (const RowRange& band : bands) {
         glScissor(window.column, band.first, window.width, band.count);
         shadow_rays_->find(band, first_light_, end_light_, frame_data_, *shaders_);
-        forward_pass(frame_, scene_, *shaders_, options_.shader, VisibilityTerm::resolve);
+        forward_pass(frame_, scene_, *shaders_, options_.shader, opaque_terms());
     }
     glDisable(GL_SCISSOR_TEST);
 }

@@ -17,6 +17,14 @@ namespace sr::render {
 /// few points (shaders/integrator/reflected_analytic.glsl).
 enum class Estimator { sampled, analytic };
 
+/// The lights that a sample of a pixel visits: all, or one at a time that the light tree chooses
+/// (shaders/integrator/reflected_from_one.glsl). `automatic` is one where there are many.
+enum class LightSampling { automatic, all, one };
+
+/// Lights that a sample chooses, each with a shadow ray of its own; tools/bench/results/lights.md compares
+/// numbers of them.
+inline constexpr int default_light_choices = 4;
+
 /// Points per lobe and emitter of the analytic estimator; tools/ltc/README.md compares numbers of points.
 inline constexpr int default_analytic_points = 16;
 
@@ -39,6 +47,11 @@ struct RenderOptions {
     /// Tries what others wrote of that path before this process compiles it; null: nothing is tried.
     std::shared_ptr<gl::TrialCompiler> trial;
     Estimator estimator = Estimator::sampled;
+    /// `one` and `automatic` visit all where V comes from depth maps, where the estimator is analytic, and
+    /// where a shader other than forward.frag, or a folder of the path that has integrator/reflected.glsl,
+    /// sums over the lights itself.
+    LightSampling lights = LightSampling::all;
+    int light_choices = default_light_choices;     // of a sample that does not visit all lights
     int analytic_points = default_analytic_points; // 0: linearly transformed cosines alone
     MapOptions maps;                               // of a scene whose shadows are found by depth maps
     /// Shadow rays whose answers by the CPU are held at once, 4 bytes each; a picture with more is shaded in
@@ -124,6 +137,9 @@ public:
     /// The rays that the CPU answered; null where it answers none.
     const CpuShadowRays* shadow_rays() const { return shadow_rays_ ? &*shadow_rays_ : nullptr; }
 
+    /// Returns the number of lights that a sample chooses; 0 if it visits all.
+    int light_choices() const { return light_choices_; }
+
     /// The depth maps; null where shadows are found otherwise.
     const DepthMaps* depth_maps() const { return depth_maps_ ? &*depth_maps_ : nullptr; }
 
@@ -133,8 +149,9 @@ private:
     PixelRect window() const; // what this frame draws
     void draw(const PixelRect& part);
     void set_scissor(const PixelRect& window) const;
-    VisibilityTerm opaque_visibility() const;
-    VisibilityTerm blended_visibility() const;
+    int choices_of_lights() const;
+    ProgramTerms opaque_terms() const;
+    ProgramTerms blended_terms() const;
     void shade_opaque(const PixelRect& window);
     bool shows_environment() const; // behind everything; terms of the equation have no background
     void accumulate();
@@ -153,6 +170,7 @@ private:
     FrameData frame_data_;
     std::optional<CpuShadowRays> shadow_rays_;
     int rays_per_point_ = 0; // that shadow_rays_ was made for
+    int light_choices_ = 0;
     std::optional<DepthMaps> depth_maps_;
     gl::VertexArray no_vertices_{"no vertices"}; // core profile draws need one bound
     int sample_count_ = 0;

@@ -319,6 +319,14 @@ constexpr std::array options{
            "seed of the samples: another seed is another, equally good set",
            nullptr,
            {"seed"}},
+    Option{"lights", "Method", by_render | by_view | by_suites,
+           choice<light_samplings, &S::rendering, &R::lights>(),
+           "lights that a sample of a pixel visits: all, or one that a tree of the lights chooses, with more "
+           "noise and in a time that hardly "
+           "grows with their number; auto is one where there are many. All converge to the same picture"},
+    Option{"light_choices", "Method", by_render | by_view | by_suites,
+           number<&S::rendering, &R::light_choices>(1, 16),
+           "lights that a sample chooses under --lights one, each with a shadow ray"},
     Option{"analytic_points",
            "Method",
            by_all,

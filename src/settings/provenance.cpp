@@ -17,7 +17,7 @@ SampleCounts count_samples(const std::vector<int>& samples) {
 
 std::vector<image::Attribute> attributes_of(const RenderSettings& settings, const RenderResult& outcome,
                                             const gl::ContextInfo& gl) {
-    const auto& [unit, camera, samples, error, stopped_by] = outcome;
+    const auto& [unit, camera, samples, error, stopped_by, light_choices] = outcome;
     std::vector<image::Attribute> attributes{{"steradian:version", STERADIAN_VERSION},
                                              {"steradian:unit", unit},
                                              {"steradian:samples", std::to_string(samples.max)},
@@ -28,6 +28,7 @@ std::vector<image::Attribute> attributes_of(const RenderSettings& settings, cons
         attributes.push_back({"steradian:samples_mean", fmt::format("{:.1f}", samples.mean)});
         attributes.push_back({"steradian:samples_min", std::to_string(samples.min)});
     }
+    if (light_choices > 0) attributes.push_back({"steradian:light_choices", std::to_string(light_choices)});
     if (error) attributes.push_back({"steradian:error", fmt::format("{:.4g}", *error)});
     if (stopped_by) attributes.push_back({"steradian:stopped_by", render::name_of(*stopped_by)});
     if (stopped_by == render::StoppedBy::interruption) attributes.push_back({"steradian:interrupted", "yes"});

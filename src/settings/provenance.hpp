@@ -26,6 +26,7 @@ struct RenderResult {
     SampleCounts samples;
     std::optional<double> error;                 // √relMSE, where it is known
     std::optional<render::StoppedBy> stopped_by; // absent: the rendering goes on
+    int light_choices = 0;                       // of a sample; 0: it visits all lights
 };
 
 /// Returns "steradian:version", "steradian:estimator" and so on: those of the outcome, and those of the table

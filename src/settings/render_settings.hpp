@@ -23,6 +23,18 @@ inline constexpr std::array<NamedValue<scene::Rig>, 4> rigs{{{"auto", scene::Rig
                                                              {"none", scene::Rig::none}}};
 inline constexpr std::array<NamedValue<render::Estimator>, 2> estimators{
     {{"sampled", render::Estimator::sampled}, {"analytic", render::Estimator::analytic}}};
+inline constexpr std::array<NamedValue<render::LightSampling>, 3> light_samplings{
+    {{"auto", render::LightSampling::automatic},
+     {"all", render::LightSampling::all},
+     {"one", render::LightSampling::one}}};
+
+/// Returns the options of a rendering before anyone chooses: its samples take one of the lights where there
+/// are many.
+inline render::RenderOptions default_rendering() {
+    render::RenderOptions options;
+    options.lights = render::LightSampling::automatic;
+    return options;
+}
 
 /// Each member but the first two is a row of the table in options.cpp.
 struct RenderSettings {
@@ -47,7 +59,7 @@ struct RenderSettings {
 
     render::StopRule stop;
     /// Seed, background, estimator and depth maps; size, shaders and samples follow from the rest.
-    render::RenderOptions rendering;
+    render::RenderOptions rendering = default_rendering();
     bool has_energy_compensation = false; // as GpuScene has it
     render::Visibility visibility = render::Visibility::ray;
     bool denoises = false; // the shadows of the analytic estimator

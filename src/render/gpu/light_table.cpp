@@ -2,6 +2,7 @@
 
 #include "core/math.hpp"
 #include "render/gpu/light_texels.hpp"
+#include "render/gpu/light_tree.hpp"
 
 #include <algorithm>
 #include <array>
@@ -38,9 +39,9 @@ Texels blank(vec3 position, const L& light, vec3 quantity) {
 /// Packs lights one by one; what they point to collects behind.
 class Packer {
 public:
-    Packer(const scene::Scene& scene, EmissionMaps& maps, EnvironmentTexels& environments,
-           std::size_t light_count)
-        : scene_(scene), maps_(maps), environments_(environments), first_(light_count * texels_per_light) {}
+    /// `first`: the texel of the table that the payload begins at.
+    Packer(const scene::Scene& scene, EmissionMaps& maps, EnvironmentTexels& environments, std::size_t first)
+        : scene_(scene), maps_(maps), environments_(environments), first_(first) {}
 
     Texels operator()(const scene::PointLight& light) {
         Texels t = round(blank(light.position, light, light.I), light.radius);
@@ -237,15 +238,24 @@ std::vector<AliasEntry> alias_table(std::span<const double> weights) {
 std::vector<vec4> pack_lights(const scene::Scene& scene, std::span<const scene::Light> lights,
                               EmissionMaps& maps, EnvironmentTexels& environments) {
     maps.rewind();
-    Packer packer(scene, maps, environments, lights.size());
+    const std::vector<LightNode> tree = build_light_tree(scene, lights);
+    const std::vector<vec4> tree_texels = pack_light_tree(tree);
+    const std::size_t first_of_tree = lights.size() * texels_per_light;
+    std::vector<float> leaf(lights.size(), -1.0f);
+    for (std::size_t i = 0; i < tree.size(); ++i)
+        if (tree[i].is_leaf()) leaf[static_cast<std::size_t>(tree[i].light)] = static_cast<float>(i);
+    Packer packer(scene, maps, environments, first_of_tree + tree_texels.size());
     std::vector<vec4> table;
-    table.reserve(lights.size() * texels_per_light);
-    for (const scene::Light& light : lights) {
-        Texels texels = std::visit([&](const auto& any) { return packer(any); }, light);
-        if (passes_back_faces(light)) texels[4].w += 2.0f; // beside 1 for two sides
+    table.reserve(first_of_tree + tree_texels.size());
+    for (std::size_t k = 0; k < lights.size(); ++k) {
+        Texels texels = std::visit([&](const auto& any) { return packer(any); }, lights[k]);
+        if (passes_back_faces(lights[k])) texels[4].w += 2.0f; // beside 1 for two sides
+        texels[6].w = leaf[k];
         table.insert(table.end(), texels.begin(), texels.end());
     }
+    table.insert(table.end(), tree_texels.begin(), tree_texels.end());
     table.insert(table.end(), packer.payload().begin(), packer.payload().end());
+    table.emplace_back(static_cast<float>(first_of_tree), tree.size(), 0.0f, 0.0f);
     return table;
 }
 

@@ -1,5 +1,6 @@
 #include "render/gpu/shader_library.hpp"
 
+#include "core/error.hpp"
 #include "glsl/source.hpp"
 #include "render/gpu/blocks.hpp"
 
@@ -28,6 +29,18 @@ glsl::Root specialised(const Features& features, VisibilityTerm visibility,
         texts["integrator/point_on_light.glsl"] = "#include \"integrator/map_point_on_light.glsl\"\n";
     }
     return glsl::Root::memory("specialised", std::move(texts));
+}
+
+/// The files with which a sample chooses this many lights.
+glsl::Root chosen_lights(int choices) {
+    std::string text = *glsl::embedded().text_of("interface/estimator.glsl");
+    const std::string_view none = "light_choices = 0";
+    const auto place = text.find(none);
+    require(place != std::string::npos, "interface/estimator.glsl declares light_choices");
+    text.replace(place, none.size(), fmt::format("light_choices = {}", choices));
+    return glsl::Root::memory(
+        "chosen lights", {{"integrator/reflected.glsl", "#include \"integrator/reflected_from_one.glsl\"\n"},
+                          {"interface/estimator.glsl", text}});
 }
 
 } // namespace
@@ -60,13 +73,14 @@ gl::Program ShaderLibrary::compiled(const std::string& vertex, const std::string
 }
 
 const gl::Program& ShaderLibrary::mesh_program(const std::string& fragment, const Features& features,
-                                               VisibilityTerm visibility) {
-    const auto key = std::tuple(fragment, features, visibility);
+                                               ProgramTerms terms) {
+    const auto key = std::tuple(fragment, features, terms);
     if (const auto found = mesh_programs_.find(key); found != mesh_programs_.end()) return found->second;
     // Behind the user's own roots: a folder that brings its own features.glsl means it.
     std::vector<glsl::Root> path{shader_path_.begin(), shader_path_.end() - 1};
     if (estimator_ && features.is_analytic()) path.push_back(*estimator_);
-    path.push_back(specialised(features, visibility, shader_path_));
+    if (terms.light_choices > 0) path.push_back(chosen_lights(terms.light_choices));
+    path.push_back(specialised(features, terms.visibility, shader_path_));
     path.push_back(shader_path_.back());
     return mesh_programs_.emplace(key, compiled("mesh.vert", fragment, path)).first->second;
 }

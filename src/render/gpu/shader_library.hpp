@@ -19,6 +19,16 @@ namespace sr::render {
 /// The file that is compiled as shaders/visibility/visibility.glsl.
 enum class VisibilityTerm { none, ray, record, resolve, map };
 
+/// The terms of the equation that the renderer chooses, besides those that features choose.
+struct ProgramTerms {
+    VisibilityTerm visibility = VisibilityTerm::none;
+    int light_choices = 0; // above 0: of a sample, by integrator/reflected_from_one.glsl
+
+    ProgramTerms(VisibilityTerm chosen = VisibilityTerm::none, int choices = 0)
+        : visibility(chosen), light_choices(choices) {}
+    auto operator<=>(const ProgramTerms&) const = default;
+};
+
 /// The files that put a BRDF in the place of brdf/f_r.glsl, behind the user's own roots, which are all of
 /// `path` but the last. Where one of those has that file, brdf/brdf.glsl adds from the model what it does not
 /// declare.
@@ -38,7 +48,7 @@ public:
     /// call.
     /// @throws ShaderError, Error
     const gl::Program& mesh_program(const std::string& fragment, const Features& features,
-                                    VisibilityTerm visibility = VisibilityTerm::none);
+                                    ProgramTerms terms = {});
 
     /// fullscreen.vert with `fragment`. Compiles at the first call. @throws ShaderError, Error
     const gl::Program& fullscreen_program(const std::string& fragment);
@@ -56,7 +66,7 @@ private:
     std::optional<glsl::Root> estimator_;
     std::shared_ptr<gl::TrialCompiler> trial_;
     std::vector<glsl::Loop> loops_;
-    std::map<std::tuple<std::string, Features, VisibilityTerm>, gl::Program> mesh_programs_;
+    std::map<std::tuple<std::string, Features, ProgramTerms>, gl::Program> mesh_programs_;
     std::map<std::string, gl::Program> fullscreen_programs_;
 };
 

@@ -49,15 +49,16 @@ gl::Texture attached(int index, int width, int height) {
 } // namespace
 
 CpuShadowRays::CpuShadowRays(const GpuScene& scene, const RenderTarget& frame, int width, int height,
-                             std::size_t max_rays)
+                             std::size_t max_rays, int light_choices)
     : scene_(scene),
       width_(width),
       height_(height),
-      rays_per_light_(scene.rays_per_light()),
+      chooses_(light_choices > 0),
+      rays_per_light_(chooses_ ? light_choices + 1 : scene.rays_per_light()),
       max_rays_(max_rays),
       last_rays_(float_texture("last rays", width, height)) {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
-    const int rays = rays_that_fit(width, height, scene.light_count() * rays_per_light_);
+    const int rays = rays_that_fit(width, height, rays_to(scene.light_count()));
     std::vector<GLenum> attachments;
     for (int i = 0; i <= rays; ++i) {
         targets_.push_back(attached(i, width, height));
@@ -73,9 +74,8 @@ CpuShadowRays::CpuShadowRays(const GpuScene& scene, const RenderTarget& frame, i
 }
 
 std::vector<RowRange> CpuShadowRays::divide(RowRange all, int light_count) const {
-    const std::size_t per_row = static_cast<std::size_t>(width_)
-                                * static_cast<std::size_t>(std::max(light_count, 1))
-                                * static_cast<std::size_t>(rays_per_light_);
+    const std::size_t per_row =
+        static_cast<std::size_t>(width_) * static_cast<std::size_t>(rays_to(std::max(light_count, 1)));
     const std::size_t most = std::min(BufferTexture::max_texels(), max_rays_ / channels());
     const int rows =
         static_cast<int>(std::min<std::size_t>(static_cast<std::size_t>(all.count), most / per_row));
@@ -91,14 +91,15 @@ std::vector<RowRange> CpuShadowRays::divide(RowRange all, int light_count) const
 
 void CpuShadowRays::find(RowRange band, int first_light, int end_light, FrameData& frame_data,
                          ShaderLibrary& shaders) {
-    planes_ = {first_light * rays_per_light_,
+    planes_ = {chooses_ ? 0 : first_light * rays_per_light_,
                static_cast<std::size_t>(width_) * static_cast<std::size_t>(band.count)};
-    const auto rays = static_cast<std::size_t>((end_light - first_light) * rays_per_light_);
-    values_.assign(planes_.size * rays * channels(), 0.0f);
-    for (int first = first_light; first < end_light; first += lights_a_pass) {
-        const int end = std::min(end_light, first + lights_a_pass);
+    const int light_count = end_light - first_light;
+    values_.assign(planes_.size * static_cast<std::size_t>(rays_to(light_count)) * channels(), 0.0f);
+    const int step = chooses_ ? light_count : lights_a_pass;
+    for (int first = first_light; first < end_light; first += step) {
+        const int end = std::min(end_light, first + step);
         frame_data.select_lights(first, end);
-        const int most = (end - first) * rays_per_light_;
+        const int most = rays_to(end - first);
         const int rays_a_pass = static_cast<int>(targets_.size()) - 1;
         int taken = 0;
         while (taken < most && record_and_answer(band, taken, shaders)) taken += rays_a_pass;
@@ -112,7 +113,7 @@ bool CpuShadowRays::record_and_answer(RowRange band, int taken, ShaderLibrary& s
     upload_block({taken, 0, 0, 0});
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
     glViewport(0, 0, width_, height_);
-    record_pass(scene_, shaders, static_cast<int>(targets_.size()));
+    record_pass(scene_, shaders, static_cast<int>(targets_.size()), chooses_ ? rays_per_light_ - 1 : 0);
     read(band, 0, receivers_);
     glsl::require_ended_loops({&receivers_[0].x, 4 * receivers_.size()}, shaders.loops());
     std::size_t asked = 0;
@@ -158,7 +159,8 @@ std::size_t CpuShadowRays::answer_row(std::size_t first, std::size_t end) {
         if (ray.w == 0.0f) continue;
         const vec4 receiver = receivers_[pixel];
         const int number = static_cast<int>(std::abs(ray.w)) - 1;
-        const std::size_t place = static_cast<std::size_t>(number - planes_.first_ray) * planes_.size + pixel;
+        const int plane = chooses_ ? number % rays_per_light_ : number - planes_.first_ray;
+        const std::size_t place = static_cast<std::size_t>(plane) * planes_.size + pixel;
         if (!is_finite(ray)
             || !is_finite(receiver)) { // a user's shader may write this, Embree must not get it
             std::fill_n(&values_[place * channels()], channels(), std::numeric_limits<float>::quiet_NaN());

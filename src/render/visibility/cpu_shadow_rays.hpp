@@ -16,9 +16,10 @@ struct RowRange {
 /// Traces the rays from the opaque surfaces of a frame to its lights.
 class CpuShadowRays {
 public:
-    /// For the opaque surfaces whose depth lies in `frame`. @throws Error if the driver refuses the targets.
+    /// For the opaque surfaces whose depth lies in `frame`. `light_choices`: Renderer::light_choices().
+    /// @throws Error if the driver refuses the targets.
     CpuShadowRays(const GpuScene& scene, const RenderTarget& frame, int width, int height,
-                  std::size_t max_rays);
+                  std::size_t max_rays, int light_choices);
 
     /// Divides the rows into bands whose rays to this many lights fit into memory.
     /// @throws Error if not even one row does.
@@ -47,12 +48,15 @@ private:
     void upload_answers();
     void upload_block(const RaysBlock& block);
     std::size_t channels() const; // of V
+    /// Returns the number of rays that a pixel may send to this many lights.
+    int rays_to(int light_count) const { return (chooses_ ? 1 : light_count) * rays_per_light_; }
 
     const GpuScene& scene_;
     int width_;
     int height_;
-    int rays_per_light_;
-    std::size_t max_rays_;             // held at once
+    bool chooses_;         // a sample chooses lights, and their rays share the planes of one light
+    int rays_per_light_;   // as visibility/record.glsl counts them
+    std::size_t max_rays_; // held at once
     std::vector<gl::Texture> targets_; // the receivers, then a ray each
     gl::Texture last_rays_;            // the last target as the pass before left it
     gl::Framebuffer framebuffer_{"rays"};

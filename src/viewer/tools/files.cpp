@@ -124,7 +124,8 @@ Changes Files::write(std::string extension) { // by value: it may be awaited_
                                                .camera = ws_.camera->argument(),
                                                .samples = {static_cast<double>(samples), samples, samples},
                                                .error = render.error(),
-                                               .stopped_by = render.stopped_by()},
+                                               .stopped_by = render.stopped_by(),
+                                               .light_choices = render.light_choices()},
                                               ws_.window.info());
     const std::string file = free_name(ws_.scene->loaded().file, extension);
     try {

@@ -58,6 +58,7 @@ public:
     int sample_count() const { return is_kept_shown_ ? kept_samples_ : renderer_.sample_count(); }
     /// Complete samples at the resolution of the current render, shown or not.
     int complete_samples() const { return renderer_.sample_count(); }
+    int light_choices() const { return renderer_.light_choices(); }
     const render::StopRule& rule() const { return monitor_.rule(); }
     /// Why the converging render is complete; absent if it is not.
     std::optional<render::StoppedBy> stopped_by() const {

@@ -1,0 +1,71 @@
+// The reflection equation with chosen lights (--lights one puts this file in the place of reflected.glsl):
+//
+//   Σ_k ∫ f_r L_k V cosθ_i dω  =  E[ 1/c Σ w f_r L_k V cosθ_i / (P_k p) ]  +  E[ w' f_r L_m V cosθ_i / q ]
+//
+// c times the light tree chooses one light k, with the probability P_k, and the light a point of it, with the density
+// p. The direction of the BRDF's choice, with the density q, meets light m. The weights are those of the power
+// heuristic between c P_k p and q. Frames add up to the integral as in reflected.glsl, if P_k > 0 for every light that
+// shines on x. The c choices take equal parts of [0, 1), so that they spread over the tree. Lights that are not at work
+// (Frame) are chosen too, and add nothing.
+#include "surface/surface.glsl"
+#include "brdf/brdf.glsl"
+#include "integrator/cosine.glsl"
+#include "integrator/met_light.glsl"
+#include "integrator/power_heuristic.glsl"
+#include "integrator/random_point.glsl"
+#include "integrator/rays.glsl"
+#include "interface/estimator.glsl"
+#include "light/sample_light.glsl"
+#include "light/tree.glsl"
+#include "visibility/visibility.glsl"
+
+// Purposes of random_point(): 0 is the BRDF's direction, 1 the lights and the points on them.
+const uint further_numbers = 2u;
+
+// f_r · L_i/p · V · cosθ_i: what one direction to light k adds, before its weight.
+vec3 integrand_over_p(Surface x, LightSample light, vec3 wo, int k, int ray) {
+    float cos_i = cosine(x, light.wi);
+    if (!(cos_i > 0.0) || light.Li_over_p == vec3(0.0)) return vec3(0.0);
+    return f_r(x, light.wi, wo) * light.Li_over_p * visibility(x, light.wi, light.distance, k, ray) * cos_i;
+}
+
+// The light that an ideal mirror shows, see mirrored.glsl.
+vec3 mirrored_from_one(Surface x, vec3 wo, float u) {
+    vec3 m = reflect(-wo, x.n);
+    if (!(cosine(x, m) > 0.0)) return vec3(0.0);
+    MetLight met = met_light(x, m, 0.0, u);
+    if (met.k < 0 || !is_at_work(met.k)) return vec3(0.0);
+    return x.base_color * met.weight * met.light.Li_over_p * visibility(x, m, met.light.distance, met.k, towards_light);
+}
+
+// The light of choice number i, times the number of choices.
+vec3 reflected_from_choice(int i, Surface x, vec3 wo, bool samples_brdf, vec2 u, float fresh) {
+    u.x = (u.x + float(i)) / float(light_choices);
+    LightChoice choice = choose_light(x.position, x.n, u, fresh);
+    if (choice.light < 0 || !is_at_work(choice.light)) return vec3(0.0);
+    LightSample light = sample_light(choice.light, x.position, u);
+    bool shares = samples_brdf && light.p > 0.0;
+    float p = float(light_choices) * choice.P * light.p;
+    float weight = shares ? power_heuristic(p, pdf_f_r(x, light.wi, wo)) : 1.0;
+    return weight * integrand_over_p(x, light, wo, choice.light, towards_light + i) / choice.P;
+}
+
+vec3 reflected(Surface x, vec3 wo) {
+    vec2 further = random_point(further_numbers);
+    if (is_mirror) return mirrored_from_one(x, wo, further.x);
+    bool samples_brdf = has_lights_to_meet && has_peak(x);
+
+    vec3 L_r = vec3(0.0);
+    vec2 u = random_point(1u);
+    for (int i = 0; i < light_choices; ++i)
+        L_r += reflected_from_choice(i, x, wo, samples_brdf, u, fract(further.y + 0.618034 * float(i)));
+    L_r /= float(light_choices);
+    if (!samples_brdf) return L_r;
+
+    vec3 w_brdf = sample_f_r(x, wo, random_point(0u));
+    float p_brdf = pdf_f_r(x, w_brdf, wo);
+    if (!(p_brdf > 0.0 && cosine(x, w_brdf) > 0.0)) return L_r;
+    MetLight met = met_light(x, w_brdf, p_brdf, further.x);
+    if (met.k < 0 || !is_at_work(met.k)) return L_r;
+    return L_r + met.weight * integrand_over_p(x, met.light, wo, met.k, towards_light + light_choices);
+}
