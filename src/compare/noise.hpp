@@ -69,8 +69,9 @@ std::vector<image::Image> noise_of(const std::vector<image::Image>& noise,
 ///
 /// A few seeds do not see rare events: one sample of a pixel meets a small lamp or its mirror image. Pixels
 /// beyond the limit are such if the dimmer of the two values is no hole, darker than all around it in its own
-/// image; the brighter one is at most four times the reference's largest; and they touch at most one other.
-/// They are as many as edges explain at most (edges.hpp).
+/// image by more than the limit; the brighter one is at most four times the reference's largest; and they
+/// touch at most one other. They are at most 2 and a ten-thousandth of the pixels, and no more than 48; if
+/// there are more, all count.
 ///
 /// Where a region or a mask leaves a part of a block, the pixels left err alike as much as those of the whole
 /// block do: their sum's variance is as many times that of independent pixels.

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <random>
 
 using namespace sr::compare;
 using sr::image::Image;
@@ -138,6 +139,32 @@ const Test errors_of_sums_are_measured("unit.golden.noise.errors_of_sums_are_mea
     EXPECT_TRUE(compare(grey(32, 32, 3, 2.9f), grey(32, 32, 3, 1.5f), {.noise = {errors}}).passed);
     EXPECT_THROW(noise.add(grey(31, 32)), sr::Error);
     EXPECT_THROW(NoiseOfSeeds().errors(), sr::Error);
+});
+
+// Seeds of normal noise, and a picture in which some pixels, far from one another, are twice as bright.
+const Test few_rare_events("unit.golden.noise.few_rare_events_are_left_out", [] {
+    std::mt19937 random(7);
+    std::normal_distribution<float> normal(1.0f, 0.02f);
+    const auto seed = [&] {
+        Image image = grey(96, 64);
+        std::ranges::generate(image.pixels, [&] { return normal(random); });
+        return image;
+    };
+    NoiseOfSeeds noise;
+    for (int i = 0; i < 12; ++i) noise.add(seed());
+    const CompareOptions options{.noise = {noise.errors(), noise.errors()}};
+    const Image reference = seed(), test = seed();
+    const auto passes = [&](int count, float value) {
+        Image image = test;
+        for (int i = 0; i < count; ++i) std::ranges::fill(image.at(7 + 4 * i, 5 + 11 * (i % 5)), value);
+        return compare(image, reference, options).passed;
+    };
+    EXPECT_TRUE(passes(0, 2.0f));
+    EXPECT_TRUE(passes(2, 2.0f));
+    EXPECT_FALSE(passes(3, 2.0f));
+    EXPECT_FALSE(passes(20, 2.0f));
+    EXPECT_FALSE(passes(1, 5.0f)); // brighter than any sample of such a scene
+    EXPECT_FALSE(passes(1, 0.0f)); // a hole
 });
 
 // A white half beside a black one, 64 × 64: 4 pixels may differ at the edge.
