@@ -152,10 +152,10 @@ class Class(unittest.TestCase):
         self.hand_in("wrong", "2", microfacets=wrong)
         self.hand_in("<b>", "3", microfacets=wrong.replace("vec3 F(", "<script>&vec3 F(", 1))
         self.hand_in("nothing", "4", microfacets="")
-        self.grade("--hidden", str(self.hidden))
+        self.grade("--hidden", str(self.hidden), "--time-limit", "200")  # sanitizers take their time
         single = self.scratch / "results.json"
         subprocess.run([STERADIAN, "assignment", "check", self.submissions / "wrong", "--assignment", self.assignment, "--student", "2", "--hidden",
-                        self.hidden, "--gradescope", single], stdout=subprocess.DEVNULL)
+                        self.hidden, "--gradescope", single, "--time-limit", "200"], stdout=subprocess.DEVNULL)
         schema = json.loads((Path(__file__).resolve().parent.parent / "assignment" / "gradescope.schema.json").read_text())
         found = {file.stem: json.loads(file.read_text()) for file in (*(self.out / "gradescope").glob("*.json"), single)}
         self.assertEqual(len(found), 5)
