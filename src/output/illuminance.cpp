@@ -1,23 +1,12 @@
 #include "output/illuminance.hpp"
 
 #include "core/error.hpp"
+#include "core/markup.hpp"
 
 #include <cmath>
 #include <fmt/format.h>
 
 namespace sr::output {
-namespace {
-
-/// A text field of RFC 4180. A leading apostrophe keeps a spreadsheet from reading it as a formula.
-std::string field(const std::string& text) {
-    const bool is_formula =
-        !text.empty() && std::string_view("=+-@\t\r").find(text.front()) != std::string_view::npos;
-    std::string quoted = is_formula ? "\"'" : "\"";
-    for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
-    return quoted + '"';
-}
-
-} // namespace
 
 double IlluminanceGrid::at(int column, int row) const {
     return luminance(glm::dvec3(E[static_cast<std::size_t>(row) * columns + column]));
@@ -66,7 +55,7 @@ IlluminanceSummary summary_of(const IlluminanceGrid& grid) {
 
 std::string csv_of(const IlluminanceGrid& grid, const std::vector<NamedGrid>& parts) {
     std::string csv = fmt::format("x [m],y [m],z [m],E [{}]", grid.unit);
-    for (const NamedGrid& part : parts) csv += "," + field(fmt::format("{} [{}]", part.name, grid.unit));
+    for (const NamedGrid& part : parts) csv += "," + csv_cell(fmt::format("{} [{}]", part.name, grid.unit));
     csv += "\r\n";
     for (int row = 0; row < grid.rows; ++row)
         for (int column = 0; column < grid.columns; ++column) {
