@@ -1,7 +1,5 @@
 #include "viewer/bindings.hpp"
 
-#include "core/error.hpp"
-
 #include <algorithm>
 #include <array>
 
@@ -232,12 +230,6 @@ std::string name_of_key(int key) {
 
 std::span<const CommandInfo> all_commands() { return table; }
 std::span<const Binding> bindings() { return keys; }
-
-const CommandInfo& info_of(Command command) {
-    const auto found = std::ranges::find(table, command, &CommandInfo::command);
-    require(found != table.end(), "every command has a row");
-    return *found;
-}
 
 std::string keys_of(const Binding& binding) {
     std::string text;

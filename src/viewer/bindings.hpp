@@ -92,7 +92,6 @@ struct CommandInfo {
 
 /// All commands, group by group.
 std::span<const CommandInfo> all_commands();
-const CommandInfo& info_of(Command command);
 
 struct Binding {
     int key = 0; // as GLFW numbers them
