@@ -84,7 +84,7 @@ if(BUILD_TESTING OR NOT DEFINED BUILD_TESTING)
   require_package(glslang-tools GLSLANG_VALIDATOR)
 endif()
 
-# The OpenGL loader is generated (glad 2, a Python package): exactly 4.1 core and KHR_debug.
+# The OpenGL loader is generated (glad 2, a Python package): 4.1 core and few extensions.
 find_package(Python3 QUIET COMPONENTS Interpreter)
 find_program(GLAD_PROGRAM glad HINTS ${CMAKE_SOURCE_DIR}/.venv/bin ENV GLAD_ROOT)
 if(NOT GLAD_PROGRAM)

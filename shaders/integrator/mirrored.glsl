@@ -10,7 +10,7 @@
 #include "interface/frame.glsl"
 #include "light/mesh_along.glsl"
 #include "light/sample_light.glsl"
-#include "visibility/visibility.glsl"
+#include "visibility/seen.glsl"
 
 vec3 mirrored(Surface x, vec3 wo) {
     vec3 m = reflect(-wo, x.n);
@@ -20,8 +20,8 @@ vec3 mirrored(Surface x, vec3 wo) {
         LightSample light = light_along(k, x.position, m);
         if (has_mesh_lights && light_at(k).kind == mesh_light) light = mesh_along(light_at(k), x.position, m);
         if (!(light.p > 0.0)) continue;
-        vec3 L_k = light.Li_over_p * light.p * visibility(x, m, light.distance, k, towards_light);
-        L += shadowed(L_k, k, x, wo);
+        vec3 L_k = x.base_color * light.Li_over_p * light.p;
+        L += shadowed(seen(L_k, x, m, light.distance, k, towards_light), k, x, wo);
     }
-    return x.base_color * L;
+    return L;
 }

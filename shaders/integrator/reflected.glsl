@@ -4,24 +4,16 @@
 //
 // Each integral by two points a frame, one where the light is and one where the BRDF has its peak, weighed by the
 // power heuristic (Veach & Guibas 1995, section 5.2, β = 2); emitters without extent are known exactly and take one.
-// Frames add up to the integral. This is the only loop over lights and the only cosine.
+// Frames add up to the integral. This is the only loop over lights; integrand.glsl has the only cosine.
 #include "surface/surface.glsl"
 #include "brdf/brdf.glsl"
-#include "integrator/cosine.glsl"
+#include "integrator/integrand.glsl"
 #include "integrator/mirrored.glsl"
 #include "integrator/power_heuristic.glsl"
 #include "integrator/random_point.glsl"
 #include "integrator/rays.glsl"
 #include "integrator/shadowed.glsl"
 #include "light/sample_light.glsl"
-#include "visibility/visibility.glsl"
-
-// f_r · L_i/p · V · cosθ_i: what one direction to light k adds, before its weight.
-vec3 integrand_over_p(Surface x, LightSample light, vec3 wo, int k, int ray) {
-    float cos_i = cosine(x, light.wi);
-    if (!(cos_i > 0.0) || light.Li_over_p == vec3(0.0)) return vec3(0.0);
-    return f_r(x, light.wi, wo) * light.Li_over_p * visibility(x, light.wi, light.distance, k, ray) * cos_i;
-}
 
 vec3 reflected(Surface x, vec3 wo) {
     if (is_mirror) return mirrored(x, wo);
@@ -35,12 +27,12 @@ vec3 reflected(Surface x, vec3 wo) {
         LightSample from_light = sample_light(k, x.position, u);
         bool shares = samples_brdf && from_light.p > 0.0;
         float weight = shares ? power_heuristic(from_light.p, pdf_f_r(x, from_light.wi, wo)) : 1.0;
-        vec3 L = weight * integrand_over_p(x, from_light, wo, k, towards_light);
+        vec3 L = weighted_integrand(weight, x, from_light, wo, k, towards_light);
 
         LightSample along = no_light;
         if (samples_brdf) along = light_along(k, x.position, w_brdf);
         if (along.p > 0.0 && p_brdf > 0.0) { // the point came with density p_brdf, so that is what the integrand is over
-            L += power_heuristic_over(p_brdf, along.p) * integrand_over_p(x, along, wo, k, along_brdf);
+            L += weighted_integrand(power_heuristic_over(p_brdf, along.p), x, along, wo, k, along_brdf);
         }
         L_r += shadowed(L, k, x, wo);
     }

@@ -4,6 +4,7 @@
 #include "integrator/analytic_shadow.glsl"
 #include "integrator/sampled_light.glsl"
 #include "integrator/shadowed.glsl"
+#include "visibility/seen.glsl"
 
 // The whole of a light that is evaluated by its outlines, times V in one direction: in the mean over frames the ratio
 // of shadowed to unshadowed light (Heitz, Hill & McGuire 2018), so that only penumbrae are noisy.
@@ -21,7 +22,7 @@ vec3 reflected_from_outlines(int k, Light light, int parts, Surface x, vec3 wo) 
                 choose_in_outline(warped_lobe(x, wo, i == 1), light, part, parts, x, wo, chosen);
     }
     vec3 wi = normalize(chosen.wi);
-    return L_r * visibility(x, wi, distance_along(k, light, chosen.part, x.position, wi), k, towards_light);
+    return seen(L_r, x, wi, distance_along(k, light, chosen.part, x.position, wi), k, towards_light);
 }
 
 vec3 reflected_from_light(int k, Light light, Surface x, vec3 wo) {

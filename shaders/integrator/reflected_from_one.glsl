@@ -10,6 +10,7 @@
 #include "surface/surface.glsl"
 #include "brdf/brdf.glsl"
 #include "integrator/cosine.glsl"
+#include "integrator/integrand.glsl"
 #include "integrator/met_light.glsl"
 #include "integrator/power_heuristic.glsl"
 #include "integrator/random_point.glsl"
@@ -17,17 +18,10 @@
 #include "interface/estimator.glsl"
 #include "light/sample_light.glsl"
 #include "light/tree.glsl"
-#include "visibility/visibility.glsl"
+#include "visibility/seen.glsl"
 
 // Purposes of random_point(): 0 is the BRDF's direction, 1 the lights and the points on them.
 const uint further_numbers = 2u;
-
-// f_r · L_i/p · V · cosθ_i: what one direction to light k adds, before its weight.
-vec3 integrand_over_p(Surface x, LightSample light, vec3 wo, int k, int ray) {
-    float cos_i = cosine(x, light.wi);
-    if (!(cos_i > 0.0) || light.Li_over_p == vec3(0.0)) return vec3(0.0);
-    return f_r(x, light.wi, wo) * light.Li_over_p * visibility(x, light.wi, light.distance, k, ray) * cos_i;
-}
 
 // The light that an ideal mirror shows, see mirrored.glsl.
 vec3 mirrored_from_one(Surface x, vec3 wo, float u) {
@@ -35,10 +29,10 @@ vec3 mirrored_from_one(Surface x, vec3 wo, float u) {
     if (!(cosine(x, m) > 0.0)) return vec3(0.0);
     MetLight met = met_light(x, m, 0.0, u);
     if (met.k < 0 || !is_at_work(met.k)) return vec3(0.0);
-    return x.base_color * met.weight * met.light.Li_over_p * visibility(x, m, met.light.distance, met.k, towards_light);
+    return seen(x.base_color * met.weight * met.light.Li_over_p, x, m, met.light.distance, met.k, towards_light);
 }
 
-// The light of choice number i, times the number of choices.
+// The light of choice number i, over the number of choices.
 vec3 reflected_from_choice(int i, Surface x, vec3 wo, bool samples_brdf, vec2 u, float fresh) {
     u.x = (u.x + float(i)) / float(light_choices);
     LightChoice choice = choose_light(x.position, x.n, u, fresh);
@@ -47,7 +41,8 @@ vec3 reflected_from_choice(int i, Surface x, vec3 wo, bool samples_brdf, vec2 u,
     bool shares = samples_brdf && light.p > 0.0;
     float p = float(light_choices) * choice.P * light.p;
     float weight = shares ? power_heuristic(p, pdf_f_r(x, light.wi, wo)) : 1.0;
-    return weight * integrand_over_p(x, light, wo, choice.light, towards_light + i) / choice.P;
+    weight /= choice.P * float(light_choices);
+    return weighted_integrand(weight, x, light, wo, choice.light, towards_light + i);
 }
 
 vec3 reflected(Surface x, vec3 wo) {
@@ -59,7 +54,6 @@ vec3 reflected(Surface x, vec3 wo) {
     vec2 u = random_point(1u);
     for (int i = 0; i < light_choices; ++i)
         L_r += reflected_from_choice(i, x, wo, samples_brdf, u, fract(further.y + 0.618034 * float(i)));
-    L_r /= float(light_choices);
     if (!samples_brdf) return L_r;
 
     vec3 w_brdf = sample_f_r(x, wo, random_point(0u));
@@ -67,5 +61,5 @@ vec3 reflected(Surface x, vec3 wo) {
     if (!(p_brdf > 0.0 && cosine(x, w_brdf) > 0.0)) return L_r;
     MetLight met = met_light(x, w_brdf, p_brdf, further.x);
     if (met.k < 0 || !is_at_work(met.k)) return L_r;
-    return L_r + met.weight * integrand_over_p(x, met.light, wo, met.k, towards_light + light_choices);
+    return L_r + weighted_integrand(met.weight, x, met.light, wo, met.k, towards_light + light_choices);
 }

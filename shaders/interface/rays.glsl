@@ -8,4 +8,5 @@ layout(std140) uniform Rays {
     int plane_size; // answers a ray
     int row_size;   // answers a row
     int first_row;  // of the answers, counted from the picture's lower edge
+    int most_rays;  // that a pixel can have; only for interface/deferred.glsl
 };

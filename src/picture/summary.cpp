@@ -58,14 +58,15 @@ ordered_json shadows(const render::GpuScene& scene, const render::Renderer& rend
     if (!occluders) return nullptr;
     if (const render::DepthMaps* maps = renderer.depth_maps())
         return {{"by", "maps"}, {"maps_a_sample", maps->map_count()}, {"map_size", maps->size()}};
-    const render::CpuShadowRays* answers = renderer.shadow_rays();
+    const std::optional<render::TracedRays> answers = renderer.traced_rays();
     ordered_json json{{"by", answers ? "cpu" : "glsl"},
                       {"bvh_triangles", occluders->triangle_count()},
                       {"bvh_nodes", occluders->node_count()},
                       {"build_seconds", occluders->build_seconds()}};
-    if (answers && answers->seconds() > 0.0) {
-        json["rays"] = answers->ray_count();
-        json["rays_per_second"] = static_cast<double>(answers->ray_count()) / answers->seconds();
+    if (answers && answers->seconds > 0.0) {
+        json["shadings_a_sample"] = renderer.defers_visibility() ? 1 : 2;
+        json["rays"] = answers->count;
+        json["rays_per_second"] = static_cast<double>(answers->count) / answers->seconds;
     }
     return json;
 }

@@ -119,6 +119,17 @@ void forward_pass(const RenderTarget& frame, const GpuScene& scene, ShaderLibrar
     draw_visible(scene, shaders, shader, terms);
 }
 
+void add_pass(const RenderTarget& frame, ShaderLibrary& shaders) {
+    frame.bind();
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_CULL_FACE);
+    glEnable(GL_BLEND);
+    glBlendEquation(GL_FUNC_ADD);
+    glBlendFunc(GL_ONE, GL_ONE);
+    shaders.fullscreen_program("deferred_sum.frag").use();
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
 void blend_pass(const RenderTarget& frame, const GpuScene& scene, ShaderLibrary& shaders,
                 const std::string& shader, vec4 eye, ProgramTerms terms) {
     if (scene.blended_draws().empty()) return;

@@ -26,6 +26,10 @@ void record_pass(const GpuScene& scene, ShaderLibrary& shaders, int attachments,
 void forward_pass(const RenderTarget& frame, const GpuScene& scene, ShaderLibrary& shaders,
                   const std::string& shader, ProgramTerms terms);
 
+/// Adds what the CPU summed for the pixels of the scissor (DeferredVisibility) to the frame, under a vertex
+/// array without vertices.
+void add_pass(const RenderTarget& frame, ShaderLibrary& shaders);
+
 /// The fragment shader that draws this in the place of `shader`: glass multiplies what is behind it by a
 /// colour, which takes glass.frag instead of forward.frag.
 const std::string& fragment_of(const Draw& draw, const std::string& shader);

@@ -62,6 +62,7 @@ Renderer::Renderer(const GpuScene& scene, const scene::Camera& camera, const Ren
 }
 
 void Renderer::resize(int width, int height, int samples) {
+    deferred_.reset();
     shadow_rays_.reset(); // its framebuffer holds on to the frame's depth
     if (width != options_.width || height != options_.height) {
         frame_ = RenderTarget("frame", width, height, true);
@@ -92,6 +93,18 @@ int Renderer::choices_of_lights() const {
     return is_wanted && is_possible ? options_.light_choices : 0;
 }
 
+/// Returns whether V is a factor that can be left to the CPU: the renderer's own shaders make it one, what
+/// somebody else puts in their place may not.
+bool Renderer::can_defer_visibility() const {
+    return options_.shader == "forward.frag" && options_.shader_path.size() == 1
+           && DeferredVisibility::is_offered();
+}
+
+std::optional<TracedRays> Renderer::traced_rays() const {
+    if (deferred_) return deferred_->traced();
+    return shadow_rays_ ? std::optional(shadow_rays_->traced()) : std::nullopt;
+}
+
 void Renderer::ask_for_shadows() {
     depth_maps_.reset();
     if (options_.has_shadows && scene_.visibility_backend()
@@ -101,12 +114,15 @@ void Renderer::ask_for_shadows() {
         options_.has_shadows && scene_.visibility_backend() && scene_.visibility_backend()->occlusion();
     const int choices_before = std::exchange(light_choices_, choices_of_lights());
     const int rays_per_point = scene_.light_count() * scene_.rays_per_light();
-    if (is_asked == shadow_rays_.has_value() && rays_per_point == rays_per_point_
+    if (is_asked == (shadow_rays_ || deferred_) && rays_per_point == rays_per_point_
         && light_choices_ == choices_before)
         return;
+    deferred_.reset();
     shadow_rays_.reset();
     rays_per_point_ = rays_per_point;
-    if (is_asked)
+    if (is_asked && can_defer_visibility())
+        deferred_.emplace(scene_, options_.width, options_.height, options_.max_rays, light_choices_);
+    else if (is_asked)
         shadow_rays_.emplace(scene_, frame_, options_.width, options_.height, options_.max_rays,
                              light_choices_);
 }
@@ -115,10 +131,11 @@ void Renderer::compile() {
     if (depth_maps_) depth_maps_->compile(*shaders_);
     for (const Draw& draw : scene_.opaque_draws()) {
         shaders_->mesh_program("depth.frag", depth_features(draw.features));
-        shaders_->mesh_program(options_.shader, draw.features, opaque_terms());
+        if (!deferred_) shaders_->mesh_program(options_.shader, draw.features, opaque_terms());
         if (shadow_rays_)
             shaders_->mesh_program("record.frag", draw.features, {VisibilityTerm::record, light_choices_});
     }
+    if (deferred_) deferred_->compile(*shaders_);
     for (const Draw& draw : scene_.blended_draws())
         shaders_->mesh_program(fragment_of(draw, options_.shader), draw.features, blended_terms());
     if (shows_environment()) shaders_->fullscreen_program("background.frag");
@@ -242,6 +259,8 @@ ProgramTerms Renderer::blended_terms() const {
 }
 
 void Renderer::shade_opaque(const PixelRect& window) {
+    if (deferred_ && first_light_ != end_light_)
+        return deferred_->shade(frame_, window, first_light_, end_light_, frame_data_, *shaders_);
     if (!shadow_rays_ || first_light_ == end_light_) {
         forward_pass(frame_, scene_, *shaders_, options_.shader, opaque_terms());
         return;

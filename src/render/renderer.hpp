@@ -5,6 +5,7 @@
 #include "render/gpu/blocks.hpp"
 #include "render/passes.hpp"
 #include "render/visibility/cpu_shadow_rays.hpp"
+#include "render/visibility/deferred_visibility.hpp"
 #include "render/visibility/depth_maps.hpp"
 
 #include <memory>
@@ -134,8 +135,12 @@ public:
     const gl::Texture& film_sum() const { return film_.color(); }
 
     std::size_t program_count() const { return shaders_->program_count(); }
-    /// The rays that the CPU answered; null where it answers none.
-    const CpuShadowRays* shadow_rays() const { return shadow_rays_ ? &*shadow_rays_ : nullptr; }
+    /// Returns whether the opaque surfaces are shaded once and the CPU adds up what is seen, where it traces
+    /// the shadow rays. Otherwise they are shaded twice: to record the rays, and with the answers.
+    bool defers_visibility() const { return deferred_.has_value(); }
+
+    /// The rays that the CPU answered; absent where it answers none.
+    std::optional<TracedRays> traced_rays() const;
 
     /// Returns the number of lights that a sample chooses; 0 if it visits all.
     int light_choices() const { return light_choices_; }
@@ -150,6 +155,7 @@ private:
     void draw(const PixelRect& part);
     void set_scissor(const PixelRect& window) const;
     int choices_of_lights() const;
+    bool can_defer_visibility() const;
     ProgramTerms opaque_terms() const;
     ProgramTerms blended_terms() const;
     void shade_opaque(const PixelRect& window);
@@ -168,8 +174,9 @@ private:
     std::optional<RenderTarget> first_half_; // the sum of the first sequence's samples
     ConvergedPixels converged_;
     FrameData frame_data_;
+    std::optional<DeferredVisibility> deferred_; // or else:
     std::optional<CpuShadowRays> shadow_rays_;
-    int rays_per_point_ = 0; // that shadow_rays_ was made for
+    int rays_per_point_ = 0; // that these were made for
     int light_choices_ = 0;
     std::optional<DepthMaps> depth_maps_;
     gl::VertexArray no_vertices_{"no vertices"}; // core profile draws need one bound

@@ -44,6 +44,8 @@ struct RaysBlock {
     std::int32_t plane_size;
     std::int32_t row_size;
     std::int32_t first_row;
+    std::int32_t most_rays = 0;
+    std::int32_t unused[3]{};
 };
 
 /// Texture units: a material's slots (scene::texture_inputs, also indices into the uv rows of MaterialBlock),

@@ -19,11 +19,13 @@ constexpr std::array<std::string_view, 9> brdf_functions{
 /// The files that are specialised, behind the user's own roots.
 glsl::Root specialised(const Features& features, VisibilityTerm visibility,
                        std::span<const glsl::Root> path) {
-    constexpr std::array files{"none", "ray", "record", "resolve", "map"};
+    constexpr std::array files{"none", "ray", "record", "resolve", "map", "none"};
     const char* file = files[static_cast<std::size_t>(visibility)];
     glsl::Files texts = brdf_files(features.model, path);
     texts["interface/features.glsl"] = features.glsl();
     texts["visibility/visibility.glsl"] = fmt::format("#include \"visibility/{}.glsl\"\n", file);
+    if (visibility == VisibilityTerm::defer)
+        texts["visibility/seen.glsl"] = "#include \"visibility/deferred.glsl\"\n";
     if (visibility == VisibilityTerm::map) {
         texts["integrator/shadowed.glsl"] = "#include \"integrator/shadowed_by_maps.glsl\"\n";
         texts["integrator/point_on_light.glsl"] = "#include \"integrator/map_point_on_light.glsl\"\n";

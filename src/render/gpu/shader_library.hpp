@@ -17,7 +17,8 @@
 namespace sr::render {
 
 /// The file that is compiled as shaders/visibility/visibility.glsl.
-enum class VisibilityTerm { none, ray, record, resolve, map };
+/// `defer` leaves V to the CPU, and puts visibility/deferred.glsl in the place of visibility/seen.glsl.
+enum class VisibilityTerm { none, ray, record, resolve, map, defer };
 
 /// The terms of the equation that the renderer chooses, besides those that features choose.
 struct ProgramTerms {

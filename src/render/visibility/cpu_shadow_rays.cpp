@@ -145,8 +145,8 @@ std::size_t CpuShadowRays::answer(RowRange band) {
             asked += answer_row(first, first + static_cast<std::size_t>(width_));
         },
         1 + width_ * band.count / pixels_per_thread);
-    ray_count_ += asked;
-    seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    traced_.count += asked;
+    traced_.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return asked;
 }
 
@@ -158,17 +158,17 @@ std::size_t CpuShadowRays::answer_row(std::size_t first, std::size_t end) {
         const vec4 ray = rays_[pixel];
         if (ray.w == 0.0f) continue;
         const vec4 receiver = receivers_[pixel];
-        const int number = static_cast<int>(std::abs(ray.w)) - 1;
+        const RecordedRay recorded{ray};
+        const int number = recorded.number();
         const int plane = chooses_ ? number % rays_per_light_ : number - planes_.first_ray;
         const std::size_t place = static_cast<std::size_t>(plane) * planes_.size + pixel;
-        if (!is_finite(ray)
+        if (!recorded.is_finite()
             || !is_finite(receiver)) { // a user's shader may write this, Embree must not get it
             std::fill_n(&values_[place * channels()], channels(), std::numeric_limits<float>::quiet_NaN());
             ++broken;
             continue;
         }
-        queries.push_back({vec3(receiver), static_cast<int>(receiver.w), vec3(ray), ray.w < 0.0f,
-                           number / rays_per_light_});
+        queries.push_back(recorded.query(vec3(receiver), static_cast<int>(receiver.w), rays_per_light_));
         places.push_back(place);
     }
     std::vector<vec3> V(queries.size());

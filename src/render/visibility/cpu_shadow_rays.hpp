@@ -4,14 +4,9 @@
 #include "render/gpu/blocks.hpp"
 #include "render/gpu/gpu_scene.hpp"
 #include "render/gpu/shader_library.hpp"
+#include "render/visibility/recorded_ray.hpp"
 
 namespace sr::render {
-
-/// Rows [first, first + count) of the picture, counted from its lower edge.
-struct RowRange {
-    int first = 0;
-    int count = 0;
-};
 
 /// Traces the rays from the opaque surfaces of a frame to its lights.
 class CpuShadowRays {
@@ -29,8 +24,7 @@ public:
     /// visibility/resolve.glsl. `frame_data` then has these lights.
     void find(RowRange band, int first_light, int end_light, FrameData& frame_data, ShaderLibrary& shaders);
 
-    std::size_t ray_count() const { return ray_count_; } // traced so far
-    double seconds() const { return seconds_; }          // that the CPU took for them
+    const TracedRays& traced() const { return traced_; } // so far
 
 private:
     /// The answers' planes: which ray the first is of, and how many pixels each has.
@@ -67,8 +61,7 @@ private:
     std::vector<vec4> rays_;
     std::vector<float> values_; // one an answer, three where V has a colour
     Planes planes_;
-    std::size_t ray_count_ = 0;
-    double seconds_ = 0.0;
+    TracedRays traced_;
 };
 
 } // namespace sr::render

@@ -1,0 +1,28 @@
+#version 410 core
+#extension GL_ARB_shader_storage_buffer_object : require
+#extension GL_ARB_shader_image_load_store : require
+// forward.frag for shadow rays that the CPU traces: L_e at once, and of L_r the samples (visibility/deferred.glsl).
+#include "integrator/bounded.glsl"
+#include "integrator/outgoing.glsl"
+#include "surface/at_fragment.glsl"
+#include "visibility/deferred.glsl"
+
+layout(early_fragment_tests) in; // hidden fragments must not write
+
+out vec4 film; // L_e [cd/m²] and coverage, which is 1
+
+void write_receiver(Surface x, int pixel) {
+    int first = deferred_words_of(pixel);
+    ivec3 bits = floatBitsToInt(x.position);
+    for (int i = 0; i < 3; ++i) deferred[first + i] = bits[i];
+    deferred[first + 3] = x.triangle;
+}
+
+void main() {
+    deferred_count = 0;
+    Surface x = surface_at_fragment();
+    film = vec4(bounded(outgoing(x, direction_to_viewer())), 1.0);
+    int pixel = deferred_pixel();
+    if (deferred_count > 0) write_receiver(x, pixel);
+    deferred[pixel] = deferred_count;
+}

@@ -1,0 +1,172 @@
+#include "render/visibility/deferred_visibility.hpp"
+
+#include "core/error.hpp"
+#include "core/parallel.hpp"
+#include "gl/context.hpp"
+#include "render/passes.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <bit>
+#include <chrono>
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+
+namespace sr::render {
+namespace {
+
+// Keep in sync with shaders/interface/deferred.glsl.
+constexpr std::size_t receiver_words = 4, sample_words = 7;
+
+constexpr int most_lights_at_once = 16;                   // more of them shade the surfaces again
+constexpr std::size_t max_bytes = std::size_t{128} << 20; // of the samples of a band
+
+std::size_t max_words() {
+    GLint most = 0;
+    glGetIntegerv(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &most);
+    return std::min(static_cast<std::size_t>(most), max_bytes) / sizeof(std::int32_t);
+}
+
+vec3 floats(const std::int32_t* words) {
+    return {std::bit_cast<float>(words[0]), std::bit_cast<float>(words[1]), std::bit_cast<float>(words[2])};
+}
+
+/// The deferred samples of a row of pixels.
+struct Samples {
+    std::vector<shadow::Query> queries;
+    std::vector<vec3> L;             // of each query: the sample without V
+    std::vector<std::size_t> pixels; // that it belongs to
+};
+
+} // namespace
+
+bool DeferredVisibility::is_offered() {
+    if (!GLAD_GL_ARB_shader_storage_buffer_object || !GLAD_GL_ARB_shader_image_load_store) return false;
+    GLint blocks = 0;
+    glGetIntegerv(GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS, &blocks);
+    return blocks > 0 && gl::is_software_renderer(reinterpret_cast<const char*>(glGetString(GL_RENDERER)));
+}
+
+DeferredVisibility::DeferredVisibility(const GpuScene& scene, int width, int height, std::size_t max_rays,
+                                       int light_choices)
+    : scene_(scene),
+      width_(width),
+      light_choices_(light_choices),
+      rays_per_light_(light_choices > 0 ? light_choices + 1 : scene.rays_per_light()),
+      lights_at_once_(light_choices > 0 ? scene.light_count()
+                                        : std::clamp(scene.light_count(), 1, most_lights_at_once)),
+      most_rays_(light_choices > 0 ? rays_per_light_ : lights_at_once_ * rays_per_light_) {
+    const auto row = static_cast<std::size_t>(width);
+    const std::size_t rows =
+        std::min({BufferTexture::max_texels() / row, max_words() / (row * (1 + pixel_words())),
+                  max_rays / (row * static_cast<std::size_t>(most_rays_))});
+    if (rows == 0)
+        throw Error(fmt::format("the samples of a row of {} pixels take more memory than the driver gives", width),
+                    "choose a smaller --size, or --visibility ray-glsl");
+    rows_at_once_ = std::min(height, static_cast<int>(std::min<std::size_t>(rows, 1u << 30)));
+    const auto plane = static_cast<std::size_t>(width) * static_cast<std::size_t>(rows_at_once_);
+    const std::vector<std::int32_t> no_samples(plane, 0);
+    glBindBuffer(GL_SHADER_STORAGE_BUFFER, samples_.id());
+    glBufferData(GL_SHADER_STORAGE_BUFFER,
+                 static_cast<GLsizeiptr>(plane * (1 + pixel_words()) * sizeof(std::int32_t)), nullptr,
+                 GL_STREAM_READ);
+    glBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, static_cast<GLsizeiptr>(plane * sizeof(std::int32_t)),
+                    no_samples.data());
+}
+
+std::size_t DeferredVisibility::pixel_words() const {
+    return receiver_words + sample_words * static_cast<std::size_t>(most_rays_);
+}
+
+void DeferredVisibility::compile(ShaderLibrary& shaders) const {
+    for (const Draw& draw : scene_.opaque_draws())
+        shaders.mesh_program("deferred.frag", draw.features, terms());
+    shaders.fullscreen_program("deferred_sum.frag");
+}
+
+void DeferredVisibility::shade(const RenderTarget& frame, const PixelRect& window, int first_light,
+                               int end_light, FrameData& frame_data, ShaderLibrary& shaders) {
+    const int first_row = frame.height() - window.row - window.height; // GL counts rows from below
+    glEnable(GL_SCISSOR_TEST);
+    for (int row = 0; row < window.height; row += rows_at_once_) {
+        const RowRange band{first_row + row, std::min(rows_at_once_, window.height - row)};
+        glScissor(window.column, band.first, window.width, band.count);
+        const RaysBlock block{0, width_ * rows_at_once_, width_, band.first, most_rays_};
+        glBindBuffer(GL_UNIFORM_BUFFER, block_.id());
+        glBufferData(GL_UNIFORM_BUFFER, sizeof(block), &block, GL_STREAM_DRAW);
+        glBindBufferBase(GL_UNIFORM_BUFFER, rays_block, block_.id());
+        glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, samples_.id());
+        L_r_.assign(3 * static_cast<std::size_t>(width_) * static_cast<std::size_t>(band.count), 0.0f);
+        for (int first = first_light; first < end_light; first += lights_at_once_) {
+            frame_data.select_lights(first, std::min(end_light, first + lights_at_once_));
+            forward_pass(frame, scene_, shaders, "deferred.frag", terms());
+            add_seen(band);
+        }
+        add_sums(frame, shaders);
+    }
+    glDisable(GL_SCISSOR_TEST);
+    frame_data.select_lights(first_light, end_light);
+}
+
+/// Adds L V of the samples of the band to L_r_, and forgets the samples.
+void DeferredVisibility::add_seen(RowRange band) {
+    const auto plane = static_cast<std::size_t>(width_) * static_cast<std::size_t>(rows_at_once_);
+    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    glBindBuffer(GL_COPY_READ_BUFFER, samples_.id());
+    const auto bytes = static_cast<GLsizeiptr>(plane * (1 + pixel_words()) * sizeof(std::int32_t));
+    auto* words = static_cast<std::int32_t*>(
+        glMapBufferRange(GL_COPY_READ_BUFFER, 0, bytes, GL_MAP_READ_BIT | GL_MAP_WRITE_BIT));
+    if (!words) throw Error("the driver does not show the samples of a frame", "choose a smaller --size");
+    const auto begin = std::chrono::steady_clock::now();
+    constexpr int pixels_per_thread = 1024; // a thread costs about as much as some hundred rays
+    std::atomic<std::size_t> rays = 0;
+    for_each_row(
+        band.count,
+        [&](int row) {
+            rays += add_seen_of_row(words, static_cast<std::size_t>(width_) * static_cast<std::size_t>(row),
+                                    plane);
+        },
+        1 + width_ * band.count / pixels_per_thread);
+    traced_.count += rays;
+    traced_.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    glUnmapBuffer(GL_COPY_READ_BUFFER);
+}
+
+/// `first`: the row's first pixel; `plane`: the pixels of the block. @return the number of rays
+std::size_t DeferredVisibility::add_seen_of_row(std::int32_t* words, std::size_t first, std::size_t plane) {
+    Samples samples;
+    for (std::size_t pixel = first; pixel < first + static_cast<std::size_t>(width_); ++pixel) {
+        const int count = std::exchange(words[pixel], 0);
+        const std::int32_t* receiver = words + plane + pixel * pixel_words();
+        const vec3 x = floats(receiver);
+        for (int i = 0; i < count; ++i) {
+            const std::int32_t* sample = receiver + receiver_words + static_cast<std::size_t>(i) * sample_words;
+            const RecordedRay ray{vec4(floats(sample), std::bit_cast<float>(sample[3]))};
+            if (!ray.is_finite() || !std::isfinite(x.x + x.y + x.z)) { // Embree must not get it
+                L_r_[3 * pixel] = std::numeric_limits<float>::quiet_NaN();
+                continue;
+            }
+            samples.queries.push_back(ray.query(x, receiver[3], rays_per_light_));
+            samples.L.push_back(floats(sample + 4));
+            samples.pixels.push_back(pixel);
+        }
+    }
+    std::vector<vec3> V(samples.queries.size());
+    scene_.visibility_backend()->occlusion()->answer(samples.queries, V);
+    for (std::size_t i = 0; i < V.size(); ++i) {
+        const vec3 seen = samples.L[i] * V[i];
+        for (int channel = 0; channel < 3; ++channel)
+            L_r_[3 * samples.pixels[i] + static_cast<std::size_t>(channel)] += seen[channel];
+    }
+    return V.size();
+}
+
+void DeferredVisibility::add_sums(const RenderTarget& frame, ShaderLibrary& shaders) {
+    sums_.upload(L_r_, "choose a smaller --size");
+    sums_.bind(ray_visibility_unit);
+    glBindVertexArray(no_vertices_.id());
+    add_pass(frame, shaders);
+}
+
+} // namespace sr::render
