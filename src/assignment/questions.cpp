@@ -214,12 +214,13 @@ Examiner::Place Examiner::interesting_place() {
     return from[random_() % from.size()];
 }
 
-/// Tries changes and adds an answer for each line that decides L_o at the place.
-ordered_json Examiner::deciding_lines(const Place& place, vec3 before, ordered_json& answer) {
+/// Tries changes and adds an answer for each line that decides L_o at the place: it alters it by so much that
+/// the pixel shows it. `before`: what the place has by its dark light alone, or else L_o.
+ordered_json Examiner::deciding_lines(const Place& place, vec3 L_o, vec3 before, ordered_json& answer) {
     constexpr std::size_t max_found = 2;
     const int all = static_cast<int>(stage().lights.size());
     const int first = place.dark ? static_cast<int>(*place.dark) : 0, end = place.dark ? first + 1 : all;
-    const double floor = 0.01 * mean_of(*film_);
+    const double floor = std::max<double>(0.01 * mean_of(*film_), luminance(L_o));
     ordered_json found = ordered_json::array();
     const auto tried = [&](const TaskChange& change) {
         const std::string file = file_name(codes_.at(change.task->id));
@@ -254,7 +255,7 @@ ordered_json Examiner::pixel_question() {
     if (place.dark)
         answer.push_back(reason_of_darkness(stage().lights[*place.dark], *place.dark, terms, reference));
     const vec3 before = place.dark ? terms.lights[*place.dark].L_r + terms.L_e : terms.L_o;
-    const ordered_json lines = deciding_lines(place, before, answer);
+    const ordered_json lines = deciding_lines(place, terms.L_o, before, answer);
     if (lines.empty()) answer.push_back("No change that was tried alters this pixel.");
     const bool has_cosine =
         !lines.empty() && lines[0]["part"].get<std::string>().find("dot(n") != std::string::npos;

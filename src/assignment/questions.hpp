@@ -40,7 +40,8 @@ private:
     std::optional<image::Image> rendered(const Codes& codes);
     std::optional<vec3> value_at(const Place& place, const Codes& codes, int first, int end);
     Place interesting_place();
-    nlohmann::ordered_json deciding_lines(const Place& place, vec3 before, nlohmann::ordered_json& answer);
+    nlohmann::ordered_json deciding_lines(const Place& place, vec3 L_o, vec3 before,
+                                          nlohmann::ordered_json& answer);
     std::optional<nlohmann::ordered_json> effect_of(const SceneChange& change);
     std::optional<nlohmann::ordered_json> law_of(const Task& task, const Check& check);
     render::RenderOptions options_of(const Codes& codes) const;

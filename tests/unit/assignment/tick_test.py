@@ -3,7 +3,8 @@
 changed in the scene and rendered, a pixel probed.
 
 usage: tick_test.py STERADIAN ASSIGNMENTS_FOLDER SCRATCH_FOLDER [ASSIGNMENT...]
-One assignment and two of its mistakes; with STERADIAN_TICK=all every assignment and every mistake (an hour).
+One assignment and one of its mistakes. With STERADIAN_TICK=all every assignment and every mistake, 353 in all (some hours); with
+STERADIAN_TICK=N every assignment and N of its mistakes, evenly spread over its tasks.
 """
 import json
 import os
@@ -11,6 +12,7 @@ import re
 import shutil
 import subprocess
 import sys
+import traceback
 from pathlib import Path
 
 STERADIAN, ASSIGNMENTS, SCRATCH = (Path(argument).resolve() for argument in sys.argv[1:4])
@@ -178,21 +180,37 @@ def prove(folder: Path, seed: str):
     return kinds, examination["missing"]
 
 
+def attempt(failures: list, folder: Path, seed: str):
+    """Proves a folder's sheet; a failure is noted, and the others are still tried."""
+    try:
+        return prove(folder, seed)
+    except (AssertionError, subprocess.SubprocessError):
+        failures.append(f"{folder.name}: {traceback.format_exc()}")
+        print(failures[-1], flush=True)
+
+
 def main():
     if not shutil.which("oiiotool"):
         print("SKIPPED: oiiotool is not installed")
         sys.exit(77)
     shutil.rmtree(SCRATCH, ignore_errors=True)
     SCRATCH.mkdir(parents=True)
-    is_whole = os.environ.get("STERADIAN_TICK") == "all"
+    wanted = os.environ.get("STERADIAN_TICK", "")
+    is_whole = wanted == "all" or wanted.isdigit()
     names = sys.argv[4:] or ([p.name for p in sorted(ASSIGNMENTS.glob("a*-*"))] if is_whole else ["a2-diffuse"])
+    failures = []
     for name in names:
-        kinds, missing = prove(make_folder(name, "reference"), "again" if not is_whole else STUDENT)
-        assert kinds == ["pixel", "parameter", "law", "replacement"] and not missing, (kinds, missing)
+        whole_sheet = (["pixel", "parameter", "law", "replacement"], [])
+        found = attempt(failures, make_folder(name, "reference"), "again" if not is_whole else STUDENT)
+        if found and found != whole_sheet:
+            failures.append(f"{name}-reference: {found}")
         mistakes = list(variants(name))
-        chosen = mistakes if is_whole else [mistakes[0]]
-        for task, mistake, code in chosen:
-            prove(make_folder(name, f"{task}-{mistake}", task, code), mistake)
+        step = 1 if wanted == "all" else max(1, len(mistakes) // int(wanted)) if is_whole else len(mistakes)
+        for task, mistake, code in mistakes[::step]:
+            attempt(failures, make_folder(name, f"{task}-{mistake}", task, code), mistake)
+    for failure in failures:
+        print("FAILED:", failure)
+    sys.exit(1 if failures else 0)
 
 
 if __name__ == "__main__":
