@@ -6,6 +6,7 @@
 #include "viewer/document/playback.hpp"
 #include "viewer/input.hpp"
 #include "viewer/messages.hpp"
+#include "viewer/panels/probe.hpp"
 #include "viewer/panels/question.hpp"
 #include "viewer/statistics.hpp"
 #include "viewer/ui.hpp"
@@ -57,8 +58,11 @@ struct Workspace {
     Exposure exposure;
     DisplaySettings display{};
     std::optional<Reference> reference{};
-    std::optional<vec2> wanted_probe{}; // a place in the window that the probe tool shall take
-    bool is_time_held = false;          // while a light is dragged
+    std::optional<vec2> wanted_probe{};  // a place in the window that the probe tool shall take
+    std::optional<ProbeResult> probed{}; // of the probe tool
+    bool is_explained = false;           // `probed`, term by term, instead of the table of all numbers
+    bool is_term_left_out = false;       // the picture beside is the one without a term
+    bool is_time_held = false;           // while a light is dragged
     Layout layout{};
     int width = 0; // of the film [pixels]
     int height = 0;

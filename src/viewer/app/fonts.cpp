@@ -11,18 +11,19 @@ namespace {
 
 constexpr float text_size = 14.0f; // [pixels], before scaling
 constexpr float heading_size = 18.0f;
+constexpr float code_size = 13.0f;
 constexpr float own_size = 13.0f; // that Dear ImGui's own font is drawn for
 
-/// Path of DejaVu Sans on Debian, Fedora, Arch, openSUSE and macOS; null if there is none.
-const char* font_file() {
-    for (const char* const file :
-         {"/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
-          "/usr/share/fonts/dejavu-sans-fonts/DejaVuSans.ttf", "/usr/share/fonts/TTF/DejaVuSans.ttf",
-          "/usr/share/fonts/dejavu/DejaVuSans.ttf", "/opt/homebrew/share/fonts/DejaVuSans.ttf"}) {
+/// Path of a font on Debian, Fedora, Arch, openSUSE and macOS; empty if there is none.
+std::string font_file(const std::string& name) {
+    for (const char* const folder :
+         {"/usr/share/fonts/truetype/dejavu/", "/usr/share/fonts/dejavu-sans-fonts/",
+          "/usr/share/fonts/dejavu-sans-mono-fonts/", "/usr/share/fonts/TTF/", "/usr/share/fonts/dejavu/",
+          "/opt/homebrew/share/fonts/"}) {
         std::error_code ignored;
-        if (std::filesystem::is_regular_file(file, ignored)) return file;
+        if (std::filesystem::is_regular_file(folder + name, ignored)) return folder + name;
     }
-    return nullptr;
+    return {};
 }
 
 /// Latin, Greek, punctuation, super- and subscripts, arrows, mathematical signs, triangles.
@@ -35,16 +36,17 @@ constexpr std::array<ImWchar, 19> letters{0x20,   0x17f,  0x370,  0x3ff,  0x1d62
 Fonts load_fonts(float scale) {
     ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
     atlas.Clear();
-    const char* const file = font_file();
-    const auto font = [&](float size) {
+    const auto font = [&](const std::string& file, float size) {
         ImFontConfig config;
         config.OversampleH = config.OversampleV = 2;
         config.PixelSnapH = true;
         config.SizePixels = own_size / text_size * size * scale;
-        return file ? atlas.AddFontFromFileTTF(file, size * scale, &config, letters.data())
-                    : atlas.AddFontDefault(&config);
+        return file.empty() ? atlas.AddFontDefault(&config)
+                            : atlas.AddFontFromFileTTF(file.c_str(), size * scale, &config, letters.data());
     };
-    return {font(text_size), font(heading_size)};
+    const std::string sans = font_file("DejaVuSans.ttf");
+    return {font(sans, text_size), font(sans, heading_size),
+            font(font_file("DejaVuSansMono.ttf"), code_size)};
 }
 
 std::string in_plain_letters(std::string text) {

@@ -9,6 +9,7 @@ namespace sr::viewer {
 struct Fonts {
     ImFont* text = nullptr;    // the default
     ImFont* heading = nullptr; // larger
+    ImFont* code = nullptr;    // all letters as wide
 };
 
 /// Replaces the fonts of Dear ImGui. `scale`: of a HiDPI screen. Without DejaVu Sans on the system they are

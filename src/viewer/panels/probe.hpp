@@ -40,7 +40,9 @@ private:
 
 class ProbePanel {
 public:
-    std::optional<ProbeResult> result;
+    std::optional<ProbeResult>& result;
+
+    explicit ProbePanel(std::optional<ProbeResult>& probed) : result(probed) {}
 
     /// Draws the table below the picture, if there is a result. A click on a row selects its light in
     /// `selected`.

@@ -258,7 +258,8 @@ Assignment::Assignment(Workspace& workspace)
 /// True if the reference's render is shown beside the student's. A kept or loaded reference replaces it.
 bool Assignment::needs_reference() const {
     const ComparisonMode comparison = ws_.display.comparison;
-    return !ws_.reference && (comparison == ComparisonMode::wipe || comparison == ComparisonMode::difference);
+    return !ws_.reference && !ws_.is_term_left_out
+           && (comparison == ComparisonMode::wipe || comparison == ComparisonMode::difference);
 }
 
 Activity Assignment::activity() const {

@@ -172,9 +172,10 @@ Changes Compare::load(const std::string& file) {
 }
 
 Changes Compare::next_mode() {
-    if (!ws_.reference && ws_.options.submission.empty()) return keep_render();
-    // There is no FLIP map against the reference of an assignment, which still gathers samples.
-    const std::size_t count = ws_.reference ? modes.size() : modes.size() - 1;
+    const bool is_kept = ws_.reference && !ws_.is_term_left_out;
+    if (!is_kept && !ws_.is_term_left_out && ws_.options.submission.empty()) return keep_render();
+    // There is no FLIP map against a picture that still gathers samples.
+    const std::size_t count = is_kept ? modes.size() : modes.size() - 1;
     const std::size_t next = (static_cast<std::size_t>(ws_.display.comparison) + 1) % count;
     ws_.display.comparison = static_cast<ComparisonMode>(next);
     if (ws_.display.comparison == ComparisonMode::flip) begin_flip();
@@ -220,6 +221,7 @@ Changes Compare::update(double /*seconds*/) {
 }
 
 FilmSum Compare::reference_film() const {
+    if (ws_.is_term_left_out) return {};
     if (ws_.display.comparison == ComparisonMode::flip) return flip_ ? flip_->sum() : FilmSum{};
     return ws_.reference ? ws_.reference->sum() : FilmSum{};
 }

@@ -38,7 +38,7 @@ private:
     std::optional<Lobe> lobe_of(const render::PixelTerms& terms, const render::RenderOptions& options,
                                 int column, int row) const;
 
-    ProbePanel panel_;
+    ProbePanel panel_{ws_.probed};
     std::optional<render::Probing> probing_;   // of the pixel that panel_.result names
     std::optional<render::Probing> reference_; // of an assignment, afterwards
     render::RenderOptions options_;            // of both
@@ -164,7 +164,8 @@ void Probe::notice(Changes changes) {
 Changes Probe::draw(const Overlay& overlay) {
     const scene::RenderScene& stage = ws_.scene->stage();
     panel_.draw_directions(stage, overlay.projection, overlay.scale);
-    panel_.draw(stage, ws_.scene->lights(), ws_.selected, ws_.layout, ws_.ui);
+    if (!ws_.is_explained || (ws_.probed && !ws_.probed->is_complete))
+        panel_.draw(stage, ws_.scene->lights(), ws_.selected, ws_.layout, ws_.ui);
     if (probing_ && !panel_.result) stop(); // the panel was closed
     return {};
 }

@@ -69,6 +69,7 @@ std::unique_ptr<Tool> make_animate(Workspace& workspace);
 std::unique_ptr<Tool> make_assignment(Workspace& workspace); // null without an assignment
 std::unique_ptr<Tool> make_compare(Workspace& workspace);
 std::unique_ptr<Tool> make_edit_lights(Workspace& workspace);
+std::unique_ptr<Tool> make_explain(Workspace& workspace);
 std::unique_ptr<Tool> make_files(Workspace& workspace);
 std::unique_ptr<Tool> make_keep_edits(Workspace& workspace);
 std::unique_ptr<Tool> make_probe(Workspace& workspace);

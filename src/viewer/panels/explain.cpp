@@ -1,0 +1,308 @@
+#include "viewer/panels/explain.hpp"
+
+#include "viewer/palette.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fmt/format.h>
+#include <functional>
+#include <imgui.h>
+#include <numeric>
+
+namespace sr::viewer {
+namespace {
+
+constexpr std::array part_names{"luminance", "red", "green", "blue"};
+constexpr ImU32 chosen_cell = IM_COL32(120, 84, 0, 255);
+constexpr ImU32 bar = IM_COL32(86, 180, 233, 70);
+
+/// The meaning of a term, in a sentence.
+const char* meaning_of(EquationTerm term, bool is_mirror) {
+    switch (term) {
+    case EquationTerm::emission: return "Lₑ: the light that the surface itself sends out towards the eye.";
+    case EquationTerm::f_r:
+        return is_mirror ? "ρ: the share of the light that the mirror reflects."
+                         : "fᵣ: the BRDF, the share of light from ωᵢ that leaves towards ωₒ, per steradian.";
+    case EquationTerm::light:
+        return "L Ω: the light that arrives face-on without shadows, as radiance times solid angle. A light "
+               "without extent has I/d² instead.";
+    case EquationTerm::visibility: return "V: the share of the light that nothing blocks.";
+    case EquationTerm::cosine:
+        return "cos θᵢ: light that arrives at a slant is spread over more of the surface.";
+    }
+    return "";
+}
+
+/// Describes the equation without a term.
+const char* omission_of(EquationTerm term) {
+    switch (term) {
+    case EquationTerm::emission: return "Without Lₑ no surface glows by itself.";
+    case EquationTerm::f_r: return "Without fᵣ every surface reflects alike: fᵣ = 1/sr.";
+    case EquationTerm::light: return "Without this light the others remain.";
+    case EquationTerm::visibility: return "Without V nothing casts shadows: V = 1.";
+    case EquationTerm::cosine: return "Without cos θᵢ slanted light counts in full: cos θᵢ = 1.";
+    }
+    return "";
+}
+
+std::string digits(float value) { return fmt::format("{:.4g}", value); }
+
+std::string digits_or_dash(const std::optional<float>& value) { return value ? digits(*value) : "-"; }
+
+void text_line(const std::string& text) { ImGui::TextUnformatted(in_plain_letters(text).c_str()); }
+
+/// The lights, the brightest at this pixel first.
+std::vector<int> by_brightness(const render::PixelTerms& terms, ColorPart part) {
+    std::vector<int> order(terms.lights.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::ranges::stable_sort(order, std::greater{}, [&](int k) {
+        return part_of(terms.lights[static_cast<std::size_t>(k)].L_r, part);
+    });
+    return order;
+}
+
+/// Why a light adds nothing.
+const char* reason_of(const EquationProduct& product) {
+    if (product.L_r > 0.0f) return "";
+    return product.V == 0.0f ? "in shadow" : "does not arrive";
+}
+
+/// "Lₒ = Lₑ + Σ": the sum with this pixel's numbers, the four brightest lights one by one.
+std::string sum_of(const render::PixelTerms& terms, ColorPart part) {
+    constexpr std::size_t shown = 4;
+    const std::vector<int> order = by_brightness(terms, part);
+    std::string text = fmt::format("{} = {}", digits(part_of(terms.L_o, part)), digits(part_of(terms.L_e, part)));
+    float rest = 0.0f;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        const float L_r = part_of(terms.lights[static_cast<std::size_t>(order[i])].L_r, part);
+        if (i < shown)
+            text += fmt::format(" + {}", digits(L_r));
+        else
+            rest += L_r;
+    }
+    if (order.size() > shown) text += fmt::format(" + {} (by {} more)", digits(rest), order.size() - shown);
+    return text;
+}
+
+float reflectance_of(const ProbeResult& result) {
+    return result.lobe && result.lobe->is_mirror ? result.lobe->f_r[0] : 0.0f;
+}
+
+/// The product of one light with its numbers.
+std::string product_text(const EquationProduct& p, const std::string& name) {
+    if (p.is_mirror) return fmt::format("{}: {} = ρ {} · L {}", name, digits(p.L_r), digits(*p.f_r), digits(*p.radiance));
+    if (!p.f_r) return fmt::format("{}: 0, {}", name, reason_of(p));
+    const std::string light = p.radiance ? fmt::format("{} · {} sr", digits(*p.radiance), digits(p.solid_angle))
+                                         : fmt::format("{}", digits(*p.face_on));
+    return fmt::format("{}: {} = {}/sr · {} · {:.4f} · {:.4f}", name, digits(p.L_r), digits(*p.f_r), light, p.V,
+                       p.cos_i);
+}
+
+} // namespace
+
+const char* symbol_of(EquationTerm term) {
+    constexpr std::array<const char*, equation_term_count> symbols{"Lₑ", "fᵣ", "L", "V", "cos θᵢ"};
+    return symbols[static_cast<std::size_t>(term)];
+}
+
+std::string name_of(const ChosenTerm& chosen, const scene::RenderScene& stage) {
+    const auto light = static_cast<std::size_t>(chosen.light);
+    if (chosen.term == EquationTerm::emission || light >= stage.lights.size()) return symbol_of(chosen.term);
+    return fmt::format("{} of {}", symbol_of(chosen.term), scene::name_of(stage.lights[light]));
+}
+
+void ExplainPanel::draw_head(const ProbeResult& result, const Ui& ui) {
+    ImGui::PushFont(ui.fonts().heading);
+    text_line("Lₒ = Lₑ + Σ fᵣ · L · Ω · V · cos θᵢ");
+    ImGui::PopFont();
+    ImGui::SameLine(0.0f, 2.0f * ImGui::GetFontSize());
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextDisabled("pixel %d,%d", result.column, result.row);
+    int part = static_cast<int>(part_);
+    for (std::size_t i = 0; i < part_names.size(); ++i) {
+        ImGui::SameLine();
+        ImGui::RadioButton(part_names[i], &part, static_cast<int>(i));
+    }
+    part_ = static_cast<ColorPart>(part);
+    const float button = ImGui::GetFrameHeight();
+    ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - button);
+    if (ImGui::Button("x", {button, 0.0f})) request_.closes = true;
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("back to all numbers (Esc)");
+}
+
+void ExplainPanel::draw_equation(const ProbeResult& result, const scene::RenderScene& stage,
+                                 const Explanation& explanation, const Ui& ui) {
+    const render::PixelTerms& terms = result.terms;
+    ImGui::PushFont(ui.fonts().heading);
+    ImGui::PushTextWrapPos();
+    text_line(sum_of(terms, part_));
+    const auto light = static_cast<std::size_t>(explanation.chosen.light);
+    if (light < terms.lights.size())
+        text_line(product_text(product_of(terms.lights[light], part_, reflectance_of(result)),
+                          scene::name_of(stage.lights[light])));
+    ImGui::PopTextWrapPos();
+    ImGui::PopFont();
+}
+
+/// Draws a number that chooses its term.
+void ExplainPanel::cell(const std::string& text, const ChosenTerm& here, const ChosenTerm& chosen) {
+    ImGui::TableNextColumn();
+    ImGui::PushID(static_cast<int>(here.term));
+    if (here == chosen) ImGui::TableSetBgColor(ImGuiTableBgTarget_CellBg, chosen_cell);
+    if (ImGui::Selectable(in_plain_letters(text).c_str())) request_.chosen = here;
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("show the code of %s", in_plain_letters(symbol_of(here.term)).c_str());
+    ImGui::PopID();
+}
+
+void ExplainPanel::draw_light(int light, const ProbeResult& result, const scene::RenderScene& stage,
+                              const ChosenTerm& chosen) {
+    const render::PixelTerms& terms = result.terms;
+    const EquationProduct p =
+        product_of(terms.lights[static_cast<std::size_t>(light)], part_, reflectance_of(result));
+    const auto at = [&](EquationTerm term) { return ChosenTerm{term, light}; };
+    ImGui::PushID(light);
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    text_line(fmt::format("{} {}", light, scene::name_of(stage.lights[static_cast<std::size_t>(light)])));
+    cell(digits_or_dash(p.f_r), at(EquationTerm::f_r), chosen);
+    const bool has_extent = p.solid_angle > 0.0f || p.is_mirror;
+    const std::string unit(scene::name_of({scene::Quantity::irradiance, stage.scene.units}));
+    cell(has_extent   ? digits_or_dash(p.radiance)
+         : p.face_on ? fmt::format("{} {}", digits(*p.face_on), unit)
+                     : "-",
+         at(EquationTerm::light), chosen);
+    ImGui::TableNextColumn();
+    text_line(p.solid_angle > 0.0f && !p.is_mirror ? digits(p.solid_angle) : "");
+    cell(p.is_mirror ? "" : fmt::format("{:.4f}", p.V), at(EquationTerm::visibility), chosen);
+    cell(p.is_mirror ? "" : p.f_r ? fmt::format("{:.4f}", p.cos_i) : "-", at(EquationTerm::cosine), chosen);
+    ImGui::TableNextColumn();
+    const float share = p.L_r / std::max(1e-30f, part_of(terms.L_o, part_));
+    const ImVec2 from = ImGui::GetCursorScreenPos();
+    ImGui::GetWindowDrawList()->AddRectFilled(
+        from, {from.x + std::clamp(share, 0.0f, 1.0f) * 7.0f * ImGui::GetFontSize(), from.y + ImGui::GetTextLineHeight()},
+        bar);
+    text_line(p.L_r > 0.0f ? fmt::format("{} ({:.1f} %)", digits(p.L_r), 100.0f * share) : fmt::format("0: {}", reason_of(p)));
+    ImGui::PopID();
+}
+
+void ExplainPanel::draw_products(const ProbeResult& result, const scene::RenderScene& stage,
+                                 const ChosenTerm& chosen, float height) {
+    constexpr auto flags = ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerV
+                           | ImGuiTableFlags_ScrollY | ImGuiTableFlags_ScrollX;
+    const std::string radiance(scene::radiance_unit(stage.scene.units));
+    const std::array heads{std::string("light"),   std::string("fᵣ [1/sr]"), fmt::format("· L [{}]", radiance),
+                           std::string("· Ω [sr]"), std::string("· V"),       std::string("· cos θᵢ"),
+                           fmt::format("= Lᵣ [{}]", radiance)};
+    if (!ImGui::BeginTable("products", static_cast<int>(heads.size()), flags, {0.0f, height})) return;
+    ImGui::TableSetupScrollFreeze(1, 1);
+    for (const std::string& head : heads)
+        ImGui::TableSetupColumn(with_superscripts(in_plain_letters(head)).c_str());
+    ImGui::TableHeadersRow();
+    for (const int light : by_brightness(result.terms, part_)) draw_light(light, result, stage, chosen);
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    text_line("the surface itself");
+    for (int i = 0; i < 5; ++i) ImGui::TableNextColumn();
+    cell(fmt::format("Lₑ {}", digits(part_of(result.terms.L_e, part_))), {EquationTerm::emission, chosen.light}, chosen);
+    ImGui::EndTable();
+}
+
+/// Draws the file's lines; the one that computes the term is marked.
+void ExplainPanel::draw_code(const scene::RenderScene& stage, const Explanation& explanation, const Ui& ui) {
+    const std::optional<CodeExcerpt>& code = explanation.code;
+    ImGui::TextUnformatted(in_plain_letters(name_of(explanation.chosen, stage)).c_str());
+    ImGui::SameLine();
+    if (!code) {
+        ImGui::TextDisabled("has no line of its own in these shaders.");
+        return;
+    }
+    ImGui::TextDisabled("%s:%d", code->file.c_str(), code->line);
+    ImGui::PushFont(ui.fonts().code);
+    ImGui::PushTextWrapPos();
+    for (std::size_t i = 0; i < code->lines.size(); ++i) {
+        const int at = code->first + static_cast<int>(i);
+        const std::string text = in_plain_letters(fmt::format("{:3} {}", at, code->lines[i]));
+        if (at == code->line)
+            ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(palette::orange), "%s", text.c_str());
+        else
+            ImGui::TextDisabled("%s", text.c_str());
+    }
+    ImGui::PopTextWrapPos();
+    ImGui::PopFont();
+}
+
+/// Draws the button that leaves the term out, the changed line, and what becomes of the pixel.
+void ExplainPanel::draw_omission(const ProbeResult& result, const Explanation& explanation, const Ui& ui) {
+    const std::string keys = keys_of(Command::leave_out_term);
+    const bool is_out = explanation.left_out.has_value();
+    const std::string label = fmt::format("{} ({})", is_out ? "take it back" : "leave it out", keys);
+    if (ImGui::Button(label.c_str())) request_.toggles_term = true;
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("the picture without this term, beside the picture");
+    if (!is_out) return;
+    ImGui::SameLine();
+    text_line(omission_of(explanation.chosen.term));
+    ImGui::PushFont(ui.fonts().code);
+    const LeftOut& out = *explanation.left_out;
+    const auto colored = [](ImU32 color, const std::string& text) {
+        ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(color), "%s", in_plain_letters(text).c_str());
+    };
+    ImGui::PushTextWrapPos();
+    ImGui::TextDisabled("%s:%d", out.file.c_str(), out.line);
+    colored(palette::vermilion, "- " + out.before);
+    colored(palette::green, "+ " + out.after);
+    ImGui::PopTextWrapPos();
+    ImGui::PopFont();
+    if (!explanation.L_o_without) return;
+    const float with = part_of(result.terms.L_o, part_), without = part_of(*explanation.L_o_without, part_);
+    const bool is_same = std::abs(without - with) < 0.005f * std::max(with, 1e-30f);
+    const std::string ratio = is_same       ? ", the same"
+                              : with > 0.0f ? fmt::format(", {:.3g} times as much", without / with)
+                                            : std::string();
+    text_line(fmt::format("Lₒ here: {} with it, {} without{}{}", digits(with), digits(without), ratio,
+                          explanation.is_final ? "." : ", so far."));
+}
+
+ExplainPanel::Request ExplainPanel::draw(const ProbeResult& result, const scene::RenderScene& stage,
+                                         const Explanation& explanation, Layout& layout, const Ui& ui) {
+    request_ = {};
+    const bool is_docked = layout.is_docked();
+    const float room = layout.rest().size.y;
+    const float height = std::min(0.48f * room, 23.0f * ImGui::GetFontSize());
+    if (is_docked) {
+        place_next_window(layout.take_below_picture(height));
+    } else {
+        const vec2 size = layout.rest().size;
+        ImGui::SetNextWindowPos({0.02f * size.x, 0.45f * size.y}, ImGuiCond_FirstUseEver);
+        ImGui::SetNextWindowSize({0.96f * size.x, 0.53f * size.y});
+    }
+    const int flags = ui.panel_flags(true) & ~(is_docked ? 0 : ImGuiWindowFlags_NoMove);
+    if (ImGui::Begin("Explain", nullptr, flags | ImGuiWindowFlags_NoNavInputs)) {
+        draw_head(result, ui);
+        const ImVec2 space = ImGui::GetContentRegionAvail();
+        const bool is_narrow = space.x < 60.0f * ImGui::GetFontSize(); // the code is below the numbers
+        const float width = is_narrow ? space.x : std::min(0.52f * space.x, 46.0f * ImGui::GetFontSize());
+        ImGui::BeginChild("numbers", {width, space.y});
+        if (result.terms.coverage == 0.0f)
+            text_line("No surface is seen here: Lₒ is the background.");
+        else
+            draw_equation(result, stage, explanation, ui);
+        draw_products(result, stage, explanation.chosen,
+                      std::max(ImGui::GetContentRegionAvail().y, 5.0f * ImGui::GetFrameHeight()));
+        ImGui::EndChild();
+        if (!is_narrow) ImGui::SameLine();
+        ImGui::BeginChild("code", {0.0f, space.y}, true);
+        ImGui::PushTextWrapPos();
+        text_line(meaning_of(explanation.chosen.term, reflectance_of(result) > 0.0f));
+        ImGui::PopTextWrapPos();
+        draw_omission(result, explanation, ui);
+        ImGui::Separator();
+        draw_code(stage, explanation, ui);
+        ImGui::EndChild();
+    }
+    if (!is_docked) keep_in_viewport();
+    ImGui::End();
+    return request_;
+}
+
+} // namespace sr::viewer
