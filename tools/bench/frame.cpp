@@ -84,10 +84,10 @@ void report_rays(const render::GpuScene& scene, const render::Renderer& renderer
     }
     fmt::print("shadows: built in {:.3f} s, {} boxes", scene.visibility_backend()->build_seconds(),
                scene.visibility_backend()->node_count());
-    if (const auto* answers = renderer.shadow_rays())
+    if (const auto answers = renderer.traced_rays())
         fmt::print(", {:.2f} M rays a frame, {:.1f} M rays/s",
-                   1e-6 * static_cast<double>(answers->ray_count()) / renderer.sample_count(),
-                   1e-6 * static_cast<double>(answers->ray_count()) / answers->seconds());
+                   1e-6 * static_cast<double>(answers->count) / renderer.sample_count(),
+                   1e-6 * static_cast<double>(answers->count) / answers->seconds);
     fmt::print("\n");
 }
 
