@@ -1,11 +1,9 @@
 #version 410 core
-#extension GL_ARB_shader_storage_buffer_object : require
-#extension GL_ARB_shader_image_load_store : require
 // forward.frag for shadow rays that the CPU traces: L_e at once, and of L_r the samples (visibility/deferred.glsl).
+#include "interface/deferred.glsl"
 #include "integrator/bounded.glsl"
 #include "integrator/outgoing.glsl"
 #include "surface/at_fragment.glsl"
-#include "visibility/deferred.glsl"
 
 layout(early_fragment_tests) in; // hidden fragments must not write
 

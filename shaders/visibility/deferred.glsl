@@ -3,8 +3,6 @@
 #include "surface/surface.glsl"
 #include "visibility/named_ray.glsl"
 
-int deferred_count; // of this pixel so far
-
 vec3 seen(vec3 L, Surface x, vec3 wi, float distance, int light, int ray) {
     if (L == vec3(0.0)) return vec3(0.0);
     int first = deferred_words_of(deferred_pixel()) + receiver_words + sample_words * deferred_count;

@@ -30,7 +30,8 @@ scene::Scene boxes() {
                 m.roughness = 0.2f;
                 m.emission = vec3(0.3f, 0.2f, 0.1f);
             }));
-    add_quad(scene, {0.9f, 0.9f, 0.6f}, {0.5f, 0, 0}, {0, 0, -0.5f}, of(vec3(0.9f, 0.2f, 0.2f), [](scene::Material& m) {
+    add_quad(scene, {0.9f, 0.9f, 0.6f}, {0.5f, 0, 0}, {0, 0, -0.5f},
+             of(vec3(0.9f, 0.2f, 0.2f), [](scene::Material& m) {
                  m.alpha_mode = scene::AlphaMode::blend;
                  m.base_color.w = 0.5f;
                  m.is_double_sided = true;
@@ -44,11 +45,12 @@ std::vector<scene::Light> lights(int count) {
         const float angle = 2.4f * static_cast<float>(i);
         const vec3 at(1.5f * std::cos(angle), 1.4f + 0.03f * static_cast<float>(i), 1.5f * std::sin(angle));
         switch (i % 4) {
-        case 0: lights.push_back(scene::RectangleLight{"", at, {0.3f, 0, 0}, {0, 0, 0.3f}, vec3(5.0f)}); break;
+        case 0:
+            lights.push_back(scene::RectangleLight{"", at, {0.3f, 0, 0}, {0, 0, 0.3f}, vec3(5.0f)});
+            break;
         case 1: lights.push_back(scene::PointLight{"", at, vec3(1.0f, 0.8f, 0.5f)}); break;
         case 2: lights.push_back(scene::SphereLight{"", at, 0.2f, vec3(3.0f)}); break;
-        default:
-            lights.push_back(scene::DirectionalLight{"", -glm::normalize(at), vec3(0.4f, 0.5f, 0.6f)});
+        default: lights.push_back(scene::DirectionalLight{"", -glm::normalize(at), vec3(0.4f, 0.5f, 0.6f)});
         }
     }
     return lights;
@@ -60,14 +62,16 @@ image::Image film_of(const scene::Scene& scene, std::span<const scene::Light> li
                      render::RenderOptions options, bool is_foreign) {
     options.width = options.height = size;
     options.samples = 4;
-    if (is_foreign) options.shader_path.insert(options.shader_path.begin(), glsl::Root::memory("nothing", {}));
+    if (is_foreign)
+        options.shader_path.insert(options.shader_path.begin(), glsl::Root::memory("nothing", {}));
     const render::GpuScene gpu_scene(scene, lights, Visibility::ray_on_cpu);
     render::Renderer renderer(gpu_scene, camera_from_above(1.6f), options);
     EXPECT_EQ(renderer.defers_visibility(), !is_foreign);
     renderer.compile();
     const std::size_t programs = renderer.program_count();
     for (int i = 0; i < options.samples; ++i)
-        while (!renderer.add_rows(7)) {}
+        while (!renderer.add_rows(7)) {
+        }
     EXPECT_EQ(renderer.program_count(), programs) << "compile() left out a program";
     EXPECT_GT(renderer.traced_rays()->count, 0u);
     return renderer.read_film();
@@ -83,18 +87,17 @@ void expect_equal(const scene::Scene& scene, std::span<const scene::Light> light
 /// Runs a test where the driver can shade once.
 void where_offered(void (*check)()) {
     context();
-    if (!render::DeferredVisibility::is_offered()) GTEST_SKIP() << "this driver has no shader storage buffers";
+    if (!render::DeferredVisibility::is_offered())
+        GTEST_SKIP() << "this driver has no shader storage buffers";
     check();
 }
 
-const Test plain("law.shadow.once.equals_twice", [] {
-    where_offered([] { expect_equal(boxes(), lights(4), {}); });
-});
+const Test plain("law.shadow.once.equals_twice",
+                 [] { where_offered([] { expect_equal(boxes(), lights(4), {}); }); });
 
 // More lights than one shading takes; their sums come together before the frame has them.
-const Test many("law.shadow.once.many_lights", [] {
-    where_offered([] { expect_equal(boxes(), lights(37), {}); });
-});
+const Test many("law.shadow.once.many_lights",
+                [] { where_offered([] { expect_equal(boxes(), lights(37), {}); }); });
 
 const Test chosen("law.shadow.once.chosen_lights", [] {
     where_offered([] {

@@ -62,8 +62,9 @@ DeferredVisibility::DeferredVisibility(const GpuScene& scene, int width, int hei
         std::min({BufferTexture::max_texels() / row, max_words() / (row * (1 + pixel_words())),
                   max_rays / (row * static_cast<std::size_t>(most_rays_))});
     if (rows == 0)
-        throw Error(fmt::format("the samples of a row of {} pixels take more memory than the driver gives", width),
-                    "choose a smaller --size, or --visibility ray-glsl");
+        throw Error(
+            fmt::format("the samples of a row of {} pixels take more memory than the driver gives", width),
+            "choose a smaller --size, or --visibility ray-glsl");
     rows_at_once_ = std::min(height, static_cast<int>(std::min<std::size_t>(rows, 1u << 30)));
     const auto plane = static_cast<std::size_t>(width) * static_cast<std::size_t>(rows_at_once_);
     const std::vector<std::int32_t> no_samples(plane, 0);
@@ -141,7 +142,8 @@ std::size_t DeferredVisibility::add_seen_of_row(std::int32_t* words, std::size_t
         const std::int32_t* receiver = words + plane + pixel * pixel_words();
         const vec3 x = floats(receiver);
         for (int i = 0; i < count; ++i) {
-            const std::int32_t* sample = receiver + receiver_words + static_cast<std::size_t>(i) * sample_words;
+            const std::int32_t* sample =
+                receiver + receiver_words + static_cast<std::size_t>(i) * sample_words;
             const RecordedRay ray{vec4(floats(sample), std::bit_cast<float>(sample[3]))};
             if (!ray.is_finite() || !std::isfinite(x.x + x.y + x.z)) { // Embree must not get it
                 L_r_[3 * pixel] = std::numeric_limits<float>::quiet_NaN();

@@ -1,6 +1,6 @@
 #pragma once
-// A frame whose shadow rays the CPU traces, shaded once. V is a factor of each sample: the shader writes the samples and
-// their rays down, and the CPU adds up what is seen.
+// A frame whose shadow rays the CPU traces, shaded once. V is a factor of each sample: the shader writes the
+// samples and their rays down, and the CPU adds up what is seen.
 #include "render/film.hpp"
 #include "render/gpu/blocks.hpp"
 #include "render/gpu/gpu_scene.hpp"
@@ -40,9 +40,9 @@ private:
     const GpuScene& scene_;
     int width_;
     int light_choices_;
-    int rays_per_light_;  // as shaders/visibility/named_ray.glsl numbers them
+    int rays_per_light_; // as shaders/visibility/named_ray.glsl numbers them
     int lights_at_once_;
-    int most_rays_;       // of a pixel, to this many lights
+    int most_rays_; // of a pixel, to this many lights
     int rows_at_once_;
     gl::Buffer samples_{"deferred samples"};
     gl::Buffer block_{"rays"};
