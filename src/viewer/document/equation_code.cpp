@@ -38,8 +38,8 @@ std::string function_of(EquationTerm term, const scene::Light* light) {
 /// True if a line begins the definition of a function: not a call, no prototype.
 bool defines(std::string_view line, const std::string& function) {
     constexpr std::array types{"vec3 ", "float ", "LightSample "};
-    const bool is_declared = std::ranges::any_of(
-        types, [&](const char* type) { return line.starts_with(type + function + "("); });
+    const bool is_declared =
+        std::ranges::any_of(types, [&](const char* type) { return line.starts_with(type + function + "("); });
     return is_declared && (line.find(';') == std::string_view::npos || line.find('{') < line.find(';'));
 }
 
@@ -66,8 +66,8 @@ CodeExcerpt excerpt_around(const glsl::Source& source, std::size_t at) {
     const auto is_end_of_function = [&](std::size_t i) { return texts[i].starts_with("}"); };
     while (end - at < after && follows(end) && !is_end_of_function(end - 1)) ++end;
     const glsl::Source::Line origin = source.lines[at];
-    CodeExcerpt excerpt{source.files[static_cast<std::size_t>(origin.file)], origin.line,
-                        source.lines[begin].line, {}};
+    CodeExcerpt excerpt{
+        source.files[static_cast<std::size_t>(origin.file)], origin.line, source.lines[begin].line, {}};
     for (std::size_t i = begin; i < end; ++i) excerpt.lines.emplace_back(texts[i]);
     return excerpt;
 }
@@ -89,7 +89,8 @@ std::vector<Omission> omissions_of(int left_out) {
             {EquationTerm::light, integral, each, others},
             {EquationTerm::light, mirror_sum, each, others, true},
             {EquationTerm::visibility, integral, " * visibility(x, light.wi, light.distance, k, ray)", ""},
-            {EquationTerm::visibility, mirror_sum, " * visibility(x, m, light.distance, k, towards_light)", "", true},
+            {EquationTerm::visibility, mirror_sum, " * visibility(x, m, light.distance, k, towards_light)",
+             "", true},
             {EquationTerm::cosine, integral, " * cos_i;", ";"}};
 }
 
@@ -129,7 +130,8 @@ std::optional<LeftOut> EquationCode::without(EquationTerm term, int light) const
         const std::size_t at = text.find(omission.from);
         if (at == std::string::npos) continue;
         const std::size_t begin = text.rfind('\n', at) + 1; // npos + 1 is 0
-        const int line = 1 + static_cast<int>(std::ranges::count(std::string_view(text).substr(0, begin), '\n'));
+        const int line =
+            1 + static_cast<int>(std::ranges::count(std::string_view(text).substr(0, begin), '\n'));
         const std::string before = text.substr(begin, text.find('\n', at) - begin);
         text.replace(at, omission.from.size(), omission.to);
         const std::string after = text.substr(begin, text.find('\n', at) - begin);

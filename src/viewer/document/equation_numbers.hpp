@@ -14,8 +14,8 @@ inline float part_of(vec3 color, ColorPart part) {
     return part == ColorPart::luminance ? luminance(color) : color[static_cast<int>(part) - 1];
 }
 
-/// L_r = f_r · L · Ω · V · cosθ of one light: means over it, whose product is exact by the choice of L. Without an
-/// extent, L Ω is one number, `face_on`.
+/// L_r = f_r · L · Ω · V · cosθ of one light: means over it, whose product is exact by the choice of L.
+/// Without an extent, L Ω is one number, `face_on`.
 struct EquationProduct {
     float L_r = 0.0f; // [cd/m²]
     float V = 0.0f;
@@ -24,7 +24,7 @@ struct EquationProduct {
     std::optional<float> f_r;      // [1/sr]; of a mirror its reflectance. Absent where nothing arrives
     std::optional<float> radiance; // L [cd/m²]; of a mirror, L with the part of it that V leaves
     std::optional<float> face_on;  // L Ω [lx]: E over V cosθ
-    bool is_mirror = false;        // L_r = ρ L: the delta leaves one direction, so that Ω and cosθ drop out
+    bool is_mirror = false; // L_r = ρ L: the delta leaves one direction, so that Ω and cosθ drop out
 };
 
 /// `reflectance`: of an ideal mirror; 0 for every other surface.

@@ -72,7 +72,8 @@ const char* reason_of(const EquationProduct& product) {
 std::string sum_of(const render::PixelTerms& terms, ColorPart part) {
     constexpr std::size_t shown = 4;
     const std::vector<int> order = by_brightness(terms, part);
-    std::string text = fmt::format("{} = {}", digits(part_of(terms.L_o, part)), digits(part_of(terms.L_e, part)));
+    std::string text =
+        fmt::format("{} = {}", digits(part_of(terms.L_o, part)), digits(part_of(terms.L_e, part)));
     float rest = 0.0f;
     for (std::size_t i = 0; i < order.size(); ++i) {
         const float L_r = part_of(terms.lights[static_cast<std::size_t>(order[i])].L_r, part);
@@ -91,12 +92,14 @@ float reflectance_of(const ProbeResult& result) {
 
 /// The product of one light with its numbers.
 std::string product_text(const EquationProduct& p, const std::string& name) {
-    if (p.is_mirror) return fmt::format("{}: {} = ρ {} · L {}", name, digits(p.L_r), digits(*p.f_r), digits(*p.radiance));
+    if (p.is_mirror)
+        return fmt::format("{}: {} = ρ {} · L {}", name, digits(p.L_r), digits(*p.f_r), digits(*p.radiance));
     if (!p.f_r) return fmt::format("{}: 0, {}", name, reason_of(p));
-    const std::string light = p.radiance ? fmt::format("{} · {} sr", digits(*p.radiance), digits(p.solid_angle))
-                                         : fmt::format("{}", digits(*p.face_on));
-    return fmt::format("{}: {} = {}/sr · {} · {:.4f} · {:.4f}", name, digits(p.L_r), digits(*p.f_r), light, p.V,
-                       p.cos_i);
+    const std::string light = p.radiance
+                                  ? fmt::format("{} · {} sr", digits(*p.radiance), digits(p.solid_angle))
+                                  : fmt::format("{}", digits(*p.face_on));
+    return fmt::format("{}: {} = {}/sr · {} · {:.4f} · {:.4f}", name, digits(p.L_r), digits(*p.f_r), light,
+                       p.V, p.cos_i);
 }
 
 } // namespace
@@ -140,7 +143,7 @@ void ExplainPanel::draw_equation(const ProbeResult& result, const scene::RenderS
     const auto light = static_cast<std::size_t>(explanation.chosen.light);
     if (light < terms.lights.size())
         text_line(product_text(product_of(terms.lights[light], part_, reflectance_of(result)),
-                          scene::name_of(stage.lights[light])));
+                               scene::name_of(stage.lights[light])));
     ImGui::PopTextWrapPos();
     ImGui::PopFont();
 }
@@ -151,7 +154,8 @@ void ExplainPanel::cell(const std::string& text, const ChosenTerm& here, const C
     ImGui::PushID(static_cast<int>(here.term));
     if (here == chosen) ImGui::TableSetBgColor(ImGuiTableBgTarget_CellBg, chosen_cell);
     if (ImGui::Selectable(in_plain_letters(text).c_str())) request_.chosen = here;
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("show the code of %s", in_plain_letters(symbol_of(here.term)).c_str());
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip("show the code of %s", in_plain_letters(symbol_of(here.term)).c_str());
     ImGui::PopID();
 }
 
@@ -168,31 +172,42 @@ void ExplainPanel::draw_light(int light, const ProbeResult& result, const scene:
     cell(digits_or_dash(p.f_r), at(EquationTerm::f_r), chosen);
     const bool has_extent = p.solid_angle > 0.0f || p.is_mirror;
     const std::string unit(scene::name_of({scene::Quantity::irradiance, stage.scene.units}));
-    cell(has_extent   ? digits_or_dash(p.radiance)
+    cell(has_extent  ? digits_or_dash(p.radiance)
          : p.face_on ? fmt::format("{} {}", digits(*p.face_on), unit)
                      : "-",
          at(EquationTerm::light), chosen);
     ImGui::TableNextColumn();
     text_line(p.solid_angle > 0.0f && !p.is_mirror ? digits(p.solid_angle) : "");
-    cell(p.is_mirror ? "" : fmt::format("{:.4f}", p.V), at(EquationTerm::visibility), chosen);
+    cell(p.is_mirror           ? ""
+         : p.f_r || p.V < 1.0f ? fmt::format("{:.4f}", p.V)
+                               : "-",
+         at(EquationTerm::visibility), chosen);
     cell(p.is_mirror ? "" : p.f_r ? fmt::format("{:.4f}", p.cos_i) : "-", at(EquationTerm::cosine), chosen);
     ImGui::TableNextColumn();
     const float share = p.L_r / std::max(1e-30f, part_of(terms.L_o, part_));
     const ImVec2 from = ImGui::GetCursorScreenPos();
     ImGui::GetWindowDrawList()->AddRectFilled(
-        from, {from.x + std::clamp(share, 0.0f, 1.0f) * 7.0f * ImGui::GetFontSize(), from.y + ImGui::GetTextLineHeight()},
+        from,
+        {from.x + std::clamp(share, 0.0f, 1.0f) * 7.0f * ImGui::GetFontSize(),
+         from.y + ImGui::GetTextLineHeight()},
         bar);
-    text_line(p.L_r > 0.0f ? fmt::format("{} ({:.1f} %)", digits(p.L_r), 100.0f * share) : fmt::format("0: {}", reason_of(p)));
+    text_line(p.L_r > 0.0f ? fmt::format("{} ({:.1f} %)", digits(p.L_r), 100.0f * share)
+                           : fmt::format("0: {}", reason_of(p)));
     ImGui::PopID();
 }
 
 void ExplainPanel::draw_products(const ProbeResult& result, const scene::RenderScene& stage,
                                  const ChosenTerm& chosen, float height) {
-    constexpr auto flags = ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerV
-                           | ImGuiTableFlags_ScrollY | ImGuiTableFlags_ScrollX;
+    constexpr auto flags = ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_RowBg
+                           | ImGuiTableFlags_BordersInnerV | ImGuiTableFlags_ScrollY
+                           | ImGuiTableFlags_ScrollX;
     const std::string radiance(scene::radiance_unit(stage.scene.units));
-    const std::array heads{std::string("light"),   std::string("fᵣ [1/sr]"), fmt::format("· L [{}]", radiance),
-                           std::string("· Ω [sr]"), std::string("· V"),       std::string("· cos θᵢ"),
+    const std::array heads{std::string("light"),
+                           std::string("fᵣ [1/sr]"),
+                           fmt::format("· L [{}]", radiance),
+                           std::string("· Ω [sr]"),
+                           std::string("· V"),
+                           std::string("· cos θᵢ"),
                            fmt::format("= Lᵣ [{}]", radiance)};
     if (!ImGui::BeginTable("products", static_cast<int>(heads.size()), flags, {0.0f, height})) return;
     ImGui::TableSetupScrollFreeze(1, 1);
@@ -204,7 +219,8 @@ void ExplainPanel::draw_products(const ProbeResult& result, const scene::RenderS
     ImGui::TableNextColumn();
     text_line("the surface itself");
     for (int i = 0; i < 5; ++i) ImGui::TableNextColumn();
-    cell(fmt::format("Lₑ {}", digits(part_of(result.terms.L_e, part_))), {EquationTerm::emission, chosen.light}, chosen);
+    cell(fmt::format("Lₑ {}", digits(part_of(result.terms.L_e, part_))),
+         {EquationTerm::emission, chosen.light}, chosen);
     ImGui::EndTable();
 }
 

@@ -45,12 +45,12 @@ private:
 
     ExplainPanel panel_;
     Explanation explanation_;
-    bool has_begun_ = false;                         // the panel has shown this pixel's numbers
-    std::optional<std::size_t> followed_;            // selected light that the panel has followed
-    std::vector<glsl::Root> path_;                   // of the render
-    std::unique_ptr<ProgressiveRender> render_;      // without the term
-    bool is_same_view_ = true;                       // the probed pixel is where it was
-    std::pair<int, int> size_{};                     // of render_
+    bool has_begun_ = false;                    // the panel has shown this pixel's numbers
+    std::optional<std::size_t> followed_;       // selected light that the panel has followed
+    std::vector<glsl::Root> path_;              // of the render
+    std::unique_ptr<ProgressiveRender> render_; // without the term
+    bool is_same_view_ = true;                  // the probed pixel is where it was
+    std::pair<int, int> size_{};                // of render_
     ComparisonMode comparison_before_ = ComparisonMode::none;
 };
 
@@ -95,7 +95,8 @@ EquationCode Explain::code() const {
     const scene::Scene& scene = ws_.scene->stage().scene;
     const vec3 towards = -terms.wo;
     if (const auto hit = first_hit(scene, {terms.x - 0.01f * towards, towards})) {
-        const auto mesh = static_cast<std::size_t>(scene.instances[static_cast<std::size_t>(hit->instance)].mesh);
+        const auto mesh =
+            static_cast<std::size_t>(scene.instances[static_cast<std::size_t>(hit->instance)].mesh);
         code.model = scene.materials[static_cast<std::size_t>(scene.meshes[mesh].material)].model;
     }
     const render::VisibilityBackend* const backend = ws_.scene->gpu().visibility_backend();
@@ -145,7 +146,8 @@ void Explain::find_code() {
 Changes Explain::choose_next() {
     const std::size_t next = (static_cast<std::size_t>(explanation_.chosen.term) + 1) % equation_term_count;
     const bool has_lights = !ws_.probed->terms.lights.empty();
-    return choose({has_lights ? static_cast<EquationTerm>(next) : EquationTerm::emission, explanation_.chosen.light});
+    return choose(
+        {has_lights ? static_cast<EquationTerm>(next) : EquationTerm::emission, explanation_.chosen.light});
 }
 
 Changes Explain::toggle_term() {
@@ -166,15 +168,17 @@ Changes Explain::leave_out() {
     try {
         explanation_.left_out = code().without(chosen.term, chosen.light);
         if (!explanation_.left_out) {
-            ws_.messages.notify(fmt::format("These shaders have {} in a way of their own: it cannot be left out.",
-                                            in_plain_letters(symbol_of(chosen.term))));
+            ws_.messages.notify(
+                fmt::format("These shaders have {} in a way of their own: it cannot be left out.",
+                            in_plain_letters(symbol_of(chosen.term))));
             return Change::redraw;
         }
         options.shader_path.insert(options.shader_path.begin(), explanation_.left_out->overlay);
         options.estimator = render::Estimator::sampled;
         options.lights = render::LightSampling::all;
         options.has_shadows = chosen.term != EquationTerm::visibility;
-        render_ = std::make_unique<ProgressiveRender>(ws_.scene->gpu(), ws_.camera->camera(), options, ws_.options.stop);
+        render_ = std::make_unique<ProgressiveRender>(ws_.scene->gpu(), ws_.camera->camera(), options,
+                                                      ws_.options.stop);
         size_ = {ws_.width, ws_.height};
     } catch (const Error& error) {
         explanation_.left_out.reset();
@@ -183,8 +187,8 @@ Changes Explain::leave_out() {
     }
     ws_.is_term_left_out = true;
     comparison_before_ = std::exchange(ws_.display.comparison, ComparisonMode::wipe);
-    ws_.messages.notify(fmt::format("Right: without {}. B: difference, alone. Esc takes it back.",
-                                    left_out_name()));
+    ws_.messages.notify(
+        fmt::format("Right: without {}. B: difference, alone. Esc takes it back.", left_out_name()));
     return Change::display;
 }
 
@@ -218,8 +222,8 @@ Changes Explain::update(double /*seconds*/) {
     if (!was_converged) render_->advance();
     explanation_.is_final = render_->is_converged();
     if (is_same_view_ && !render_->is_interactive() && render_->sample_count() > 0)
-        explanation_.L_o_without = render_->pixel((vec2(ws_.probed->column, ws_.probed->row) + 0.5f)
-                                                  / vec2(ws_.width, ws_.height));
+        explanation_.L_o_without =
+            render_->pixel((vec2(ws_.probed->column, ws_.probed->row) + 0.5f) / vec2(ws_.width, ws_.height));
     if (explanation_.is_final && !was_converged) {
         ws_.messages.log("The picture without the term has converged.");
         return Change::redraw;

@@ -15,7 +15,7 @@ using sr::testing::Test;
 namespace {
 
 constexpr std::array all_terms{EquationTerm::emission, EquationTerm::f_r, EquationTerm::light,
-                           EquationTerm::visibility, EquationTerm::cosine};
+                               EquationTerm::visibility, EquationTerm::cosine};
 const std::vector<glsl::Root> embedded_path{glsl::embedded()};
 
 EquationCode code_of(scene::Model model, const std::vector<glsl::Root>& path = embedded_path) {
@@ -38,7 +38,7 @@ const Test lines_of_terms("unit.viewer.equation.each_term_has_a_line", [] {
                                                   : term == EquationTerm::light      ? "sample_spot("
                                                   : term == EquationTerm::visibility ? "visibility("
                                                   : term == EquationTerm::cosine     ? "cosine("
-                                                  : code_of(model).is_mirror     ? "base_color * L"
+                                                  : code_of(model).is_mirror         ? "base_color * L"
                                                                                      : "f_r("),
                       std::string::npos)
                 << code->file << ": " << code->computing_line();
@@ -62,7 +62,8 @@ const Test lines_of_lights("unit.viewer.equation.each_kind_of_light_has_a_line",
 const Test line_of_overlay("unit.viewer.equation.an_overlay_is_where_its_term_is_computed", [] {
     const std::string text = "#include \"surface/surface.glsl\"\n\n"
                              "vec3 f_r(Surface x, vec3 wi, vec3 wo) { return vec3(0.25); }\n";
-    const std::vector<glsl::Root> path{glsl::Root::memory("mine", {{"brdf/f_r.glsl", text}}), glsl::embedded()};
+    const std::vector<glsl::Root> path{glsl::Root::memory("mine", {{"brdf/f_r.glsl", text}}),
+                                       glsl::embedded()};
     const auto code = code_of(scene::Model::ggx, path).of(EquationTerm::f_r, nullptr);
     ASSERT_TRUE(code);
     EXPECT_EQ(code->file, "mine/brdf/f_r.glsl");
@@ -82,8 +83,9 @@ const Test without_a_term("unit.viewer.equation.code_without_a_term_differs_in_i
             EXPECT_NE(changed.text.find(out->after), std::string::npos);
         }
     const glsl::Root theirs = glsl::Root::memory(
-        "theirs", {{"integrator/reflected.glsl", "vec3 reflected(Surface x, vec3 wo) { return vec3(1.0); }\n"},
-                   {"integrator/mirrored.glsl", "vec3 mirrored(Surface x, vec3 wo) { return vec3(1.0); }\n"}});
+        "theirs",
+        {{"integrator/reflected.glsl", "vec3 reflected(Surface x, vec3 wo) { return vec3(1.0); }\n"},
+         {"integrator/mirrored.glsl", "vec3 mirrored(Surface x, vec3 wo) { return vec3(1.0); }\n"}});
     const std::vector<glsl::Root> path{theirs, glsl::embedded()};
     EXPECT_FALSE(code_of(scene::Model::ggx, path).without(EquationTerm::cosine, 0));
 });
@@ -104,7 +106,8 @@ const Test product_of_numbers("unit.viewer.equation.the_product_of_the_numbers_i
         EXPECT_NEAR(*mirrored.f_r * *mirrored.radiance, part_of(light.L_r, part), 1e-5f);
     }
     light.solid_angle = 0.0f;
-    EXPECT_FALSE(product_of(light, ColorPart::red, 0.0f).radiance) << "a light without extent has no radiance";
+    EXPECT_FALSE(product_of(light, ColorPart::red, 0.0f).radiance)
+        << "a light without extent has no radiance";
     light.E = light.L_r = vec3(0.0f);
     EXPECT_FALSE(product_of(light, ColorPart::red, 0.0f).f_r) << "nothing arrives";
 });
