@@ -37,9 +37,9 @@ gl::WindowOptions window_options(const Options& options) {
 /// view, a click on a light before a probe.
 Tools make_tools(Workspace& workspace) {
     Tools tools;
-    for (const auto make :
-         {make_transform, make_navigate, make_edit_lights, make_animate, make_adjust_display, make_compare,
-          make_assignment, make_tick, make_probe, make_explain, make_files, make_turntable, make_keep_edits})
+    for (const auto make : {make_transform, make_mix_lights, make_navigate, make_edit_lights, make_animate,
+                            make_adjust_display, make_compare, make_assignment, make_tick, make_probe,
+                            make_explain, make_files, make_turntable, make_keep_edits})
         if (auto tool = make(workspace)) tools.push_back(std::move(tool));
     return tools;
 }
@@ -126,7 +126,7 @@ bool App::is_hidden() const {
 
 bool App::draws_again() const {
     return frames_to_draw_ > 0 || activity() >= Activity::active
-           || (workspace_.scene && !workspace_.scene->render().is_converged());
+           || (workspace_.scene && !workspace_.is_mixing && !workspace_.scene->render().is_converged());
 }
 
 /// Sleeps while there is nothing to do: neither processor nor GPU is used.
@@ -270,7 +270,10 @@ void App::apply(Changes changes) {
     frames_to_draw_ = frames_after_change;
     if (!workspace_.scene) return;
     const bool is_new = changes == everything; // a new scene view has all of it already
-    if (!is_new && (changes.has(Change::lights) || changes.has(Change::shadows)))
+    const bool are_relit = changes.has(Change::lights) || changes.has(Change::shadows);
+    if (!is_new && are_relit && workspace_.is_mixing && !changes.has(Change::shadows))
+        workspace_.scene->stage_lights(); // the mixer shows it
+    else if (!is_new && are_relit)
         workspace_.scene->relight(changes.has(Change::shadows));
     if (!is_new && changes.has(Change::camera)) workspace_.scene->move(workspace_.camera->camera());
     for (const auto& tool : tools_) tool->notice(changes);
@@ -282,7 +285,7 @@ void App::advance(double seconds) {
     ProgressiveRender& render = workspace_.scene->render();
     workspace_.statistics.frame(render, seconds);
     const bool was_converged = render.is_converged();
-    if (activity() != Activity::exclusive) render.advance();
+    if (activity() != Activity::exclusive && !workspace_.is_mixing) render.advance();
     if (render.is_converged() && !was_converged) log_picture();
     if (render.is_converged() && !was_converged)
         workspace_.messages.log(fmt::format("converged: {}, --camera '{}'{}", progress_of(render),
@@ -299,16 +302,19 @@ void App::present() {
     glClearColor(0.1f, 0.1f, 0.1f, 1.0f);
     glClear(GL_COLOR_BUFFER_BIT);
     if (!workspace_.scene || workspace_.scene->render().sample_count() == 0) return;
-    FilmSum reference;
-    for (const auto& tool : tools_)
+    FilmSum film, reference;
+    for (const auto& tool : tools_) {
+        if (!film.sum) film = tool->film();
         if (!reference.sum) reference = tool->reference_film();
+    }
+    if (!film.sum) film = workspace_.scene->render().shown();
     workspace_.display.ev100 = workspace_.exposure.ev100();
     const Area area = workspace_.picture();
     const vec2 dense = vec2(width, height) / input_.window_size();
     const vec2 from = glm::round(dense * area.from), size = glm::round(dense * area.size);
     const ScreenRectangle place{static_cast<int>(from.x), height - static_cast<int>(from.y + size.y),
                                 static_cast<int>(size.x), static_cast<int>(size.y)};
-    presenter_.draw(workspace_.scene->render().shown(), reference, workspace_.display, place);
+    presenter_.draw(film, reference, workspace_.display, place);
     if (!workspace_.seen_file.empty()) write_seen(place);
 }
 

@@ -62,6 +62,7 @@ struct Workspace {
     std::optional<ProbeResult> probed{}; // of the probe tool
     bool is_explained = false;           // `probed`, term by term, instead of the table of all numbers
     bool is_term_left_out = false;       // the picture beside is the one without a term
+    bool is_mixing = false;              // the GPU has the light mixer's lights, and the render waits
     bool is_time_held = false;           // while a light is dragged
     Layout layout{};
     int width = 0; // of the film [pixels]

@@ -119,6 +119,18 @@ std::optional<gltf::NodeLightEdit> node_edit(const LightEdit& edit, const scene:
 
 } // namespace
 
+bool are_at_same_places(const std::vector<LightEdit>& a, const std::vector<LightEdit>& b) {
+    const auto sizes = [](const LightEdit& edit) {
+        std::vector<float> all;
+        for (const scene::LightSize& size : scene::sizes_of(edit.light)) all.push_back(size.size);
+        return all;
+    };
+    return std::ranges::equal(a, b, [&](const LightEdit& x, const LightEdit& y) {
+        return x.kind == y.kind && x.source == y.source && x.is_shown() == y.is_shown()
+               && x.motion == y.motion && sizes(x) == sizes(y);
+    });
+}
+
 void FileLights::read(const LoadedScene& loaded) {
     lights.clear();
     for (std::size_t i = 0; i < loaded.stage.scene.lights.size(); ++i) {

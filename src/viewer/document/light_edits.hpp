@@ -37,6 +37,9 @@ struct LightEdit {
     bool is_news() const { return is_added() ? !is_removed : is_edited() || !is_enabled; }
 };
 
+/// True if the same lights are there, at the same places and of the same sizes: at most quantities differ.
+bool are_at_same_places(const std::vector<LightEdit>& a, const std::vector<LightEdit>& b);
+
 /// The lights of a file at one time, in one variant, before any edit.
 class FileLights {
 public:

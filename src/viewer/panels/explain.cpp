@@ -178,7 +178,10 @@ void ExplainPanel::draw_light(int light, const ProbeResult& result, const scene:
          at(EquationTerm::light), chosen);
     ImGui::TableNextColumn();
     text_line(p.solid_angle > 0.0f && !p.is_mirror ? digits(p.solid_angle) : "");
-    cell(p.is_mirror ? "" : fmt::format("{:.4f}", p.V), at(EquationTerm::visibility), chosen);
+    cell(p.is_mirror           ? ""
+         : p.f_r || p.V < 1.0f ? fmt::format("{:.4f}", p.V)
+                               : "-",
+         at(EquationTerm::visibility), chosen);
     cell(p.is_mirror ? "" : p.f_r ? fmt::format("{:.4f}", p.cos_i) : "-", at(EquationTerm::cosine), chosen);
     ImGui::TableNextColumn();
     const float share = p.L_r / std::max(1e-30f, part_of(terms.L_o, part_));

@@ -2,9 +2,16 @@
 #include "viewer/panels/lights.hpp"
 #include "viewer/tools/tool.hpp"
 
+#include <cmath>
 #include <fmt/format.h>
 
 namespace sr::viewer {
+namespace {
+
+constexpr float light_step = 1.0f / 3.0f; // [EV]
+
+} // namespace
+
 class EditLights : public Tool {
 public:
     using Tool::Tool;
@@ -19,6 +26,7 @@ private:
     Changes step(bool is_undo);
     Changes edit_selected(Command command);
     Changes select(std::size_t entry);
+    void scale_quantity(float by);
 
     LightsPanel panel_;
 };
@@ -60,6 +68,8 @@ std::optional<Changes> EditLights::execute(Command command) {
     case Command::edit_light:
     case Command::switch_light:
     case Command::solo_light:
+    case Command::brighten_light:
+    case Command::dim_light:
     case Command::delete_light:
         if (ws_.selected) return edit_selected(command);
         ws_.messages.notify(select_first);
@@ -75,12 +85,14 @@ std::optional<Changes> EditLights::execute(Command command) {
 Changes EditLights::step(bool is_undo) {
     LightEditor& lights = ws_.scene->lights();
     const char* const verb = is_undo ? "undo" : "redo";
+    const std::vector<LightEdit> before = lights.edits();
     const auto what = is_undo ? lights.undo() : lights.redo();
     if (!what) {
         ws_.messages.notify(fmt::format("Nothing to {}.", verb));
         return Change::redraw;
     }
     ws_.messages.notify(fmt::format("{}: {}.", is_undo ? "Undone" : "Redone", *what));
+    if (are_at_same_places(before, lights.edits())) return Change::lights;
     return Change::lights | Change::shadows;
 }
 
@@ -94,12 +106,21 @@ Changes EditLights::edit_selected(Command command) {
     lights.begin_step();
     if (command == Command::switch_light) lights.enable(entry, !lights.entries()[entry].is_enabled);
     if (command == Command::solo_light) lights.solo(entry);
+    if (command == Command::brighten_light) scale_quantity(std::exp2(light_step));
+    if (command == Command::dim_light) scale_quantity(std::exp2(-light_step));
     if (command != Command::delete_light) return Change::lights;
     if (lights.remove(entry))
         ws_.selected.reset();
     else
         ws_.messages.notify("Emissive surfaces cannot be removed. The light is disabled.");
     return Change::lights | Change::shadows;
+}
+
+void EditLights::scale_quantity(float by) {
+    LightEditor& lights = ws_.scene->lights();
+    const auto own = lights.lights_of(*ws_.selected);
+    lights.set_quantity(*ws_.selected, by * quantity_of(own.front()));
+    ws_.messages.notify(fmt::format("{}: {:+.2f} EV.", lights.entries()[*ws_.selected].name, std::log2(by)));
 }
 
 Changes EditLights::draw(const Overlay& overlay) {

@@ -42,6 +42,8 @@ public:
     /// Draws a section of the main panel.
     virtual Changes draw_section() { return {}; }
 
+    /// A film to show instead of the render; none by default.
+    virtual FilmSum film() const { return {}; }
     /// A film to compare the render with; none by default.
     virtual FilmSum reference_film() const { return {}; }
     /// True during a drag, in which events belong to the tool even over a panel.
@@ -72,6 +74,7 @@ std::unique_ptr<Tool> make_edit_lights(Workspace& workspace);
 std::unique_ptr<Tool> make_explain(Workspace& workspace);
 std::unique_ptr<Tool> make_files(Workspace& workspace);
 std::unique_ptr<Tool> make_keep_edits(Workspace& workspace);
+std::unique_ptr<Tool> make_mix_lights(Workspace& workspace);
 std::unique_ptr<Tool> make_probe(Workspace& workspace);
 std::unique_ptr<Tool> make_turntable(Workspace& workspace);
 

@@ -97,6 +97,12 @@ void SceneView::relight(bool shadows_change) {
     lights_changed();
 }
 
+void SceneView::light_by(LightEditor edits) {
+    edits.apply(loaded_);
+    gpu_.relight(loaded_.stage.scene, loaded_.stage.lights, loaded_.base.meshes, false);
+    lights_.apply(loaded_);
+}
+
 void SceneView::lights_changed() {
     render_->lights_changed();
     if (reference_) reference_->lights_changed();

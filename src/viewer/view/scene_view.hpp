@@ -31,6 +31,12 @@ public:
     /// @throws Error
     void relight(bool shadows_change);
 
+    /// Applies the edits of lights() to stage() alone: the GPU keeps its lights until relight().
+    void stage_lights() { lights_.apply(loaded_); }
+    /// Lights the GPU by other edits than lights(), for renders besides render(), until relight(). @throws
+    /// Error
+    void light_by(LightEditor edits);
+
     /// Adds samples to the render with Options::reference_path, which the first call makes. @throws Error,
     /// ShaderError
     void advance_reference(const Options& options, const scene::Camera& camera, int width, int height);

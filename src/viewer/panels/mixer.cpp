@@ -1,0 +1,129 @@
+#include "viewer/panels/mixer.hpp"
+
+#include "core/math.hpp"
+#include "viewer/light_value.hpp"
+#include "viewer/palette.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <imgui.h>
+
+namespace sr::viewer {
+namespace {
+
+constexpr float fader_range = 8.0f; // [EV] up and down
+
+/// A small button that is lit while it is pressed in.
+bool switch_button(const char* label, bool is_in, ImU32 color, const char* tip) {
+    if (is_in) ImGui::PushStyleColor(ImGuiCol_Button, color);
+    const bool is_clicked = ImGui::Button(label, {1.6f * ImGui::GetFontSize(), 0.0f});
+    if (is_in) ImGui::PopStyleColor();
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", tip);
+    return is_clicked;
+}
+
+float exposure_between(vec3 from, vec3 to) {
+    const float a = luminance(from), b = luminance(to);
+    return a > 0.0f && b > 0.0f ? std::log2(b / a) : 0.0f;
+}
+
+bool is_alone(const LightEditor& lights, std::size_t entry) {
+    const auto& entries = lights.entries();
+    return entries.size() > 1
+           && std::ranges::all_of(entries, [&](const LightEntry& other) {
+                  return other.is_enabled == (&other == &entries[entry]);
+              });
+}
+
+} // namespace
+
+void MixerPanel::begin(const LightEditor& lights) {
+    at_zero_.clear();
+    for (std::size_t i = 0; i < lights.entries().size(); ++i)
+        at_zero_.push_back(quantity_of(lights.lights_of(i).front()));
+}
+
+Changes MixerPanel::draw_fader(std::size_t entry, LightEditor& lights, const LoadedScene& loaded) {
+    const auto all = lights.lights_of(entry);
+    const vec3 quantity = quantity_of(all.front());
+    float ev = exposure_between(at_zero_[entry], quantity);
+    const LightGroup group{all, loaded.stage.scene.profiles, loaded.stage.scene.units};
+    const std::string value = with_superscripts(value_text(group));
+    const std::string format = fmt::format("%+.2f EV  ({})", value.substr(0, value.find(','))); // without its flux
+    ImGui::SetNextItemWidth(-1.0f);
+    const bool is_moved = ImGui::SliderFloat("##fader", &ev, -fader_range, fader_range, format.c_str(),
+                                             ImGuiSliderFlags_AlwaysClamp);
+    if (ImGui::IsItemActivated()) lights.begin_step();
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip(
+            "%s\n1 EV doubles the light; 0 is the value from before. Ctrl click: type; double click: 0.",
+            value.c_str());
+    const bool is_reset = ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
+    if (!is_moved && !is_reset) return {};
+    const float wanted = is_reset ? 0.0f : ev;
+    const float by = std::exp2(wanted - exposure_between(at_zero_[entry], quantity));
+    lights.set_quantity(entry, by * quantity);
+    return Change::lights;
+}
+
+Changes MixerPanel::draw_light(std::size_t entry, LightEditor& lights, const LoadedScene& loaded,
+                               std::optional<std::size_t>& selected) {
+    Changes changes;
+    ImGui::PushID(static_cast<int>(entry));
+    const bool is_on = lights.entries()[entry].is_enabled;
+    if (switch_button("M", !is_on, palette::vermilion, "mute: this light off, or on again")) {
+        lights.begin_step();
+        lights.enable(entry, !is_on);
+        changes |= Change::lights;
+    }
+    ImGui::SameLine(0.0f, 3.0f);
+    if (switch_button("S", is_alone(lights, entry), palette::green, "solo: this light alone, or all again")) {
+        lights.begin_step();
+        lights.solo(entry);
+        changes |= Change::lights;
+    }
+    ImGui::SameLine(0.0f, 3.0f);
+    const vec3 quantity = quantity_of(lights.lights_of(entry).front());
+    const float brightest = std::max({quantity.r, quantity.g, quantity.b, 1e-30f});
+    vec3 color = quantity / brightest;
+    const bool is_colored = ImGui::ColorEdit3("##colour", &color.x, ImGuiColorEditFlags_Float | ImGuiColorEditFlags_NoInputs);
+    if (ImGui::IsItemActivated()) lights.begin_step();
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("the light's colour; a click changes it");
+    if (is_colored && color != vec3(0.0f)) {
+        lights.set_quantity(entry, color * brightest);
+        changes |= Change::lights;
+    }
+    ImGui::SameLine();
+    if (!is_on) ImGui::PushStyleColor(ImGuiCol_Text, ImGui::ColorConvertU32ToFloat4(palette::grey));
+    if (ImGui::Selectable(lights.entries()[entry].name.c_str(), selected == entry)) selected = entry;
+    if (!is_on) ImGui::PopStyleColor();
+    changes |= draw_fader(entry, lights, loaded);
+    ImGui::PopID();
+    return changes;
+}
+
+Changes MixerPanel::draw(LightEditor& lights, const LoadedScene& loaded, std::optional<std::size_t>& selected,
+                         const std::string& progress, const std::optional<Area>& area, const Ui& ui, bool& closes) {
+    Changes changes;
+    if (area)
+        place_next_window(*area);
+    else
+        ImGui::SetNextWindowSize({20.0f * ImGui::GetFontSize(), 0.0f});
+    if (ImGui::Begin("Light mixer", nullptr, ui.panel_flags(area.has_value()) & ~ImGuiWindowFlags_AlwaysAutoResize)) {
+        if (area) heading("Light mixer", ui);
+        ImGui::PushTextWrapPos();
+        ImGui::TextDisabled("%s", progress.c_str());
+        ImGui::PopTextWrapPos();
+        for (std::size_t i = 0; i < std::min(at_zero_.size(), lights.entries().size()); ++i)
+            changes |= draw_light(i, lights, loaded, selected);
+        ImGui::Spacing();
+        closes = ImGui::Button("done");
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("render the picture with these lights");
+    }
+    if (!area) keep_in_viewport();
+    ImGui::End();
+    return changes;
+}
+
+} // namespace sr::viewer

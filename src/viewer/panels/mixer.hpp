@@ -1,0 +1,31 @@
+#pragma once
+// Light mixer: a fader, a colour, mute and solo for each light.
+#include "viewer/changes.hpp"
+#include "viewer/document/light_edits.hpp"
+#include "viewer/ui.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace sr::viewer {
+
+class MixerPanel {
+public:
+    /// Takes the quantities that faders at 0 stand for.
+    void begin(const LightEditor& lights);
+
+    /// Draws the panel into `area`, or floating if it is absent. `progress`: a line about the pictures of the lights. Sets
+    /// `closes` if a person is done.
+    Changes draw(LightEditor& lights, const LoadedScene& loaded, std::optional<std::size_t>& selected,
+                 const std::string& progress, const std::optional<Area>& area, const Ui& ui, bool& closes);
+
+private:
+    Changes draw_light(std::size_t entry, LightEditor& lights, const LoadedScene& loaded,
+                       std::optional<std::size_t>& selected);
+    Changes draw_fader(std::size_t entry, LightEditor& lights, const LoadedScene& loaded);
+
+    std::vector<vec3> at_zero_; // quantity of each entry
+};
+
+} // namespace sr::viewer
