@@ -7,6 +7,7 @@
 #include "core/error.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace sr::gltf {
 namespace {
@@ -55,6 +56,11 @@ std::shared_ptr<tinygltf::Model> parse_geometry(const json& root, const std::str
     for (const std::size_t borrower : borrowers) model->accessors[borrower].bufferView = -1;
     if (lent >= 0) model->bufferViews.pop_back();
     return model;
+}
+
+std::string base64(Bytes bytes) {
+    require(bytes.size() <= std::numeric_limits<unsigned>::max(), "tinygltf counts the bytes in 32 bits");
+    return tinygltf::base64_encode(bytes.data(), static_cast<unsigned>(bytes.size()));
 }
 
 } // namespace sr::gltf

@@ -168,6 +168,10 @@ std::optional<float> save(RenderedPicture& rendered, const std::vector<std::stri
     return used;
 }
 
+float exposure_of(const RenderedPicture& rendered) {
+    return rendered.settings.ev100.value_or(image::auto_ev100(rendered.picture.film));
+}
+
 /// The colours for a screen, in 0 to 1.
 Image displayed(const RenderedPicture& rendered, const std::optional<float>& ev100,
                 const std::string& tone_curve) {
@@ -175,8 +179,7 @@ Image displayed(const RenderedPicture& rendered, const std::optional<float>& ev1
     const Image& film = rendered.picture.film;
     if (settings.view && settings.view->display != output::Display::exposed)
         return output::colors_of(*settings.view, film);
-    const auto ev = ev100 ? ev100 : settings.ev100;
-    return image::displayed(film, ev.value_or(image::auto_ev100(film)),
+    return image::displayed(film, ev100.value_or(exposure_of(rendered)),
                             tone_curve.empty() ? *settings.tone_curve : *curve_of(tone_curve));
 }
 
@@ -185,6 +188,7 @@ void bind_pictures(nb::module_& m) {
         .def_prop_ro("summary", [](const RenderedPicture& self) { return self.summary; })
         .def_prop_ro("image",
                      [](const RenderedPicture& self) { return std::make_shared<Image>(whole(self.picture)); })
+        .def_prop_ro("exposure", &exposure_of)
         .def("save", &save, nb::arg("files"), nb::arg("exposure").none(), nb::arg("tone_curve"),
              nb::arg("exr_type"))
         .def("displayed", &displayed, nb::arg("exposure").none(), nb::arg("tone_curve"));

@@ -17,22 +17,16 @@
 
 namespace sr::python {
 
-void apply(const SceneEdits& edits, scene::Scene& scene) {
-    if (edits.lights) scene.lights = *edits.lights;
-    for (const EditableMaterial& edit : edits.materials) {
-        scene::Material& material = scene.materials.at(static_cast<std::size_t>(edit.index));
-        material.base_color = edit.factors.base_color;
-        material.metallic = edit.factors.metallic;
-        material.roughness = edit.factors.roughness;
-        material.emission = edit.factors.emission;
-    }
-}
-
-std::vector<EditableLight> lights_of(const scene::Scene& scene) {
+std::vector<EditableLight> lights_of(const scene::Scene& scene, int file) {
     std::vector<EditableLight> lights;
     for (const scene::Light& light : scene.lights) {
-        lights.push_back({light, scene.origin, scene.units, {}});
-        if (has_profile(light)) lights.back().profiles = scene.profiles;
+        EditableLight& added = lights.emplace_back();
+        added.light = light;
+        added.origin = scene.origin;
+        added.units = scene.units;
+        if (has_profile(light)) added.profiles = scene.profiles;
+        added.file = file;
+        added.source = static_cast<int>(lights.size()) - 1;
     }
     return lights;
 }
@@ -94,7 +88,7 @@ void set_amount(EditableLight& light, Quantity quantity, double value) {
     const float before = luminance(color);
     const auto after = static_cast<float>(*own);
     set_quantity(light.light, before > 0.0f ? color * (after / before) : vec3(after));
-    light.is_edited = true;
+    light.has_new_quantity = true;
 }
 
 template<Quantity quantity>
@@ -115,7 +109,7 @@ std::optional<DoubleTriple> position_of(const EditableLight& light) {
 
 void move_by(EditableLight& light, const mat4& by) {
     light.light = transformed(std::move(light.light), by);
-    light.is_edited = true;
+    light.motion = by * light.motion;
 }
 
 mat4 translation(vec3 by) {
@@ -140,6 +134,8 @@ std::optional<vec3> direction_of(const Light& light) {
                 return l.direction;
             else if constexpr (requires { l.normal(); })
                 return l.normal();
+            else if constexpr (requires { l.world_from_profile; }) // photometric zero is its -Y (ies.hpp)
+                return l.profile >= 0 ? std::optional(-l.world_from_profile[1]) : std::nullopt;
             else
                 return std::nullopt;
         },
@@ -183,7 +179,7 @@ void set_named_size(EditableLight& light, const std::string& key, float value) {
     if (found == all.end())
         throw BadSetting(key, fmt::format("a {} light has no such size", variety_of(light.light)));
     set_size(light.light, static_cast<std::size_t>(found - all.begin()), value);
-    light.is_edited = true;
+    light.has_new_sizes = true;
 }
 
 std::string text_of(const EditableLight& light) {
@@ -198,7 +194,9 @@ std::string text_of(const EditableLight& light) {
 template<class L>
 EditableLight made(L light, const std::string& name) {
     light.name = name;
-    return {Light(std::move(light)), glm::dvec3(0.0), scene::UnitSystem::photometric, {}, true};
+    EditableLight result;
+    result.light = std::move(light);
+    return result;
 }
 
 EditableLight point(const Triple& position, float radius, const std::string& name) {
@@ -271,7 +269,8 @@ void bind_light(nb::module_& m) {
     type.def_prop_rw(
             "name", [](const EditableLight& light) { return name_of(light.light); },
             [](EditableLight& light, const std::string& name) {
-                set_name(light.light, name), light.is_edited = true;
+                set_name(light.light, name);
+                light.has_new_name = true;
             },
             "its name, which its layer has as well")
         .def_prop_ro(
@@ -291,7 +290,7 @@ void bind_light(nb::module_& m) {
             [](EditableLight& light, const Triple& value) {
                 for (const float channel : value) require_amount(channel, "value");
                 set_quantity(light.light, vector_of(value));
-                light.is_edited = true;
+                light.has_new_quantity = true;
             },
             "the light's own quantity, I, E or L, as linear RGB in `unit`")
         .def_prop_rw("position", &position_of, &set_position,
@@ -303,10 +302,9 @@ void bind_light(nb::module_& m) {
                 return direction ? std::optional(triple_of(*direction)) : std::nullopt;
             },
             &set_direction, "where the light goes, or a flat light faces; None where there is none")
-        .def_prop_ro("sizes", &sizes,
-                     "its sizes by name: width, height, radius, length [m], angular_diameter [rad]")
+        .def_prop_ro("sizes", &sizes, "its sizes by name [m]: width, height, radius, length")
         .def("resize", &set_named_size, nb::arg("name"), nb::arg("value"), "Sets one of `sizes`.")
-        .def_prop_ro("is_edited", [](const EditableLight& light) { return light.is_edited; })
+        .def_prop_ro("is_edited", &EditableLight::is_edited)
         .def(
             "copy", [](const EditableLight& light) { return EditableLight(light); },
             "Returns a light like it.")
@@ -318,7 +316,7 @@ void bind_light(nb::module_& m) {
     bind_amount<Quantity::radiance>(type, "radiance", "L [cd/m²]; None for lights without extent");
 }
 
-template<auto member>
+template<auto member, auto mark>
 void bind_factor(nb::class_<EditableMaterial>& type, const char* name, const char* help) {
     type.def_prop_rw(
         name, [](const EditableMaterial& self) { return self.factors.*member; },
@@ -326,7 +324,7 @@ void bind_factor(nb::class_<EditableMaterial>& type, const char* name, const cha
             if (!(0.0f <= value && value <= 1.0f))
                 throw BadSetting(name, fmt::format("{} is not a number from 0 to 1", value));
             self.factors.*member = value;
-            self.is_edited = true;
+            self.*mark = true;
         },
         help);
 }
@@ -341,13 +339,13 @@ void bind_material(nb::module_& m) {
         .def_prop_ro(
             "model", [](const EditableMaterial& self) { return describe(self.factors); },
             "its BRDF and layers")
-        .def_prop_ro("is_edited", [](const EditableMaterial& self) { return self.is_edited; })
+        .def_prop_ro("is_edited", &EditableMaterial::is_edited)
         .def_prop_rw(
             "emission", [](const EditableMaterial& self) { return triple_of(self.factors.emission); },
             [](EditableMaterial& self, const Triple& value) {
                 for (const float channel : value) require_amount(channel, "emission");
                 self.factors.emission = vector_of(value);
-                self.is_edited = true;
+                self.has_new_emission = true;
             },
             "L_e as linear RGB [cd/m²]; its surfaces become lights")
         .def_prop_rw(
@@ -359,7 +357,7 @@ void bind_material(nb::module_& m) {
                         throw BadSetting("base_color",
                                          fmt::format("{} is not a number from 0 to 1", channel));
                 self.factors.base_color = vec4(vector_of(value), self.factors.base_color.w);
-                self.is_edited = true;
+                self.has_new_base_color = true;
             },
             "linear RGB, 0 to 1")
         .def(
@@ -369,8 +367,9 @@ void bind_material(nb::module_& m) {
             return fmt::format("<Material {} '{}': {}>", self.index, self.factors.name,
                                describe(self.factors));
         });
-    bind_factor<&scene::Material::metallic>(type, "metallic", "0 to 1");
-    bind_factor<&scene::Material::roughness>(type, "roughness", "0 to 1");
+    bind_factor<&scene::Material::metallic, &EditableMaterial::has_new_metallic>(type, "metallic", "0 to 1");
+    bind_factor<&scene::Material::roughness, &EditableMaterial::has_new_roughness>(type, "roughness",
+                                                                                   "0 to 1");
 }
 
 } // namespace

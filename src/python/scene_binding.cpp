@@ -38,17 +38,22 @@ RenderSettings settings_of(const OptionTexts& texts) {
     return result;
 }
 
+/// @throws BadSetting for a light of another file that cannot leave it
 SceneEdits edits_of(const std::optional<std::vector<EditableLight>>& lights,
-                    const std::vector<EditableMaterial>& materials, glm::dvec3 origin) {
-    SceneEdits edits;
-    edits.materials = materials;
+                    const std::vector<EditableMaterial>& materials, const SceneFile& file) {
+    SceneEdits edits{lights, materials};
     if (!lights) return edits;
-    edits.lights.emplace();
-    for (const EditableLight& light : *lights) {
-        const vec3 shift(light.origin - origin); // a new light is relative to the world's origin
+    for (EditableLight& light : *edits.lights) {
+        if (light.file == file.number()) continue;
+        if (needs_its_scene(light.light))
+            throw settings::BadSetting(
+                "lights", fmt::format("'{}' has a profile, a texture or a surface of another scene",
+                                      name_of(light.light)));
+        light.source = -1;
+        const vec3 shift(light.origin - file.origin()); // a new light is relative to the world's origin
         mat4 by(1.0f);
         by[3] = vec4(shift, 1.0f);
-        edits.lights->push_back(shift == vec3(0.0f) ? light.light : transformed(light.light, by));
+        if (shift != vec3(0.0f)) light.light = transformed(light.light, by);
     }
     return edits;
 }
@@ -76,6 +81,8 @@ nb::dict camera_of(const scene::Camera& camera, const scene::Scene& scene, std::
     return result;
 }
 
+nb::tuple triple(vec3 v) { return nb::make_tuple(v.x, v.y, v.z); }
+
 nb::dict contents_of(const SceneFile& file) {
     const gltf::Contents& contents = file.contents();
     nb::list animations;
@@ -90,10 +97,11 @@ nb::dict contents_of(const SceneFile& file) {
     result["cameras"] = cameras;
     result["triangles"] = scene::triangle_count(file.scene());
     result["unit"] = scene::radiance_unit(file.scene().units);
+    const scene::Bounds bounds = bounds_of(file.scene());
+    const vec3 origin(file.origin());
+    result["bounds"] = nb::make_tuple(triple(origin + bounds.min), triple(origin + bounds.max));
     return result;
 }
-
-nb::tuple triple(vec3 v) { return nb::make_tuple(v.x, v.y, v.z); }
 
 nb::dict terms_of(const ProbedPicture& probed) {
     nb::list lights;
@@ -139,7 +147,7 @@ std::shared_ptr<SceneFile> load(const std::string& path, const OptionTexts& opti
 RenderedPicture render(SceneFile& file, const OptionTexts& options, const Lights& lights,
                        const Materials& materials, const nb::object& progress) {
     const RenderSettings settings = settings_of(options);
-    const SceneEdits edits = edits_of(lights, materials, file.origin());
+    const SceneEdits edits = edits_of(lights, materials, file);
     std::optional<RenderedPicture> rendered;
     GlThread::only().run([&](Call& call) { rendered = file.render(settings, edits, call); }, progress);
     return *std::move(rendered);
@@ -148,10 +156,28 @@ RenderedPicture render(SceneFile& file, const OptionTexts& options, const Lights
 nb::dict probe(SceneFile& file, int column, int row, const OptionTexts& options, const Lights& lights,
                const Materials& materials) {
     const RenderSettings settings = settings_of(options);
-    const SceneEdits edits = edits_of(lights, materials, file.origin());
+    const SceneEdits edits = edits_of(lights, materials, file);
     std::optional<ProbedPicture> probed;
     GlThread::only().run([&](Call& call) { probed = file.probe(settings, edits, column, row, call); });
     return terms_of(probed.value());
+}
+
+nb::dict camera_named(SceneFile& file, const std::string& camera, const Lights& lights,
+                      const Materials& materials) {
+    const SceneEdits edits = edits_of(lights, materials, file);
+    scene::Camera chosen;
+    scene::Scene place; // for its origin
+    place.origin = file.origin();
+    GlThread::only().run([&](Call&) { chosen = file.camera(camera, edits); });
+    nb::dict result = camera_of(chosen, place, 0);
+    if (chosen.number < 0) result["number"] = nb::none();
+    return result;
+}
+
+void save_copy(SceneFile& file, const std::string& target, const std::string& camera, const Lights& lights,
+               const Materials& materials) {
+    const SceneEdits edits = edits_of(lights, materials, file);
+    GlThread::only().run([&](Call&) { file.save(target, edits, camera); });
 }
 
 std::vector<std::string> warnings_of(const SceneFile& file) {
@@ -185,11 +211,14 @@ void bind_scene(nb::module_& m) {
         .def_prop_ro("file", &SceneFile::file)
         .def("contents", &contents_of)
         .def("warnings", &warnings_of)
-        .def("lights", [](const SceneFile& file) { return lights_of(file.scene()); })
+        .def("lights", [](const SceneFile& file) { return lights_of(file.scene(), file.number()); })
         .def("materials", [](const SceneFile& file) { return materials_of(file.scene()); })
         .def("render", &render, nb::arg("options"), nb::arg("lights").none(), nb::arg("materials"),
              nb::arg("progress").none())
         .def("probe", &probe, nb::arg("column"), nb::arg("row"), nb::arg("options"), nb::arg("lights").none(),
+             nb::arg("materials"))
+        .def("camera", &camera_named, nb::arg("camera"), nb::arg("lights").none(), nb::arg("materials"))
+        .def("save", &save_copy, nb::arg("target"), nb::arg("camera"), nb::arg("lights").none(),
              nb::arg("materials"));
 }
 

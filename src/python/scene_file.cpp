@@ -7,6 +7,9 @@
 #include "picture/summary.hpp"
 #include "settings/bad_setting.hpp"
 
+#include <algorithm>
+#include <atomic>
+#include <filesystem>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -15,6 +18,14 @@ namespace sr::python {
 
 using picture::PhaseTimes;
 using settings::RenderSettings;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::atomic<int> file_count = 0;
+
+} // namespace
 
 struct SceneFile::OnGpu {
     render::GpuScene scene;
@@ -32,7 +43,7 @@ struct SceneFile::Staged {
             file.asset_.require_within(time);
         }
         file.asset_.evaluate_into(file.scene_, time);
-        apply(edits, file.scene_);
+        apply(edits, file.scene_, file.light_numbers(), !settings.at);
         const auto options = picture::prepare_options(settings, picture::read_environment_light(settings));
         scene::chosen_camera(file.scene_, file.file_, options); // throws before the scene is moved
         stage = scene::prepare_scene(std::move(file.scene_), file.file_, options);
@@ -51,6 +62,8 @@ private:
 
 SceneFile::SceneFile(const std::string& file, const RenderSettings& settings)
     : file_(file),
+      number_(++file_count),
+      scene_index_(settings.scene_index),
       asset_(file, {settings.scene_index, settings.variant, settings.is_strict}),
       scene_(asset_.rest_pose()),
       contents_(asset_.contents()),
@@ -60,6 +73,22 @@ SceneFile::~SceneFile() {
     if (!gpu_) return;
     const std::shared_ptr<OnGpu> last = std::move(gpu_); // std::function is copied
     GlThread::only().discard([last] {});
+}
+
+std::vector<int> SceneFile::light_numbers() const {
+    // The lights of a node come one after the other, and all or none of them are shown.
+    std::vector<int> numbers;
+    auto from = contents_.light_nodes.begin();
+    int last = -1;
+    for (const int node : asset_.light_nodes()) {
+        if (node != last) from = contents_.light_nodes.begin();
+        const auto found = std::find(from, contents_.light_nodes.end(), node);
+        const bool is_known = found != contents_.light_nodes.end();
+        numbers.push_back(is_known ? static_cast<int>(found - contents_.light_nodes.begin()) : -1);
+        from = is_known ? found + 1 : found;
+        last = node;
+    }
+    return numbers;
 }
 
 SceneFile::OnGpu& SceneFile::upload(const RenderSettings& settings, const scene::RenderScene& stage) {
@@ -136,6 +165,26 @@ std::optional<ProbedPicture> SceneFile::probe(RenderSettings settings, const Sce
     if (!terms) return std::nullopt;
     if (terms->coverage == 0.0f) write_remark("no surface covers this pixel: it shows the background");
     return ProbedPicture{*std::move(terms), stage.lights, stage.scene.origin, size, stage.camera.name};
+}
+
+scene::Camera SceneFile::camera(const std::string& camera, const SceneEdits& edits) {
+    RenderSettings settings;
+    settings.camera = camera;
+    asset_.evaluate_into(scene_, {});
+    apply(edits, scene_, light_numbers(), true);
+    return scene::chosen_camera(scene_, file_, picture::prepare_options(settings, std::nullopt));
+}
+
+void SceneFile::save(const std::string& target, const SceneEdits& edits, const std::string& camera) {
+    std::error_code ignored;
+    if (fs::equivalent(target, file_, ignored))
+        throw Error({target}, "is the file of the scene, which edits start from",
+                    "give the copy another name");
+    gltf::Edits written = file_edits(edits, contents_, scene_.units, file_);
+    if (!camera.empty()) written.first_camera = this->camera(camera, edits);
+    written.scene_index = scene_index_;
+    written.origin = origin_;
+    gltf::write_edited_copy(file_, written, target);
 }
 
 } // namespace sr::python

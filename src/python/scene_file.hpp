@@ -41,6 +41,8 @@ public:
     SceneFile& operator=(const SceneFile&) = delete;
 
     const std::string& file() const { return file_; }
+    /// A number that no other SceneFile of the process has, above 0.
+    int number() const { return number_; }
     /// The contents of the file; the same at all times.
     const gltf::Contents& contents() const { return contents_; }
     /// Scene::origin, which stays.
@@ -56,15 +58,26 @@ public:
     std::optional<ProbedPicture> probe(settings::RenderSettings settings, const SceneEdits& edits, int column,
                                        int row, Call& call);
 
+    /// The camera that `camera` names, as PrepareOptions::camera does. On the GL thread. @throws Error
+    scene::Camera camera(const std::string& camera, const SceneEdits& edits);
+    /// Writes a copy of the file with the edits, and with `camera`, unless it is empty, as its first one. On
+    /// the GL thread. @throws Error as gltf::write_edited_copy() does, and where the target is the file
+    /// itself
+    void save(const std::string& target, const SceneEdits& edits, const std::string& camera);
+
 private:
     /// The parts that live on the GPU.
     struct OnGpu;
     /// A scene that is ready to be drawn; gives the scene back at its end.
     struct Staged;
 
+    /// For each light of the scene as it is now its number among those at rest; negative where it is none.
+    std::vector<int> light_numbers() const;
     OnGpu& upload(const settings::RenderSettings& settings, const scene::RenderScene& stage);
 
     std::string file_;
+    int number_;
+    std::optional<int> scene_index_;
     gltf::Asset asset_;
     scene::Scene scene_; // as it was rendered last
     gltf::Contents contents_;

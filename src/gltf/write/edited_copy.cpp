@@ -3,8 +3,9 @@
 #include "core/error.hpp"
 #include "core/file.hpp"
 #include "gltf/container.hpp"
+#include "gltf/write/embedded_files.hpp"
+#include "gltf/write/light_json.hpp"
 #include "image/whole_file.hpp"
-#include "scene/spectrum.hpp"
 
 #include <algorithm>
 #include <array>
@@ -20,16 +21,6 @@ namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
 constexpr std::array light_extensions{"KHR_lights_punctual", "EXT_lights_area", "EXT_lights_ies"};
-
-ordered_json vector_json(glm::dvec3 v) { return {v.x, v.y, v.z}; }
-
-ordered_json vector_json(vec3 v) { return {v.x, v.y, v.z}; }
-
-ordered_json matrix_json(const glm::dmat4& matrix) {
-    ordered_json json = ordered_json::array();
-    for (int i = 0; i < 16; ++i) json.push_back(matrix[i / 4][i % 4]);
-    return json;
-}
 
 glm::dvec4 numbers_of(const ordered_json& node, const char* key, glm::dvec4 fallback) {
     const auto found = node.find(key);
@@ -67,27 +58,6 @@ glm::dmat4 world_from_node(const ordered_json& gltf, std::size_t node) {
     return m;
 }
 
-/// Replaces the emission that an object of extras.steradian states.
-void state(ordered_json& steradian, const StatedEmission& emission) {
-    if (!steradian.is_object()) steradian = ordered_json::object();
-    for (const char* key : {"quantity", "color", "temperature", "spectrum"}) steradian.erase(key);
-    steradian["quantity"] = {{"value", emission.value}, {"unit", emission.unit}};
-    if (emission.value > 0.0)
-        steradian["color"] = vector_json(scene::with_unit_luminance(glm::dvec3(emission.color)));
-}
-
-/// The frame of a flat light, which shines along -Z.
-glm::dmat4 frame_of(vec3 center, vec3 half_u, vec3 half_v) {
-    const glm::dvec3 y = glm::normalize(glm::dvec3(half_v));
-    const glm::dvec3 back = -glm::normalize(glm::cross(glm::dvec3(half_u), glm::dvec3(half_v)));
-    glm::dmat4 m(1.0);
-    m[0] = {glm::cross(y, back), 0.0};
-    m[1] = {y, 0.0};
-    m[2] = {back, 0.0};
-    m[3] = {glm::dvec3(center), 1.0};
-    return m;
-}
-
 /// The JSON of a glTF file, and its edits.
 class EditedJson {
 public:
@@ -96,10 +66,9 @@ public:
             if (edit.is_removed) take_light(static_cast<std::size_t>(edit.node));
         for (const NodeLightEdit& edit : edits.lights)
             if (!edit.is_removed) write(edit);
-        for (const AddedLight& added : edits.added_lights) add(added);
-        for (const MaterialEdit& edit : edits.materials)
-            state(gltf_["materials"][static_cast<std::size_t>(edit.material)]["extras"]["steradian"],
-                  edit.emission);
+        for (const AddedLight& added : edits.added_lights)
+            add_root(light_node(added, edits.origin, gltf_), false);
+        for (const MaterialEdit& edit : edits.materials) write(edit);
         if (edits.first_camera) add_camera(*edits.first_camera);
     }
 
@@ -107,11 +76,6 @@ public:
 
 private:
     glm::dmat4 file_from_scene() const { return glm::translate(glm::dmat4(1.0), edits_.origin); }
-
-    ordered_json place_json(vec3 place) const {
-        if (edits_.origin == glm::dvec3(0.0)) return vector_json(place);
-        return vector_json(edits_.origin + glm::dvec3(place));
-    }
 
     std::size_t append_node(ordered_json node) {
         gltf_["nodes"].push_back(std::move(node));
@@ -131,9 +95,52 @@ private:
 
     void write(const NodeLightEdit& edit) {
         const auto node = static_cast<std::size_t>(edit.node);
-        if (edit.emission) state(gltf_["nodes"][node]["extras"]["steradian"], *edit.emission);
+        if (edit.emission) state_emission(gltf_["nodes"][node]["extras"]["steradian"], *edit.emission);
         if (!edit.sizes.empty()) resize(node, edit);
+        if (edit.name) rename(gltf_["nodes"][node], *edit.name);
         if (edit.motion != mat4(1.0f)) move(node, edit.motion);
+    }
+
+    void write(const MaterialEdit& edit) {
+        ordered_json& material = gltf_["materials"][static_cast<std::size_t>(edit.material)];
+        if (edit.emission) state_emission(material["extras"]["steradian"], *edit.emission);
+        const bool is_glossy = edit.is_specular_glossiness;
+        const auto set = [&](const char* core, const char* glossy, auto value) {
+            if (!is_glossy)
+                material["pbrMetallicRoughness"][core] = value;
+            else if (*glossy)
+                material["extensions"]["KHR_materials_pbrSpecularGlossiness"][glossy] = value;
+        };
+        if (edit.base_color) {
+            const vec4 c = *edit.base_color;
+            set("baseColorFactor", "diffuseFactor", ordered_json{c.x, c.y, c.z, c.w});
+        }
+        if (edit.metallic) set("metallicFactor", "", *edit.metallic);
+        if (edit.roughness)
+            set("roughnessFactor", "glossinessFactor", is_glossy ? 1.0f - *edit.roughness : *edit.roughness);
+    }
+
+    /// A light of an extension can be at several nodes, so this node gets a copy of it. @return null: the
+    /// node has no such light
+    ordered_json* own_light(ordered_json& node, std::string_view extension) {
+        const std::string name(extension);
+        if (!node.contains("extensions") || !node["extensions"].contains(name)) return nullptr;
+        ordered_json& reference = node["extensions"][name]["light"];
+        ordered_json& lights = gltf_["extensions"][name]["lights"];
+        ordered_json copy = lights[reference.get<std::size_t>()];
+        reference = lights.size();
+        lights.push_back(std::move(copy));
+        return &lights.back();
+    }
+
+    /// A light of an extension has the name that the extension gives it, any other that of its node.
+    void rename(ordered_json& node, const std::string& name) {
+        for (const char* extension : light_extensions)
+            if (ordered_json* light = own_light(node, extension)) {
+                (*light)["name"] = name;
+                return;
+            }
+        node["name"] = name;
     }
 
     /// States the sizes of a light at its node. They scale by the longest axis of the node.
@@ -141,8 +148,8 @@ private:
         const glm::dmat3 world(glm::dmat4(edit.motion) * world_from_node(gltf_, index));
         const double scale = std::max({glm::length(world[0]), glm::length(world[1]), glm::length(world[2])});
         ordered_json& node = gltf_["nodes"][index];
-        if (node.contains("extensions") && node["extensions"].contains("EXT_lights_area"))
-            return resize_area(node["extensions"]["EXT_lights_area"]["light"], edit.sizes, scale);
+        if (ordered_json* area = own_light(node, "EXT_lights_area"))
+            return resize_area(*area, edit.sizes, scale);
         constexpr double rounding = 1e-6;
         for (const scene::LightSize& size : edit.sizes) {
             ordered_json& stated = node["extras"]["steradian"][std::string(size.key)];
@@ -152,18 +159,13 @@ private:
         }
     }
 
-    /// A light of EXT_lights_area can be at several nodes, so this node gets a copy of it.
-    void resize_area(ordered_json& reference, const std::vector<scene::LightSize>& sizes, double scale) {
-        ordered_json& lights = gltf_["extensions"]["EXT_lights_area"]["lights"];
-        ordered_json copy = lights[reference.get<std::size_t>()];
+    static void resize_area(ordered_json& light, const std::vector<scene::LightSize>& sizes, double scale) {
         if (sizes.size() == 1) {
-            copy["size"] = 2.0 * sizes[0].size / scale; // the diameter of a disk
+            light["size"] = 2.0 * sizes[0].size / scale; // the diameter of a disk
         } else {
-            copy["size"] = sizes[1].size / scale;
-            copy["rect"]["aspect"] = sizes[0].size / sizes[1].size;
+            light["size"] = sizes[1].size / scale;
+            light["rect"]["aspect"] = sizes[0].size / sizes[1].size;
         }
-        reference = lights.size();
-        lights.push_back(std::move(copy));
     }
 
     /// Removes the light of a node. @return what made it a light, as the JSON of a node
@@ -195,34 +197,6 @@ private:
         gltf_["nodes"][index]["children"].push_back(node);
     }
 
-    void add(const AddedLight& added) {
-        ordered_json node{{"name", scene::name_of(added.light)}};
-        ordered_json steradian;
-        if (const auto* flat = std::get_if<scene::RectangleLight>(&added.light)) {
-            node["matrix"] =
-                matrix_json(file_from_scene() * frame_of(flat->center, flat->half_u, flat->half_v));
-            steradian["shape"] = "rectangle";
-            if (!flat->is_visible) steradian["visible"] = false;
-        } else if (const auto* sphere = std::get_if<scene::SphereLight>(&added.light)) {
-            node["translation"] = place_json(sphere->center);
-            steradian["shape"] = "sphere";
-        } else {
-            node["translation"] = place_json(std::get<scene::PointLight>(added.light).position);
-            ordered_json& lights = gltf_["extensions"]["KHR_lights_punctual"]["lights"];
-            lights.push_back({{"type", "point"}, {"intensity", 1.0}});
-            node["extensions"]["KHR_lights_punctual"]["light"] = lights.size() - 1;
-            ordered_json& used = gltf_["extensionsUsed"];
-            if (used.is_null() || std::ranges::find(used, "KHR_lights_punctual") == used.end())
-                used.push_back("KHR_lights_punctual");
-        }
-        if (steradian.contains("shape"))
-            for (const scene::LightSize& size : scene::sizes_of(added.light))
-                steradian[std::string(size.key)] = size.size;
-        state(steradian, added.emission);
-        node["extras"]["steradian"] = steradian;
-        add_root(std::move(node), false);
-    }
-
     void add_camera(const scene::Camera& view) {
         ordered_json camera{{"name", "view"}};
         if (const auto* p = std::get_if<scene::Perspective>(&view.projection)) {
@@ -246,29 +220,33 @@ private:
     const Edits& edits_;
 };
 
-void check_target(const fs::path& file, const fs::path& target) {
+/// True if both are in one folder, so that the URIs of one lead from the other to the same files.
+bool is_beside(const fs::path& file, const fs::path& target) {
     std::error_code ignored;
-    if (fs::weakly_canonical(target, ignored).parent_path()
-        != fs::weakly_canonical(file, ignored).parent_path())
-        throw Error({target.string()}, "is in another folder than " + file.string(),
-                    "save it in that folder, where its buffers and textures are");
-    if (target.extension() != file.extension())
-        throw Error({target.string()},
-                    fmt::format("has the extension '{}' instead of '{}'", target.extension().string(),
-                                file.extension().string()),
-                    "name it *" + file.extension().string());
+    return fs::weakly_canonical(target, ignored).parent_path()
+           == fs::weakly_canonical(file, ignored).parent_path();
+}
+
+/// True if a target of this name is a GLB. @throws Error if it is no glTF
+bool is_to_be_glb(const fs::path& file, bool file_is_glb, const fs::path& target) {
+    if (target.extension() == file.extension()) return file_is_glb;
+    if (target.extension() == ".glb") return true;
+    if (target.extension() == ".gltf") return false;
+    throw Error({target.string()}, fmt::format("has the extension '{}'", target.extension().string()),
+                "name it *.gltf or *.glb");
 }
 
 } // namespace
 
 void write_edited_copy(const fs::path& file, const Edits& edits, const fs::path& target) {
-    check_target(file, target);
     const std::vector<std::uint8_t> bytes = read_file(file, file.string());
     const Container container = split_container(bytes, file.string());
-    const EditedJson edited(parse_ordered(container, file.string()), edits);
-    if (container.is_glb())
-        return image::write_whole(target, build_glb(edited.json().dump(), container.chunks));
-    const std::string text = edited.json().dump(2) + "\n";
+    const bool is_glb = is_to_be_glb(file, container.is_glb(), target);
+    ordered_json json = EditedJson(parse_ordered(container, file.string()), edits).json();
+    if (!is_beside(file, target)) embed_files(json, file);
+    if (is_glb) return image::write_whole(target, build_glb(json.dump(), container.chunks));
+    if (container.bin) embed_buffer(json, *container.bin);
+    const std::string text = json.dump(2) + "\n";
     image::write_whole(target, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
 }
 

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -23,16 +24,21 @@ struct NodeLightEdit {
     bool is_removed = false;
     std::optional<StatedEmission> emission; // absent: as the file states it
     std::vector<scene::LightSize> sizes;    // all of the light's, in the world; none: as the file states them
+    std::optional<std::string> name{};      // absent: as the file states it
     mat4 motion{1.0f}; // from the light's place in the file to its new place, in the scene
 };
 
-/// Edits to the emission of a material.
+/// Edits to a material. What is absent is as the file states it.
 struct MaterialEdit {
     int material = 0;
-    StatedEmission emission;
+    std::optional<StatedEmission> emission;
+    bool is_specular_glossiness = false; // the factors are those of KHR_materials_pbrSpecularGlossiness
+    std::optional<vec4> base_color{};
+    std::optional<float> metallic{};
+    std::optional<float> roughness{};
 };
 
-/// A light that the file does not have: a rectangle, a sphere or a point.
+/// A light that the file does not have.
 struct AddedLight {
     scene::Light light;
     StatedEmission emission;
@@ -47,10 +53,10 @@ struct Edits {
     glm::dvec3 origin{0.0};         // of the scene in the file's world (Scene::origin)
 };
 
-/// Writes a copy of `file` with `edits` to `target`, in the same container. What is not edited keeps its
-/// JSON.
-/// @throws Error if `target` is in another folder (the file's URIs would lead nowhere), has another
-/// extension, or cannot be written
+/// Writes a copy of `file` with `edits` to `target`, a .gltf or a .glb. What is not edited keeps its JSON. A
+/// copy in another folder has within it the files that the original refers to.
+/// @throws Error if `target` has another extension or cannot be written, if a light cannot be stated
+/// (light_json.hpp), or a file cannot be embedded (embedded_files.hpp)
 void write_edited_copy(const std::filesystem::path& file, const Edits& edits,
                        const std::filesystem::path& target);
 

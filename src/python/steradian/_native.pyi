@@ -56,9 +56,7 @@ class Light:
 
     @property
     def sizes(self) -> dict:
-        """
-        its sizes by name: width, height, radius, length [m], angular_diameter [rad]
-        """
+        """its sizes by name [m]: width, height, radius, length"""
 
     def resize(self, name: str, value: float) -> None:
         """Sets one of `sizes`."""
@@ -249,6 +247,9 @@ class RenderedPicture:
     @property
     def image(self) -> Image: ...
 
+    @property
+    def exposure(self) -> float: ...
+
     def save(self, files: Sequence[str], exposure: float | None, tone_curve: str, exr_type: str) -> float | None: ...
 
     def displayed(self, exposure: float | None, tone_curve: str) -> Image: ...
@@ -273,6 +274,10 @@ class SceneFile:
     def render(self, options: Mapping[str, Sequence[str]], lights: Sequence[Light] | None, materials: Sequence[Material], progress: object | None) -> RenderedPicture: ...
 
     def probe(self, column: int, row: int, options: Mapping[str, Sequence[str]], lights: Sequence[Light] | None, materials: Sequence[Material]) -> dict: ...
+
+    def camera(self, camera: str, lights: Sequence[Light] | None, materials: Sequence[Material]) -> dict: ...
+
+    def save(self, target: str, camera: str, lights: Sequence[Light] | None, materials: Sequence[Material]) -> None: ...
 
 class EvaluatedBrdf:
     def __init__(self, arg0: str, arg1: Mapping[str, Sequence[float]], arg2: str, arg3: bool, /) -> None: ...

@@ -56,6 +56,11 @@ class Result:
         return self.statistics.get("error")
 
     @property
+    def exposure(self) -> float:
+        """The EV100 that `save` and `display` take: that of `render`, or the automatic one."""
+        return self._native.exposure
+
+    @property
     def attributes(self) -> dict[str, str]:
         """How the picture was made, as the attributes of an .exr say it."""
         return self._image.attributes

@@ -5,14 +5,17 @@ import os
 import sys
 import time
 from dataclasses import dataclass, replace
-from typing import Any, Callable, Sequence
+from typing import Any, Callable, Iterable, Iterator, Sequence
+
+import numpy as np
 
 from . import _native, _options
 from ._probe import Probe, probe_of
-from ._program import told_in_python, warn
+from ._program import Error, told_in_python, warn
 from ._result import Result
 
 Progress = Callable[[str, float, str], None]
+Vector = tuple[float, float, float]
 
 
 @dataclass(frozen=True)
@@ -38,6 +41,24 @@ class Camera:
     def with_(self, **changes: Any) -> Camera:
         """Returns this camera with other values."""
         return replace(self, **{"number": None, **changes})
+
+    def turned(self, degrees: float, around: Sequence[float] | None = None) -> Camera:
+        """Returns this camera turned by an angle around the upright axis through a point, its target if that is None.
+
+        A positive angle goes counter-clockwise, seen from above.
+
+        >>> steradian.Camera(eye=(0, 1, 4), target=(0, 1, 0)).turned(90).eye
+        (4.0, 1.0, 0.0)
+        """
+        around = self.target if around is None else around
+        angle = np.radians(degrees)
+        c, s = float(np.cos(angle)), float(np.sin(angle))
+
+        def turn(v: Sequence[float], by: Sequence[float]) -> Vector:
+            x, y, z = (float(a) - float(b) for a, b in zip(v, by))
+            return tuple(round(value, 12) for value in (by[0] + c * x + s * z, by[1] + y, by[2] + c * z - s * x))
+
+        return self.with_(eye=turn(self.eye, around), target=turn(self.target, around), up=turn(self.up, (0, 0, 0)))
 
     def text(self) -> str:
         """Returns the camera as `steradian render --camera` takes it."""
@@ -77,6 +98,8 @@ class Scene:
         self.variants: list[str] = contents["variants"]
         self.triangles: int = contents["triangles"]
         self.unit: str = contents["unit"]
+        #: The corners of the box around all surfaces at rest [m].
+        self.bounds: tuple[Vector, Vector] = contents["bounds"]
         self._warned = 0
         self._tell_warnings()
         self.lights: list[_native.Light]
@@ -128,6 +151,85 @@ class Scene:
             native = self._native.render(texts, self._edited_lights(), self._edited_materials(), told)
         self._tell_warnings()
         return Result(native, texts["aov"][0].split(",") if "aov" in texts else ())
+
+    def frames(self, numbers: Iterable[int] | None = None, *, fps: float = 24.0, animation: str | int | None = None,
+               **options: Any) -> Iterator[tuple[int, Result]]:
+        """Yields frames of an animation, each with its number: frame n is at n / fps seconds, as in `steradian render --frames`.
+
+        numbers: such as range(48); None: all of them. The other options are those of `render`. An automatic exposure is that of
+        the first frame, and the camera "auto" frames the scene at rest, so that the frames do not flicker.
+
+            for number, picture in scene.frames(range(48), size=(640, 360)):
+                picture.save(f"walk.{number:04}.png")
+        """
+        if not fps > 0:
+            raise ValueError(f"fps: {fps} is not above 0")
+        if numbers is None:
+            numbers = range(int(self._duration(animation) * fps + 1e-6) + 1)
+        if options.get("camera") == "auto" or options.get("camera") is None and not self.cameras:
+            options["camera"] = self.camera("auto")
+        yield from self._sequence(((number, {"at": number / fps, "animation": animation}) for number in numbers), options)
+
+    def turntable(self, count: int = 36, camera: Camera | str | int | None = None, around: Sequence[float] | None = None,
+                  **options: Any) -> Iterator[tuple[int, Result]]:
+        """Yields `count` pictures from a camera that goes once around the scene, each with its number.
+
+        camera: as `render` takes it; picture 0 is from there. around: the point that it goes around; None: the middle of
+        `bounds`. The other options are those of `render`; an automatic exposure is that of the first picture.
+        """
+        if count < 1:
+            raise ValueError(f"count: {count} is not 1 or more")
+        begin = camera if isinstance(camera, Camera) else self.camera(camera)
+        if around is None:
+            around = tuple((low + high) / 2 for low, high in zip(*self.bounds))
+        yield from self._sequence(((number, {"camera": begin.turned(360 * number / count, around) if number else begin})
+                                   for number in range(count)), options)
+
+    def _sequence(self, moments: Iterable[tuple[int, dict[str, Any]]], options: dict[str, Any]) -> Iterator[tuple[int, Result]]:
+        exposure = options.pop("exposure", None)
+        for number, moment in moments:
+            picture = self.render(exposure=exposure, **moment, **options)
+            if exposure in (None, "auto"):
+                exposure = picture.exposure
+            yield number, picture
+
+    def _duration(self, animation: str | int | None) -> float:
+        if animation == "all":
+            return max((one.duration for one in self.animations), default=0.0)
+        for number, one in enumerate(self.animations):
+            if animation in (None, number, str(number), one.name):
+                return one.duration
+        names = ", ".join(one.name for one in self.animations)
+        raise Error(f"{self.file}: no animation {animation!r}: " + (f"choose one of {names}" if names else "the file has none"))
+
+    def camera(self, camera: str | int | None = None) -> Camera:
+        """Returns a camera as `render` would choose it: by name, by number, "auto" for one that frames the scene, or the first.
+
+        >>> steradian.load(steradian.sample("cornell")).camera("auto").with_(fov=20).fov
+        20
+        """
+        with told_in_python():
+            return Camera(**self._native.camera("" if camera is None else str(camera), self._edited_lights(), self._edited_materials()))
+
+    def save(self, file: str | os.PathLike[str], camera: Camera | str | int | None = None) -> None:
+        """Writes a copy of the scene's file with all edits of lights and materials: a .gltf or a .glb.
+
+        What was not edited stays as it is in the file. A copy in another folder has within it the buffers, textures and
+        profiles that the file refers to. camera: becomes the copy's first camera. Options of `render`, such as an
+        environment, are not part of a scene. Raises Error for what glTF cannot state.
+
+        >>> import tempfile, pathlib
+        >>> scene = steradian.load(steradian.sample("cornell"))
+        >>> scene.lights.append(steradian.point_light((0.1, 0.35, 0.15), flux=20, name="candle"))
+        >>> with tempfile.TemporaryDirectory() as folder:
+        ...     file = pathlib.Path(folder, "candle.glb")
+        ...     scene.save(file)
+        ...     steradian.load(file).lights
+        [<Light 'candle': point, 1.59155 cd>]
+        """
+        with told_in_python():
+            text = camera.text() if isinstance(camera, Camera) else "" if camera is None else str(camera)
+            self._native.save(os.fspath(file), text, self._edited_lights(), self._edited_materials())
 
     def probe(self, x: int, y: int, size: tuple[int, int] | str | None = None, samples: int | None = None,
               camera: Camera | str | int | None = None, estimator: str | None = None, **options: Any) -> Probe:

@@ -105,6 +105,17 @@ bool has_profile(const Light& light) {
     return point && point->profile >= 0;
 }
 
+bool needs_its_scene(const Light& light) {
+    return has_profile(light)
+           || std::visit(
+               []<class L>(const L& l) {
+                   if constexpr (requires { l.map; })
+                       if constexpr (requires { l.map.is_present(); }) return l.map.is_present();
+                   return std::is_same_v<L, MeshLight> || std::is_same_v<L, EnvironmentLight>;
+               },
+               light);
+}
+
 std::optional<vec3> flux_of(const Light& light, const std::vector<LightProfile>& profiles) {
     return std::visit(
         [&](const auto& l) -> std::optional<vec3> {
@@ -195,6 +206,14 @@ void set_size(Light& light, std::size_t index, float value) {
             sizes[index].scale(l, value / sizes[index].of(l));
         },
         light);
+}
+
+void take_sizes_of(Light& light, const Light& other) {
+    const std::vector<LightSize> sizes = sizes_of(other);
+    const std::size_t count = sizes_of(light).size();
+    const float across = sizes.size() < count ? 2.0f : 1.0f; // a radius, where an ellipse became a circle
+    for (std::size_t i = 0; i < sizes_of(light).size(); ++i) // an ellipse may become a circle on the way
+        set_size(light, i, across * sizes[std::min(i, sizes.size() - 1)].size);
 }
 
 bool is_scalable(const Light& light) {

@@ -68,6 +68,9 @@ void set_quantity(Light& light, vec3 quantity);
 /// Returns the kind of quantity that the light keeps: I, E or L. A profile's factor has no unit.
 Quantity quantity_kind_of(const Light& light);
 bool has_profile(const Light& light);
+/// True if the light refers to other parts of its scene, a profile, a texture or a surface, or is all around
+/// it.
+bool needs_its_scene(const Light& light);
 
 /// Returns the light's own quantity (I, E or L) for a stated one. Absent: the stated one does not determine
 /// it.
@@ -115,6 +118,9 @@ std::vector<LightSize> sizes_of(const Light& light);
 
 /// Gives size number `index` another value, above 0 [m].
 void set_size(Light& light, std::size_t index, float value);
+
+/// Gives a light the sizes of another one of its kind.
+void take_sizes_of(Light& light, const Light& other);
 
 /// True if the light can be scaled.
 bool is_scalable(const Light& light);

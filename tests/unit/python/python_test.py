@@ -234,15 +234,6 @@ def test_pictures_show_themselves_in_notebooks():
     assert "PASS" in comparison._repr_html_()
 
 
-def test_a_probe_is_a_table():
-    try:
-        import pandas  # noqa: F401
-    except ImportError:
-        sys.exit(77)
-    table = steradian.load(CORNELL).probe(10, 20, size=(32, 32), samples=2).table()
-    assert list(table["name"]) == ["lamp"] and {"E.r", "wi.x", "V", "L_r.g"} <= set(table.columns)
-
-
 def test_examples_in_docstrings_hold():
     failed = 0
     for name in ("", "._scene", "._compare", "._brdf", "._lights", "._program"):
