@@ -225,7 +225,8 @@ ordered_json Examiner::deciding_lines(const Place& place, vec3 L_o, vec3 before,
     const auto tried = [&](const TaskChange& change) {
         const std::string file = file_name(codes_.at(change.task->id));
         const auto value = value_at(place, with(change), first, end);
-        if (!value || !differs(*value, before, floor)) return;
+        if (!value || !std::isfinite(value->x + value->y + value->z) || !differs(*value, before, floor))
+            return;
         answer.push_back(fmt::format(
             "{}: with `{}` {} becomes {} instead of {}.", line_text(file, change.change), change.change.to,
             place.dark ? "that light's part" : "L_o", rgb_text(*value), rgb_text(before)));

@@ -19,8 +19,8 @@ void main() {"""
 # least: a missing term where the golden has a channel of it, a light that is off where it was the only one or has a layer.
 MISTAKES = {
     "pi_missing": ("brdf/lambert.glsl", {"return albedo / pi;": "return albedo;"}, 18, "pi_missing", 5),
-    "cosine_missing": ("integrator/reflected.glsl", {"light.distance, k, ray) * cos_i;": "light.distance, k, ray);"}, 17, "cosine_missing", 3),
-    "srgb_twice": ("forward.frag", {"void main() {": SRGB, "emitted(x) + reflected(x, wo);": "srgb(emitted(x) + reflected(x, wo));"},
+    "cosine_missing": ("integrator/integrand.glsl", {" * cos_i, x,": ", x,"}, 17, "cosine_missing", 3),
+    "srgb_twice": ("forward.frag", {"void main() {": SRGB, "outgoing(x, direction_to_viewer());": "srgb(outgoing(x, direction_to_viewer()));"},
                    18, "srgb_applied", 5),
     # The zoo's other booths are walled off from its last light.
     "light_off": ("integrator/reflected.glsl", {"k < end_light;": "k < end_light - 1;"}, 14, "black", 4),

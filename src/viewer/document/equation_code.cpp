@@ -1,7 +1,6 @@
 #include "viewer/document/equation_code.hpp"
 
 #include "core/error.hpp"
-#include "glsl/source.hpp"
 #include "render/gpu/shader_library.hpp"
 
 #include <algorithm>
@@ -12,7 +11,9 @@
 namespace sr::viewer {
 namespace {
 
-constexpr const char* integral = "integrator/reflected.glsl";
+constexpr const char* sum = "integrator/reflected.glsl";
+constexpr const char* integrand = "integrator/integrand.glsl";
+constexpr const char* mirror_reflectance = "vec3 L_k = x.base_color * light";
 constexpr const char* mirror_sum = "integrator/mirrored.glsl";
 
 /// The function that gives the light of an emitter as it arrives at x (shaders/light/sample_light.glsl).
@@ -84,32 +85,35 @@ std::vector<Omission> omissions_of(int left_out) {
     const std::string each = "for (int k = first_light; k < end_light; ++k) {";
     const std::string others = fmt::format("{} if (k == {}) continue;", each, left_out);
     return {{EquationTerm::emission, "integrator/emitted.glsl", "return x.emission;", "return vec3(0.0);"},
-            {EquationTerm::f_r, integral, "return f_r(x, light.wi, wo) * light", "return light"},
-            {EquationTerm::f_r, mirror_sum, "return x.base_color * L;", "return L;", true},
-            {EquationTerm::light, integral, each, others},
+            {EquationTerm::f_r, integrand, "f_r(x, light.wi, wo) * light", "light"},
+            {EquationTerm::f_r, mirror_sum, mirror_reflectance, "vec3 L_k = light", true},
+            {EquationTerm::light, sum, each, others},
             {EquationTerm::light, mirror_sum, each, others, true},
-            {EquationTerm::visibility, integral, " * visibility(x, light.wi, light.distance, k, ray)", ""},
-            {EquationTerm::visibility, mirror_sum, " * visibility(x, m, light.distance, k, towards_light)",
-             "", true},
-            {EquationTerm::cosine, integral, " * cos_i;", ";"}};
+            {EquationTerm::visibility, "visibility/seen.glsl", "L * visibility(x, wi, distance, light, ray)",
+             "L"},
+            {EquationTerm::cosine, integrand, " * cos_i, x", ", x"}};
 }
 
 } // namespace
 
-std::optional<CodeExcerpt> EquationCode::of(EquationTerm term, const scene::Light* light) const {
-    if (is_mirror && term == EquationTerm::cosine) return std::nullopt; // the delta has divided it out
-    const std::string function = function_of(term, light);
-    const std::string chosen = fmt::format("visibility/{}.glsl", visibility);
+/// Returns forward.frag as the renderer specialises it.
+glsl::Source EquationCode::expanded() const {
     glsl::Files files = render::brdf_files(model, path);
-    files["visibility/visibility.glsl"] = fmt::format("#include \"{}\"\n", chosen);
+    files["visibility/visibility.glsl"] = fmt::format("#include \"visibility/{}.glsl\"\n", visibility);
     std::vector<glsl::Root> roots(path.begin(), path.end() - 1);
     roots.push_back(glsl::Root::memory("specialised", std::move(files)));
     roots.push_back(path.back());
+    return glsl::expand(roots, "forward.frag");
+}
+
+std::optional<CodeExcerpt> EquationCode::of(EquationTerm term, const scene::Light* light) const {
+    if (is_mirror && term == EquationTerm::cosine) return std::nullopt; // the delta has divided it out
+    const std::string function = function_of(term, light);
     const bool is_reflectance = is_mirror && term == EquationTerm::f_r;
-    const glsl::Source source = glsl::expand(roots, "forward.frag");
+    const glsl::Source source = expanded();
     const auto texts = lines_in(source.text);
     const auto computes = [&](std::string_view line) {
-        return is_reflectance ? line.find("return x.base_color * L;") != std::string_view::npos
+        return is_reflectance ? line.find(mirror_reflectance) != std::string_view::npos
                               : defines(line, function);
     };
     const auto found = std::ranges::find_if(texts, computes);
@@ -121,11 +125,13 @@ std::optional<LeftOut> EquationCode::without(EquationTerm term, int light) const
     glsl::Files files;
     std::optional<LeftOut> shown;
     const glsl::Root* untrusted = nullptr;
+    const std::vector<std::string> used = expanded().files;
     for (const Omission& omission : omissions_of(light)) {
         if (omission.term != term) continue;
         const auto root = std::ranges::find_if(
             path, [&](const glsl::Root& r) { return r.text_of(omission.file).has_value(); });
-        if (root == path.end()) continue;
+        if (root == path.end() || std::ranges::find(used, root->place_of(omission.file)) == used.end())
+            continue;
         std::string text = *root->text_of(omission.file);
         const std::size_t at = text.find(omission.from);
         if (at == std::string::npos) continue;

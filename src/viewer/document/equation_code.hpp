@@ -1,6 +1,7 @@
 #pragma once
 // GLSL of the equation, term by term: the line that computes a term, and the code without that term.
 #include "glsl/root.hpp"
+#include "glsl/source.hpp"
 #include "scene/lights/light.hpp"
 #include "scene/material.hpp"
 
@@ -48,6 +49,9 @@ struct EquationCode {
     /// The code without a term: a factor becomes 1, L_e becomes 0, light number `light` is not added.
     /// @return absent likewise
     std::optional<LeftOut> without(EquationTerm term, int light) const;
+
+private:
+    glsl::Source expanded() const;
 };
 
 } // namespace sr::viewer

@@ -38,7 +38,7 @@ const Test lines_of_terms("unit.viewer.equation.each_term_has_a_line", [] {
                                                   : term == EquationTerm::light      ? "sample_spot("
                                                   : term == EquationTerm::visibility ? "visibility("
                                                   : term == EquationTerm::cosine     ? "cosine("
-                                                  : code_of(model).is_mirror         ? "base_color * L"
+                                                  : code_of(model).is_mirror         ? "base_color * light"
                                                                                      : "f_r("),
                       std::string::npos)
                 << code->file << ": " << code->computing_line();
