@@ -88,6 +88,19 @@ glm::dmat4 frame_of(vec3 center, vec3 half_u, vec3 half_v) {
     return m;
 }
 
+/// A frame at `center` whose axis number `axis` points along a vector.
+glm::dmat4 frame_along(vec3 center, vec3 along, int axis) {
+    const glm::dvec3 a = glm::normalize(glm::dvec3(along));
+    const glm::dvec3 other = std::abs(a.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
+    const glm::dvec3 b = glm::normalize(glm::cross(other, a));
+    glm::dmat4 m(1.0);
+    m[axis] = {a, 0.0};
+    m[(axis + 1) % 3] = {b, 0.0};
+    m[(axis + 2) % 3] = {glm::cross(a, b), 0.0};
+    m[3] = {glm::dvec3(center), 1.0};
+    return m;
+}
+
 /// The JSON of a glTF file, and its edits.
 class EditedJson {
 public:
@@ -131,9 +144,34 @@ private:
 
     void write(const NodeLightEdit& edit) {
         const auto node = static_cast<std::size_t>(edit.node);
+        if (edit.name) rename(node, *edit.name);
         if (edit.emission) state(gltf_["nodes"][node]["extras"]["steradian"], *edit.emission);
         if (!edit.sizes.empty()) resize(node, edit);
         if (edit.motion != mat4(1.0f)) move(node, edit.motion);
+    }
+
+    /// Renames a node and its light, whose own name readers prefer. A light of several nodes stays, and this
+    /// node gets a copy of it; animations go on to point at that of a single one.
+    void rename(std::size_t index, const std::string& name) {
+        ordered_json& node = gltf_["nodes"][index];
+        node["name"] = name;
+        for (const char* extension : light_extensions) {
+            const ordered_json::json_pointer pointer(fmt::format("/extensions/{}/light", extension));
+            if (!node.contains(pointer)) continue;
+            ordered_json& lights = gltf_["extensions"][extension]["lights"];
+            ordered_json& reference = node[pointer];
+            const auto number = reference.get<std::size_t>();
+            if (lights[number].value("name", "").empty()) continue;
+            const auto has_it = [&](const ordered_json& other) {
+                return other.contains(pointer) && other[pointer] == number;
+            };
+            if (std::ranges::count_if(gltf_["nodes"], has_it) > 1) {
+                ordered_json copy = lights[number];
+                reference = lights.size();
+                lights.push_back(std::move(copy));
+            }
+            lights[reference.get<std::size_t>()]["name"] = name;
+        }
     }
 
     /// States the sizes of a light at its node. They scale by the longest axis of the node.
@@ -197,30 +235,58 @@ private:
 
     void add(const AddedLight& added) {
         ordered_json node{{"name", scene::name_of(added.light)}};
-        ordered_json steradian;
-        if (const auto* flat = std::get_if<scene::RectangleLight>(&added.light)) {
-            node["matrix"] =
-                matrix_json(file_from_scene() * frame_of(flat->center, flat->half_u, flat->half_v));
-            steradian["shape"] = "rectangle";
-            if (!flat->is_visible) steradian["visible"] = false;
-        } else if (const auto* sphere = std::get_if<scene::SphereLight>(&added.light)) {
-            node["translation"] = place_json(sphere->center);
-            steradian["shape"] = "sphere";
-        } else {
-            node["translation"] = place_json(std::get<scene::PointLight>(added.light).position);
-            ordered_json& lights = gltf_["extensions"]["KHR_lights_punctual"]["lights"];
-            lights.push_back({{"type", "point"}, {"intensity", 1.0}});
-            node["extensions"]["KHR_lights_punctual"]["light"] = lights.size() - 1;
-            ordered_json& used = gltf_["extensionsUsed"];
-            if (used.is_null() || std::ranges::find(used, "KHR_lights_punctual") == used.end())
-                used.push_back("KHR_lights_punctual");
-        }
-        if (steradian.contains("shape"))
-            for (const scene::LightSize& size : scene::sizes_of(added.light))
-                steradian[std::string(size.key)] = size.size;
+        ordered_json steradian = ordered_json::object();
+        std::visit([&](const auto& light) { place(light, node, steradian); }, added.light);
+        for (const scene::LightSize& size : scene::sizes_of(added.light))
+            steradian[std::string(size.key)] = size.size;
         state(steradian, added.emission);
         node["extras"]["steradian"] = steradian;
         add_root(std::move(node), false);
+    }
+
+    /// Gives a node the place of a light, and the light its kind.
+    template<class L>
+    void place(const L& light, ordered_json& node, ordered_json& steradian) {
+        if constexpr (requires { light.half_u; }) {
+            node["matrix"] =
+                matrix_json(file_from_scene() * frame_of(light.center, light.half_u, light.half_v));
+            if (light.is_two_sided) steradian["two_sided"] = true;
+        } else if constexpr (requires { light.half_axis; }) {
+            node["matrix"] = matrix_json(file_from_scene() * frame_along(light.center, light.half_axis, 0));
+        } else if constexpr (requires { light.direction; }) {
+            vec3 position(0.0f);
+            if constexpr (requires { light.position; }) position = light.position;
+            node["matrix"] = matrix_json(file_from_scene() * frame_along(position, -light.direction, 2));
+            node["extensions"]["KHR_lights_punctual"]["light"] = add_punctual(light);
+        } else if constexpr (requires { light.position; }) {
+            node["translation"] = place_json(light.position);
+            node["extensions"]["KHR_lights_punctual"]["light"] = add_punctual(light);
+        } else if constexpr (requires { light.radius; }) {
+            node["translation"] = place_json(light.center);
+        } else {
+            require(false, "the light is_addable()");
+        }
+        if constexpr (requires { light.sizes(); })
+            for (const auto& shape : L::shapes)
+                if (shape.dimensions.size() == light.sizes().size()) steradian["shape"] = shape.name;
+        if constexpr (requires { light.is_visible; })
+            if (!light.is_visible) steradian["visible"] = false;
+    }
+
+    /// @return the index of a new light of KHR_lights_punctual, whose intensity its node states
+    template<class L>
+    std::size_t add_punctual(const L& light) {
+        ordered_json punctual{{"type", L::kind}, {"intensity", 1.0}};
+        if constexpr (requires { light.range; })
+            if (std::isfinite(light.range)) punctual["range"] = light.range;
+        if constexpr (requires { light.outer_angle; })
+            punctual["spot"] = {{"innerConeAngle", light.inner_angle}, {"outerConeAngle", light.outer_angle}};
+        ordered_json& lights = gltf_["extensions"]["KHR_lights_punctual"]["lights"];
+        lights.push_back(std::move(punctual));
+        ordered_json& used = gltf_["extensionsUsed"];
+        if (used.is_null() || std::ranges::find(used, "KHR_lights_punctual") == used.end())
+            used.push_back("KHR_lights_punctual");
+        return lights.size() - 1;
     }
 
     void add_camera(const scene::Camera& view) {
@@ -260,6 +326,23 @@ void check_target(const fs::path& file, const fs::path& target) {
 }
 
 } // namespace
+
+bool is_addable(const scene::Light& light) {
+    return std::visit(
+        []<class L>(const L& l) {
+            if constexpr (requires { l.profile; })
+                return l.profile < 0;
+            else if constexpr (
+                requires { l.map; } && requires { l.half_u; })
+                return !l.map.is_present();
+            else
+                return std::is_same_v<
+                           L,
+                           scene::
+                               SpotLight> || std::is_same_v<L, scene::DirectionalLight> || std::is_same_v<L, scene::SphereLight> || std::is_same_v<L, scene::TubeLight>;
+        },
+        light);
+}
 
 void write_edited_copy(const fs::path& file, const Edits& edits, const fs::path& target) {
     check_target(file, target);

@@ -21,6 +21,7 @@ struct StatedEmission {
 struct NodeLightEdit {
     int node = 0;
     bool is_removed = false;
+    std::optional<std::string> name;        // of the node
     std::optional<StatedEmission> emission; // absent: as the file states it
     std::vector<scene::LightSize> sizes;    // all of the light's, in the world; none: as the file states them
     mat4 motion{1.0f}; // from the light's place in the file to its new place, in the scene
@@ -32,7 +33,11 @@ struct MaterialEdit {
     StatedEmission emission;
 };
 
-/// A light that the file does not have: a rectangle, a sphere or a point.
+/// True if a copy can have such a light at a node of its own: not for polygons, meshes and environments, and
+/// not with a picture or a photometric profile.
+bool is_addable(const scene::Light& light);
+
+/// A light that the file does not have, and that is_addable().
 struct AddedLight {
     scene::Light light;
     StatedEmission emission;
