@@ -97,7 +97,7 @@ private:
         const auto node = static_cast<std::size_t>(edit.node);
         if (edit.emission) state_emission(gltf_["nodes"][node]["extras"]["steradian"], *edit.emission);
         if (!edit.sizes.empty()) resize(node, edit);
-        if (edit.name) rename(gltf_["nodes"][node], *edit.name);
+        if (edit.name) rename(node, *edit.name);
         if (edit.motion != mat4(1.0f)) move(node, edit.motion);
     }
 
@@ -133,14 +133,23 @@ private:
         return &lights.back();
     }
 
-    /// A light of an extension has the name that the extension gives it, any other that of its node.
-    void rename(ordered_json& node, const std::string& name) {
-        for (const char* extension : light_extensions)
-            if (ordered_json* light = own_light(node, extension)) {
-                (*light)["name"] = name;
-                return;
-            }
+    /// Renames a node and its light, whose own name readers prefer. A light of several nodes stays, and this
+    /// node gets a copy of it; animations go on to point at that of a single one.
+    void rename(std::size_t index, const std::string& name) {
+        ordered_json& node = gltf_["nodes"][index];
         node["name"] = name;
+        for (const char* extension : light_extensions) {
+            const ordered_json::json_pointer pointer(fmt::format("/extensions/{}/light", extension));
+            if (!node.contains(pointer)) continue;
+            ordered_json& lights = gltf_["extensions"][extension]["lights"];
+            const auto number = node[pointer].get<std::size_t>();
+            if (lights[number].value("name", "").empty()) continue;
+            const auto has_it = [&](const ordered_json& other) {
+                return other.contains(pointer) && other[pointer] == number;
+            };
+            const bool is_shared = std::ranges::count_if(gltf_["nodes"], has_it) > 1;
+            (is_shared ? *own_light(node, extension) : lights[number])["name"] = name;
+        }
     }
 
     /// States the sizes of a light at its node. They scale by the longest axis of the node.
@@ -237,6 +246,8 @@ bool is_to_be_glb(const fs::path& file, bool file_is_glb, const fs::path& target
 }
 
 } // namespace
+
+bool is_addable(const scene::Light& light) { return !scene::needs_its_scene(light); }
 
 void write_edited_copy(const fs::path& file, const Edits& edits, const fs::path& target) {
     const std::vector<std::uint8_t> bytes = read_file(file, file.string());

@@ -38,7 +38,11 @@ struct MaterialEdit {
     std::optional<float> roughness{};
 };
 
-/// A light that the file does not have.
+/// True if a copy can have such a light at a node of its own: not with a picture, a profile or a surface of
+/// its scene.
+bool is_addable(const scene::Light& light);
+
+/// A light that the file does not have, and that is_addable().
 struct AddedLight {
     scene::Light light;
     StatedEmission emission;

@@ -12,7 +12,9 @@
 #include <nlohmann/json.hpp>
 #include <sys/file.h>
 #include <sys/stat.h>
+#include <type_traits>
 #include <unistd.h>
+#include <variant>
 
 namespace sr::viewer {
 namespace {
@@ -28,26 +30,57 @@ vec3 vec3_in(const json& value) {
     return {v[0], v[1], v[2]};
 }
 
-/// Describes an added light, which is one of three kinds.
+/// Calls act(key, member) for each member of an added light (gltf::is_addable()) but its quantity and its
+/// sizes.
+template<class L, class Act>
+void for_each_member(L& light, const Act& act) {
+    act("name", light.name);
+    if constexpr (requires { light.position; }) act("at", light.position);
+    if constexpr (requires { light.center; }) act("at", light.center);
+    if constexpr (requires { light.direction; }) act("direction", light.direction);
+    if constexpr (requires { light.half_u; }) {
+        act("half_u", light.half_u);
+        act("half_v", light.half_v);
+        act("is_two_sided", light.is_two_sided);
+    }
+    if constexpr (requires { light.half_axis; }) act("half_axis", light.half_axis);
+    if constexpr (requires { light.radius; }) act("radius", light.radius);
+    if constexpr (requires { light.angular_radius; }) act("angular_radius", light.angular_radius);
+    if constexpr (requires { light.outer_angle; }) {
+        act("inner_angle", light.inner_angle);
+        act("outer_angle", light.outer_angle);
+    }
+    if constexpr (requires { light.range; }) act("range", light.range);
+    if constexpr (requires { light.is_visible; }) act("is_visible", light.is_visible);
+}
+
 json shape_json(const scene::Light& light) {
-    if (const auto* point = std::get_if<scene::PointLight>(&light))
-        return {{"shape", "point"}, {"name", point->name}, {"at", json_of(point->position)}};
-    if (const auto* sphere = std::get_if<scene::SphereLight>(&light))
-        return {{"shape", "sphere"}, {"name", sphere->name}, {"at", json_of(sphere->center)}};
-    const auto& rectangle = std::get<scene::RectangleLight>(light);
-    return {{"shape", "rectangle"},
-            {"name", rectangle.name},
-            {"at", json_of(rectangle.center)},
-            {"half_u", json_of(rectangle.half_u)},
-            {"half_v", json_of(rectangle.half_v)}};
+    json shape{{"shape", scene::light_kind_names()[light.index()]}};
+    const auto write = [&](const char* key, const auto& member) {
+        if constexpr (std::is_same_v<std::decay_t<decltype(member)>, vec3>)
+            shape[key] = json_of(member);
+        else
+            shape[key] = member; // JSON has no infinity: null
+    };
+    std::visit([&](const auto& l) { for_each_member(l, write); }, light);
+    return shape;
 }
 
 scene::Light shape_in(const json& shape) {
-    const auto name = shape.at("name").get<std::string>();
-    const vec3 at = vec3_in(shape.at("at"));
-    if (shape.at("shape") == "point") return scene::PointLight{name, at};
-    if (shape.at("shape") == "sphere") return scene::SphereLight{name, at};
-    return scene::RectangleLight{name, at, vec3_in(shape.at("half_u")), vec3_in(shape.at("half_v"))};
+    const auto read = [&](const char* key, auto& member) {
+        using M = std::decay_t<decltype(member)>;
+        if (!shape.contains(key) || shape.at(key).is_null()) return;
+        if constexpr (std::is_same_v<M, vec3>)
+            member = vec3_in(shape.at(key));
+        else
+            member = shape.at(key).get<M>();
+    };
+    scene::Light light;
+    scene::for_each_light_kind([&]<class L>(std::type_identity<L>) {
+        if (shape.at("shape") == L::kind) light = L();
+    });
+    std::visit([&](auto& l) { for_each_member(l, read); }, light);
+    return light;
 }
 
 json json_of(const LightEdit& edit) {
@@ -63,6 +96,7 @@ json json_of(const LightEdit& edit) {
     std::copy_n(&edit.motion[0][0], motion.size(), motion.begin());
     entry["motion"] = motion;
     if (edit.is_added()) entry["added"] = shape_json(edit.light);
+    if (edit.overrides_name) entry["name"] = name_of(edit.light);
     return entry;
 }
 
@@ -79,6 +113,10 @@ void recover(LightEdit& edit, const json& entry) {
         for (std::size_t i = 0; i < count; ++i)
             if (sizes[i] > 0.0f) scene::set_size(edit.light, i, sizes[i]);
         edit.overrides_size = !edit.is_added();
+    }
+    if (entry.contains("name")) {
+        scene::set_name(edit.light, entry.at("name").get<std::string>());
+        edit.overrides_name = true;
     }
     if (!entry.contains("quantity")) return;
     const vec3 quantity = vec3_in(entry.at("quantity"));

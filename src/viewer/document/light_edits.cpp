@@ -29,6 +29,7 @@ scene::Light edited(const scene::Light& file, const LightEdit& edit) {
     scene::Light light = edit.motion == mat4(1.0f) ? file : transformed(file, edit.motion);
     if (edit.overrides_size) take_sizes(light, edit.light);
     if (edit.overrides_quantity) set_quantity(light, quantity_of(edit.light));
+    if (edit.overrides_name) set_name(light, name_of(edit.light));
     return light;
 }
 
@@ -113,7 +114,8 @@ std::optional<gltf::NodeLightEdit> node_edit(const LightEdit& edit, const scene:
         written.emission = emission_of(edit, scene);
     if (edit.overrides_size) written.sizes = scene::sizes_of(edit.light);
     written.motion = edit.motion;
-    if (!written.emission && written.motion == mat4(1.0f)) return std::nullopt;
+    if (edit.overrides_name) written.name = name_of(edit.light);
+    if (!written.emission && !written.name && written.motion == mat4(1.0f)) return std::nullopt;
     return written;
 }
 
@@ -289,6 +291,15 @@ void LightEditor::set_size(std::size_t entry, std::size_t extent, float size) {
     LightEdit& edit = edit_of(entry);
     scene::set_size(edit.light, extent, size);
     edit.overrides_size = true;
+}
+
+bool LightEditor::rename(std::size_t entry, const std::string& name) {
+    if (!can_move(entry)) return false;
+    remember(of("name of", entry));
+    LightEdit& edit = edit_of(entry);
+    scene::set_name(edit.light, name);
+    edit.overrides_name = true;
+    return true;
 }
 
 std::size_t LightEditor::add(scene::Light light) {

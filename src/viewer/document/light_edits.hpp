@@ -26,12 +26,13 @@ struct LightEdit {
     bool is_removed = false;         // by a person
     bool overrides_quantity = false; // the quantity is a person's, at every time
     bool overrides_size = false;     // likewise a size
+    bool overrides_name = false;     // likewise its name
     mat4 motion{1.0f};               // from the place in the file to the current place, in the world
 
     bool is_added() const { return kind == Kind::light && source < 0; }
     bool is_shown() const { return is_present && !is_removed; }
     bool is_edited() const {
-        return is_removed || overrides_quantity || overrides_size || motion != mat4(1.0f);
+        return is_removed || overrides_quantity || overrides_size || overrides_name || motion != mat4(1.0f);
     }
     /// True if the file does not say it.
     bool is_news() const { return is_added() ? !is_removed : is_edited() || !is_enabled; }
@@ -100,7 +101,9 @@ public:
     /// Sets the size of a light or a softbox along one of its extents (scene::sizes_of) [m].
     void set_size(std::size_t entry, std::size_t extent, float size);
     bool can_move(std::size_t entry) const { return entries_[entry].kind != LightEdit::Kind::material; }
-    /// @return the index of its entry once apply() has run
+    /// Gives a light or a softbox another name. @return false for a material, whose name stays
+    bool rename(std::size_t entry, const std::string& name);
+    /// `light`: gltf::is_addable(). @return the index of its entry once apply() has run
     std::size_t add(scene::Light light);
     /// Removes a light or a softbox. @return false for a material, which is disabled instead
     bool remove(std::size_t entry);

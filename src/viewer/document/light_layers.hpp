@@ -12,14 +12,15 @@ namespace sr::viewer {
 ///
 ///   L_o = D + Σ_k w_k (L_k - D)
 ///
-/// D is the picture without lights, L_k the one of light k alone. w_k is the light's quantity over the one it has in its
-/// picture, for red, green and blue.
+/// D is the picture without lights, L_k the one of light k alone. w_k is the light's quantity over the one it
+/// has in its picture, for red, green and blue.
 class LightLayers {
 public:
     explicit LightLayers(std::size_t lights) : layers_(lights + 1) {}
 
     std::size_t lights() const { return layers_.size() - 1; }
-    /// Adds samples to the picture of a light, or to the one without lights (index lights()). `film`: their mean.
+    /// Adds samples to the picture of a light, or to the one without lights (index lights()). `film`: their
+    /// mean.
     void add(std::size_t index, const image::Image& film, int samples);
     /// Samples that all pictures have.
     int samples() const;

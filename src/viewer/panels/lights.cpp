@@ -25,16 +25,6 @@ bool needs_mark(const LightEditor& editor, std::size_t entry) {
                || std::holds_alternative<scene::SpotLight>(lights[0]));
 }
 
-scene::RectangleLight new_rectangle(vec3 at) {
-    scene::RectangleLight light;
-    light.name = "new rectangle";
-    light.center = at;
-    light.half_u = vec3(0.25f, 0.0f, 0.0f);
-    light.half_v = vec3(0.0f, 0.0f, 0.25f); // it shines downwards
-    light.L = vec3(1000.0f);
-    return light;
-}
-
 constexpr Changes shape = Change::lights | Change::shadows; // a light was moved, resized, added or removed
 
 } // namespace
@@ -51,24 +41,28 @@ std::optional<vec3> center_of(const LightEditor& editor, std::size_t entry) {
 }
 
 Changes LightsPanel::draw(LightEditor& editor, const LoadedScene& loaded,
-                          std::optional<std::size_t>& selected, vec3 new_light_at, std::string& message) {
+                          std::optional<std::size_t>& selected, std::optional<Command>& wanted,
+                          std::string& message) {
     if (selected && *selected >= editor.entries().size()) selected.reset();
     if (selected != was_selected_) {
         turn_ = vec3(0.0f);
         scale_ = 1.0f;
         typed_.fill('\0');
+        name_.fill('\0');
+        if (selected) editor.entries()[*selected].name.copy(name_.data(), name_.size() - 1);
         was_selected_ = selected;
     }
-    if (focus_.is_pending()) ImGui::SetNextItemOpen(true);
+    if (focus_.is_pending() || name_focus_.is_pending()) ImGui::SetNextItemOpen(true);
     if (!ImGui::CollapsingHeader("Lights", ImGuiTreeNodeFlags_DefaultOpen)) return {};
     Changes changes = draw_list(editor, loaded, selected);
     if (selected) {
+        changes |= draw_name(editor, *selected);
         changes |= draw_value(editor, loaded, *selected, message);
         changes |= draw_place(editor, *selected);
         changes |= draw_sizes(editor, *selected);
     }
-    changes |= draw_new(editor, selected, new_light_at);
-    return focus_.is_pending() ? changes | Change::redraw : changes;
+    draw_buttons(selected.has_value(), wanted);
+    return focus_.is_pending() || name_focus_.is_pending() ? changes | Change::redraw : changes;
 }
 
 Changes LightsPanel::draw_list(LightEditor& editor, const LoadedScene& loaded,
@@ -180,18 +174,32 @@ Changes LightsPanel::draw_sizes(LightEditor& editor, std::size_t selected) {
     return change;
 }
 
-Changes LightsPanel::draw_new(LightEditor& editor, std::optional<std::size_t>& selected, vec3 at) {
-    const auto add = [&](scene::Light light) {
-        editor.begin_step();
-        selected = editor.add(std::move(light));
-        return shape;
+/// Draws the name as a field. The name of a material stays.
+Changes LightsPanel::draw_name(LightEditor& editor, std::size_t selected) {
+    if (!editor.can_move(selected)) return {};
+    if (name_focus_.is_pending()) ImGui::SetKeyboardFocusHere();
+    const bool is_entered =
+        ImGui::InputText("name", name_.data(), name_.size(), ImGuiInputTextFlags_EnterReturnsTrue);
+    name_focus_.update(ImGui::IsItemActive());
+    if (!is_entered || name_[0] == '\0' || editor.entries()[selected].name == name_.data()) return {};
+    editor.begin_step();
+    editor.rename(selected, name_.data());
+    return Change::lights;
+}
+
+void LightsPanel::draw_buttons(bool has_selected, std::optional<Command>& wanted) {
+    const auto button = [&](const char* label, Command command, const char* tip) {
+        if (ImGui::Button(label)) wanted = command;
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s (%s)", tip, keys_of(command).c_str());
     };
-    if (ImGui::Button("+ point")) return add(scene::PointLight{"new point", at, vec3(100.0f)});
+    button("+ add", Command::add_light, "add a light of any kind");
     ImGui::SameLine();
-    if (ImGui::Button("+ rectangle")) return add(new_rectangle(at));
+    button("mixer", Command::mix_lights, "faders, mute and solo of all lights");
+    if (!has_selected) return;
     ImGui::SameLine();
-    if (ImGui::Button("+ sphere")) return add(scene::SphereLight{"new sphere", at, 0.1f, vec3(3000.0f)});
-    return Changes();
+    button("duplicate", Command::duplicate_light, "add a copy of the selected light");
+    ImGui::SameLine();
+    button("remove", Command::delete_light, "remove the selected light");
 }
 
 void draw_light_marks(const LightEditor& editor, std::optional<std::size_t> selected,

@@ -1,5 +1,6 @@
 #pragma once
 // Lights section of the main panel, and the marks of lights in the picture.
+#include "viewer/bindings.hpp"
 #include "viewer/changes.hpp"
 #include "viewer/document/light_edits.hpp"
 #include "viewer/ui.hpp"
@@ -15,13 +16,14 @@ inline constexpr const char* select_first = "Select a light first: click it or p
 
 class LightsPanel {
 public:
-    /// Gives the keyboard to the text field of the selected light.
+    // Each gives the keyboard to a text field of the selected light.
     void edit() { focus_.begin(); }
+    void rename() { name_focus_.begin(); }
 
-    /// Draws the section. `selected`: an entry of `lights`, which the panel changes. `new_light_at`: the
-    /// place of a light that the panel adds. `message`: set if there is something to report.
+    /// Draws the section. `selected`: an entry of `lights`, which the panel changes. `wanted`: set to
+    /// the command of a button. `message`: set if there is something to report.
     Changes draw(LightEditor& lights, const LoadedScene& loaded, std::optional<std::size_t>& selected,
-                 vec3 new_light_at, std::string& message);
+                 std::optional<Command>& wanted, std::string& message);
 
 private:
     Changes draw_list(LightEditor& lights, const LoadedScene& loaded, std::optional<std::size_t>& selected);
@@ -29,10 +31,13 @@ private:
                        std::string& message);
     Changes draw_place(LightEditor& lights, std::size_t selected);
     static Changes draw_sizes(LightEditor& lights, std::size_t selected);
-    static Changes draw_new(LightEditor& lights, std::optional<std::size_t>& selected, vec3 at);
+    Changes draw_name(LightEditor& lights, std::size_t selected);
+    static void draw_buttons(bool has_selected, std::optional<Command>& wanted);
 
     std::array<char, 64> typed_{};
+    std::array<char, 128> name_{};
     FocusRequest focus_;
+    FocusRequest name_focus_;
     vec3 turn_{0.0f};    // about X, Y, Z since the light was selected [degrees]
     float scale_ = 1.0f; // likewise
     std::optional<std::size_t> was_selected_;

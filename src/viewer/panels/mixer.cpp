@@ -30,10 +30,9 @@ float exposure_between(vec3 from, vec3 to) {
 
 bool is_alone(const LightEditor& lights, std::size_t entry) {
     const auto& entries = lights.entries();
-    return entries.size() > 1
-           && std::ranges::all_of(entries, [&](const LightEntry& other) {
-                  return other.is_enabled == (&other == &entries[entry]);
-              });
+    return entries.size() > 1 && std::ranges::all_of(entries, [&](const LightEntry& other) {
+               return other.is_enabled == (&other == &entries[entry]);
+           });
 }
 
 } // namespace
@@ -50,7 +49,8 @@ Changes MixerPanel::draw_fader(std::size_t entry, LightEditor& lights, const Loa
     float ev = exposure_between(at_zero_[entry], quantity);
     const LightGroup group{all, loaded.stage.scene.profiles, loaded.stage.scene.units};
     const std::string value = with_superscripts(value_text(group));
-    const std::string format = fmt::format("%+.2f EV  ({})", value.substr(0, value.find(','))); // without its flux
+    const std::string format =
+        fmt::format("%+.2f EV  ({})", value.substr(0, value.find(','))); // without its flux
     ImGui::SetNextItemWidth(-1.0f);
     const bool is_moved = ImGui::SliderFloat("##fader", &ev, -fader_range, fader_range, format.c_str(),
                                              ImGuiSliderFlags_AlwaysClamp);
@@ -87,7 +87,8 @@ Changes MixerPanel::draw_light(std::size_t entry, LightEditor& lights, const Loa
     const vec3 quantity = quantity_of(lights.lights_of(entry).front());
     const float brightest = std::max({quantity.r, quantity.g, quantity.b, 1e-30f});
     vec3 color = quantity / brightest;
-    const bool is_colored = ImGui::ColorEdit3("##colour", &color.x, ImGuiColorEditFlags_Float | ImGuiColorEditFlags_NoInputs);
+    const bool is_colored =
+        ImGui::ColorEdit3("##colour", &color.x, ImGuiColorEditFlags_Float | ImGuiColorEditFlags_NoInputs);
     if (ImGui::IsItemActivated()) lights.begin_step();
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("the light's colour; a click changes it");
     if (is_colored && color != vec3(0.0f)) {
@@ -104,13 +105,15 @@ Changes MixerPanel::draw_light(std::size_t entry, LightEditor& lights, const Loa
 }
 
 Changes MixerPanel::draw(LightEditor& lights, const LoadedScene& loaded, std::optional<std::size_t>& selected,
-                         const std::string& progress, const std::optional<Area>& area, const Ui& ui, bool& closes) {
+                         const std::string& progress, const std::optional<Area>& area, const Ui& ui,
+                         bool& closes) {
     Changes changes;
     if (area)
         place_next_window(*area);
     else
         ImGui::SetNextWindowSize({20.0f * ImGui::GetFontSize(), 0.0f});
-    if (ImGui::Begin("Light mixer", nullptr, ui.panel_flags(area.has_value()) & ~ImGuiWindowFlags_AlwaysAutoResize)) {
+    if (ImGui::Begin("Light mixer", nullptr,
+                     ui.panel_flags(area.has_value()) & ~ImGuiWindowFlags_AlwaysAutoResize)) {
         if (area) heading("Light mixer", ui);
         ImGui::PushTextWrapPos();
         ImGui::TextDisabled("%s", progress.c_str());

@@ -15,8 +15,8 @@ public:
     /// Takes the quantities that faders at 0 stand for.
     void begin(const LightEditor& lights);
 
-    /// Draws the panel into `area`, or floating if it is absent. `progress`: a line about the pictures of the lights. Sets
-    /// `closes` if a person is done.
+    /// Draws the panel into `area`, or floating if it is absent. `progress`: a line about the pictures of the
+    /// lights. Sets `closes` if a person is done.
     Changes draw(LightEditor& lights, const LoadedScene& loaded, std::optional<std::size_t>& selected,
                  const std::string& progress, const std::optional<Area>& area, const Ui& ui, bool& closes);
 

@@ -1,9 +1,15 @@
 // Light editing tool: selects, enables, adds and removes lights, sets quantities, undoes.
+#include "image/display.hpp"
+#include "viewer/document/new_light.hpp"
+#include "viewer/panels/light_shapes.hpp"
 #include "viewer/panels/lights.hpp"
 #include "viewer/tools/tool.hpp"
 
 #include <cmath>
 #include <fmt/format.h>
+#include <string>
+#include <string_view>
+#include <utility>
 
 namespace sr::viewer {
 namespace {
@@ -27,6 +33,10 @@ private:
     Changes edit_selected(Command command);
     Changes select(std::size_t entry);
     void scale_quantity(float by);
+    Changes ask_kind();
+    Changes add(std::string_view kind);
+    Changes duplicate();
+    float suitable_length() const;
 
     LightsPanel panel_;
 };
@@ -48,6 +58,7 @@ std::optional<Changes> EditLights::select_at(vec2 pointer) {
     const LightEditor& lights = ws_.scene->lights();
     const Projection projection = ws_.projection();
     auto found = mark_under(lights, projection, pointer);
+    if (!found) found = outline_under(lights, projection, pointer);
     const scene::RenderScene& stage = ws_.scene->stage();
     if (!found)
         if (const auto hit = first_hit(stage.scene, projection.ray(pointer)))
@@ -63,9 +74,12 @@ std::optional<Changes> EditLights::execute(Command command) {
     case Command::next_light:
         if (count == 0) return Changes();
         return select(ws_.selected ? (*ws_.selected + 1) % count : 0);
+    case Command::add_light: return ask_kind();
     case Command::undo_light: return step(true);
     case Command::redo_light: return step(false);
     case Command::edit_light:
+    case Command::rename_light:
+    case Command::duplicate_light:
     case Command::switch_light:
     case Command::solo_light:
     case Command::brighten_light:
@@ -99,10 +113,12 @@ Changes EditLights::step(bool is_undo) {
 Changes EditLights::edit_selected(Command command) {
     LightEditor& lights = ws_.scene->lights();
     const std::size_t entry = *ws_.selected;
-    if (command == Command::edit_light) {
-        panel_.edit();
-        return Change::redraw;
-    }
+    if (command == Command::edit_light) panel_.edit();
+    if (command == Command::rename_light && lights.can_move(entry)) panel_.rename();
+    if (command == Command::rename_light && !lights.can_move(entry))
+        ws_.messages.notify("Emissive surfaces have the name of their material.");
+    if (command == Command::edit_light || command == Command::rename_light) return Change::redraw;
+    if (command == Command::duplicate_light) return duplicate();
     lights.begin_step();
     if (command == Command::switch_light) lights.enable(entry, !lights.entries()[entry].is_enabled);
     if (command == Command::solo_light) lights.solo(entry);
@@ -116,6 +132,54 @@ Changes EditLights::edit_selected(Command command) {
     return Change::lights | Change::shadows;
 }
 
+/// Asks for the kind of a new light, which a letter chooses.
+Changes EditLights::ask_kind() {
+    Question question{"Add which light?", {}};
+    for (const NewLightKind& row : new_light_kinds)
+        question.answers.push_back(
+            {row.key, std::string(row.kind), [this, row] { ws_.answered |= add(row.kind); }});
+    question.answers.push_back({0, "Cancel", {}});
+    ws_.ask(std::move(question));
+    return Change::redraw;
+}
+
+/// Length of an area light, an arrow or a step that suits the scene [m].
+float EditLights::suitable_length() const {
+    const scene::Bounds& bounds = ws_.scene->loaded().bounds;
+    return bounds.is_empty() ? 0.5f : 0.12f * glm::distance(bounds.min, bounds.max);
+}
+
+/// Adds a light between the eye and what it looks at, which it lights as bright as the exposure wants it.
+Changes EditLights::add(std::string_view kind) {
+    const Viewpoint& view = ws_.camera->view();
+    const vec3 eye(ws_.camera->camera().world_from_camera[3]);
+    const vec3 up(0.0f, suitable_length(), 0.0f);
+    constexpr float grey = 0.18f, white_surface = 0.8f; // what a screen shows, and what reflects it
+    const float E = grey * pi / (white_surface * image::exposure_factor(ws_.exposure.ev100()));
+    const NewLightPlace place{view.pivot + 0.4f * (eye - view.pivot) + up, view.pivot, suitable_length(), E};
+    LightEditor& lights = ws_.scene->lights();
+    lights.begin_step();
+    ws_.selected = lights.add(new_light(kind, place));
+    ws_.messages.notify(fmt::format("Added a light: {}. G moves it, R turns it, Enter types a value.", kind));
+    return Change::lights | Change::shadows;
+}
+
+Changes EditLights::duplicate() {
+    LightEditor& lights = ws_.scene->lights();
+    const auto own = lights.lights_of(*ws_.selected);
+    const auto copy =
+        lights.can_move(*ws_.selected) ? duplicate_of(own.front(), suitable_length()) : std::nullopt;
+    if (!copy) {
+        ws_.messages.notify(
+            "A light like this cannot be duplicated: it is a surface, or has a picture or a profile.");
+        return Change::redraw;
+    }
+    lights.begin_step();
+    ws_.selected = lights.add(*copy);
+    ws_.messages.notify(fmt::format("Added {}.", name_of(*copy)));
+    return Change::lights | Change::shadows;
+}
+
 void EditLights::scale_quantity(float by) {
     LightEditor& lights = ws_.scene->lights();
     const auto own = lights.lights_of(*ws_.selected);
@@ -124,14 +188,22 @@ void EditLights::scale_quantity(float by) {
 }
 
 Changes EditLights::draw(const Overlay& overlay) {
-    draw_light_marks(ws_.scene->lights(), ws_.selected, overlay.projection, overlay.scale);
+    const LightEditor& lights = ws_.scene->lights();
+    const vec2 pointer = ws_.input.pointer();
+    const bool is_pointed = ws_.picture().contains(pointer) && !ws_.ui.has_pointer();
+    const auto hovered = is_pointed ? outline_under(lights, overlay.projection, pointer) : std::nullopt;
+    draw_light_shapes(lights, ws_.selected, hovered, overlay.projection, suitable_length(),
+                      ws_.camera->view().pivot, overlay.scale);
+    draw_light_marks(lights, ws_.selected, overlay.projection, overlay.scale);
     return {};
 }
 
 Changes EditLights::draw_section() {
     std::string message;
-    const Changes changes = panel_.draw(ws_.scene->lights(), ws_.scene->loaded(), ws_.selected,
-                                        ws_.camera->view().pivot, message);
+    std::optional<Command> wanted;
+    const Changes changes =
+        panel_.draw(ws_.scene->lights(), ws_.scene->loaded(), ws_.selected, wanted, message);
+    if (wanted) ws_.input.put(CommandEvent{*wanted});
     if (!message.empty()) ws_.messages.notify(message);
     return changes;
 }

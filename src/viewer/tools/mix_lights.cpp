@@ -113,7 +113,8 @@ void MixLights::drop() {
     ws_.is_mixing = false;
 }
 
-/// True if the picture has a sample at its full size, so that something is seen while the lights are rendered.
+/// True if the picture has a sample at its full size, so that something is seen while the lights are
+/// rendered.
 bool MixLights::is_ready() const {
     const ProgressiveRender& render = ws_.scene->render();
     return !render.is_interactive() && render.complete_samples() > 0;
@@ -167,7 +168,8 @@ std::string MixLights::progress() const {
     if (render_->is_done()) return fmt::format("{} samples of each light", render_->layers().samples());
     const auto [done, all] = render_->progress();
     return fmt::format("rendering each light alone: {} of {} pictures{}", done, all,
-                       mix_ ? fmt::format(", {} samples so far", render_->layers().samples()) : std::string());
+                       mix_ ? fmt::format(", {} samples so far", render_->layers().samples())
+                            : std::string());
 }
 
 Changes MixLights::draw(const Overlay& /*overlay*/) {
@@ -175,8 +177,8 @@ Changes MixLights::draw(const Overlay& /*overlay*/) {
     const std::optional<Area> area =
         ws_.layout.is_docked() ? std::optional(ws_.layout.take_right()) : std::nullopt;
     bool closes = false;
-    const Changes changes = panel_.draw(ws_.scene->lights(), ws_.scene->loaded(), ws_.selected, progress(), area,
-                                        ws_.ui, closes);
+    const Changes changes =
+        panel_.draw(ws_.scene->lights(), ws_.scene->loaded(), ws_.selected, progress(), area, ws_.ui, closes);
     return closes ? changes | end() : changes;
 }
 

@@ -214,6 +214,7 @@ Handles handles_of(const std::vector<scene::LightSize>& extents, vec3 center, bo
     for (int axis = 0; axis < 3; ++axis)
         handles.rings[static_cast<std::size_t>(axis)] = ring(center, axis, projection, *radius);
     if (!has_place) return handles;
+    handles.middle = *at;
     if (const auto arrows = arrows_at(center, projection, arrow_length * scale))
         handles.arrows.assign(arrows->begin(), arrows->end());
     const mat4& camera = projection.camera.world_from_camera;
@@ -232,6 +233,8 @@ Handles handles_of(const std::vector<scene::LightSize>& extents, vec3 center, bo
 std::optional<Handle> handle_under(vec2 pointer, const Handles& handles) {
     for (const auto& [at, extent] : handles.sizes)
         if (glm::distance(at, pointer) <= pick_slack + square) return Handle{TransformMode::scale, extent};
+    if (handles.middle && glm::distance(*handles.middle, pointer) <= pick_slack)
+        return Handle{TransformMode::move, -1};
     for (const Arrow& arrow : handles.arrows)
         if (distance_to_segment(pointer, arrow.from, arrow.to) <= pick_slack)
             return Handle{TransformMode::move, arrow.axis};
@@ -275,6 +278,11 @@ std::optional<Handles> Transform::handles() const {
                       ws_.projection(), ws_.ui.scale());
 }
 
+Changes Transform::update(double /*seconds*/) {
+    frame_before_ = std::exchange(frame_, std::chrono::steady_clock::now());
+    return {};
+}
+
 std::optional<Changes> Transform::handle(const Event& event) {
     if (!ws_.selected) drag_.reset();
     ws_.is_time_held = drag_.has_value();
@@ -300,7 +308,7 @@ std::optional<Changes> Transform::handle_pointer(const Event& event) {
     const auto all = handles();
     const auto handle = all ? handle_under(pointer_, *all) : std::nullopt;
     if (!handle) return std::nullopt;
-    begin(handle->mode, handle->axis, false);
+    begin(handle->mode, handle->axis < 0 ? std::nullopt : std::optional(handle->axis), false);
     return Change::redraw;
 }
 
@@ -320,8 +328,8 @@ std::optional<Changes> Transform::handle_key(const KeyEvent& event) {
 /// An axis, a number and Enter soon after a refused transform are no commands. Any other key ends this.
 std::optional<Changes> Transform::handle_refused(const KeyEvent& event) {
     constexpr auto soon = std::chrono::seconds(2);
+    if (frame_before_ - refused_ > soon) return std::nullopt; // however long a frame took
     const auto now = std::chrono::steady_clock::now();
-    if (now - refused_ > soon) return std::nullopt;
     std::string ignored;
     const bool is_operand =
         event.modifiers == no_modifier

@@ -45,11 +45,12 @@ bool type_digit(std::string& typed, int key);
 /// A part of the gizmo that a drag begins at.
 struct Handle {
     TransformMode mode{};
-    int axis = 0; // as TransformDrag::axis
+    int axis = 0; // as TransformDrag::axis; -1: across the view
 };
 
 /// Gizmo of a light: arrows that move it, rings that turn it, squares that resize it.
 struct Handles {
+    std::optional<vec2> middle;              // moves across the view
     std::vector<Arrow> arrows;               // none for a light without a place
     std::array<std::vector<vec2>, 3> rings;  // the half of each ring that faces the camera, in the window
     std::vector<std::pair<vec2, int>> sizes; // centre of each square, and its extent
@@ -68,6 +69,7 @@ public:
     using Tool::Tool;
 
     std::optional<Changes> handle(const Event& event) override;
+    Changes update(double seconds) override;
     Changes draw(const Overlay& overlay) override;
     bool holds_pointer() const override { return drag_.has_value(); }
 
@@ -86,6 +88,8 @@ private:
 
     std::optional<TransformDrag> drag_;               // of the selected light
     std::chrono::steady_clock::time_point refused_{}; // the last key of a transform that was refused
+    /// Beginnings of the frame at hand and of the one before, after which its events came.
+    std::chrono::steady_clock::time_point frame_{}, frame_before_{};
     vec2 pointer_{0.0f};
 };
 

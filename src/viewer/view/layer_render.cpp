@@ -34,7 +34,8 @@ LayerRender::LayerRender(SceneView& scene, const render::RenderOptions& options,
       layers_(scene.lights().entries().size()) {
     options_.lights = render::LightSampling::all;
     options_.estimates_error = false;
-    for (std::size_t i = 0; i < layers_.lights(); ++i) brightness_.push_back(brightness_of(scene.lights(), i));
+    for (std::size_t i = 0; i < layers_.lights(); ++i)
+        brightness_.push_back(brightness_of(scene.lights(), i));
     shaders_ = render::Renderer::programs(options_);
 }
 

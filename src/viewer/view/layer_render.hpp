@@ -1,5 +1,6 @@
 #pragma once
-// Render of the lights of a scene one by one, in rounds, so that all of them are there soon and are refined then.
+// Render of the lights of a scene one by one, in rounds, so that all of them are there soon and are refined
+// then.
 #include "viewer/document/light_layers.hpp"
 #include "viewer/view/scene_view.hpp"
 
@@ -11,11 +12,13 @@ namespace sr::viewer {
 
 class LayerRender {
 public:
-    /// Renders each entry of scene.lights() in white, as bright as its brightest colour, enabled or not. `options`: of the
-    /// picture; at most 64 samples are taken. The scene is lit by single lights until SceneView::relight().
+    /// Renders each entry of scene.lights() in white, as bright as its brightest colour, enabled or not.
+    /// `options`: of the picture; at most 64 samples are taken. The scene is lit by single lights until
+    /// SceneView::relight().
     LayerRender(SceneView& scene, const render::RenderOptions& options, const scene::Camera& camera);
 
-    /// Works for a short while. @return true if all lights have more samples than before. @throws Error, ShaderError
+    /// Works for a short while. @return true if all lights have more samples than before. @throws Error,
+    /// ShaderError
     bool advance();
     bool is_done() const { return round_ == rounds_.size(); }
 
@@ -31,7 +34,7 @@ private:
     SceneView& scene_;
     render::RenderOptions options_;
     scene::Camera camera_;
-    std::vector<int> rounds_;      // samples of each
+    std::vector<int> rounds_;       // samples of each
     std::vector<float> brightness_; // of each light in its picture
     LightLayers layers_;
     std::shared_ptr<render::ShaderLibrary> shaders_;

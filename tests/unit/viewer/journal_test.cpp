@@ -3,6 +3,7 @@
 #include "core/error.hpp"
 #include "support/address.hpp"
 #include "viewer/document/journal.hpp"
+#include "viewer/document/new_light.hpp"
 
 #include <algorithm>
 #include <cstdlib>
@@ -103,6 +104,9 @@ const Test kinds("unit.viewer.journal.every_kind_of_edit_comes_back", [] {
     edited.apply(loaded);
     edited.transform(added, glm::translate(mat4(1.0f), vec3(0.0f, 1.0f, 0.0f)));
     edited.set_size(added, 0, 0.75f);
+    for (const NewLightKind& row : new_light_kinds)
+        edited.add(new_light(row.kind, {vec3(0.3f, 2.0f, -0.4f), vec3(1.0f, 0.1f, 0.5f), 0.4f, 80.0f}));
+    edited.rename(3, "renamed");
     edited.apply(loaded);
     recover_into(fresh, edited, place.file);
     expect_same_edits(fresh, edited);

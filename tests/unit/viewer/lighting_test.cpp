@@ -2,6 +2,7 @@
 #include "core/error.hpp"
 #include "support/address.hpp"
 #include "viewer/document/light_edits.hpp"
+#include "viewer/document/new_light.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -149,6 +150,57 @@ const Test resized("unit.viewer.lights.a_saved_file_has_the_sizes_that_were_seen
         }
     }
     EXPECT_GE(pulled, 8u);
+    fs::remove_all(folder);
+});
+
+const Test added_kinds("unit.viewer.lights.each_new_kind_and_each_new_name_is_saved", [] {
+    const fs::path folder = fs::temp_directory_path() / "steradian_saved_kinds";
+    const fs::path file = copied("zoo.gltf", folder);
+    LoadedScene loaded = load_scene(file.string(), {}, 1.0f);
+    LightEditor lighting(loaded, false);
+    const NewLightPlace place{vec3(0.3f, 2.0f, -0.4f), vec3(1.0f, 0.1f, 0.5f), 0.4f, 80.0f};
+    std::size_t last = 0;
+    for (const NewLightKind& row : new_light_kinds) last = lighting.add(new_light(row.kind, place));
+    lighting.apply(loaded);
+    scene::DiskLight ellipse{"ellipse", vec3(1.0f), vec3(0.5f, 0, 0), vec3(0, 0, 0.2f), vec3(9.0f)};
+    ellipse.is_two_sided = true;
+    ellipse.is_visible = false;
+    const auto copy = duplicate_of(ellipse, 0.25f);
+    ASSERT_TRUE(copy);
+    EXPECT_EQ(name_of(*copy), "ellipse copy");
+    EXPECT_NEAR(center_of(*copy)->x, 1.25f, 1e-6f);
+    lighting.add(*copy);
+    lighting.rename(0, "renamed");
+    lighting.apply(loaded);
+    EXPECT_EQ(lighting.entries()[0].name, "renamed");
+    EXPECT_EQ(lighting.entries()[last].name, "new tube");
+    loaded = load_scene(file.string(), {}, 1.0f);
+    lighting.rebase(loaded); // as at another time: the name stays
+    lighting.apply(loaded);
+    EXPECT_EQ(lighting.entries()[0].name, "renamed");
+    lighting.save(loaded, nullptr, folder / "more.gltf");
+    const LoadedScene again = load_scene((folder / "more.gltf").string(), {}, 1.0f);
+    ASSERT_EQ(again.stage.scene.lights.size(), loaded.stage.scene.lights.size());
+    for (const scene::Light& light : loaded.stage.scene.lights) {
+        const auto same = std::ranges::find_if(again.stage.scene.lights, [&](const scene::Light& other) {
+            return name_of(light) == name_of(other);
+        });
+        ASSERT_NE(same, again.stage.scene.lights.end()) << name_of(light);
+        expect_same(light, *same);
+        EXPECT_EQ(visibility_of(light), visibility_of(*same)) << name_of(light);
+        if (const auto* spot = std::get_if<scene::SpotLight>(&light)) {
+            EXPECT_NEAR(spot->inner_angle, std::get<scene::SpotLight>(*same).inner_angle, 1e-6f);
+            EXPECT_NEAR(spot->outer_angle, std::get<scene::SpotLight>(*same).outer_angle, 1e-6f);
+        }
+        if (const auto* disk = std::get_if<scene::DiskLight>(&light)) {
+            EXPECT_EQ(disk->is_two_sided, std::get<scene::DiskLight>(*same).is_two_sided);
+        }
+    }
+    EXPECT_TRUE(lighting.undo());
+    EXPECT_FALSE(duplicate_of(scene::EnvironmentLight{}, 1.0f));
+    scene::PointLight profiled;
+    profiled.profile = 0;
+    EXPECT_FALSE(duplicate_of(profiled, 1.0f));
     fs::remove_all(folder);
 });
 

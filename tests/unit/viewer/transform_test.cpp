@@ -94,6 +94,11 @@ const Test found("unit.viewer.transform.handles_are_found_where_they_are_drawn",
     const Handles handles = handles_of(scene::sizes_of(light), center, true, projection, 1.0f);
     EXPECT_EQ(handles.arrows.size(), 3u);
     EXPECT_EQ(handles.sizes.size(), 4u) << "two for the length, two for the radius";
+    ASSERT_TRUE(handles.middle);
+    const auto middle = handle_under(*handles.middle, handles);
+    ASSERT_TRUE(middle);
+    EXPECT_EQ(middle->mode, TransformMode::move);
+    EXPECT_LT(middle->axis, 0) << "across the view";
     for (const auto& [at, extent] : handles.sizes) {
         const auto handle = handle_under(at, handles);
         ASSERT_TRUE(handle);
