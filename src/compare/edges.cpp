@@ -148,6 +148,23 @@ bool is_lost_in_grain(const AlignedImages& images, std::size_t pixel, const Slac
     return distance(before, after) <= max_grain * grain_around(images, pixel);
 }
 
+/// True if the pixel changed by little, and no more than a picture moved by the rounding of places changes
+/// there.
+bool is_lost_in_slope(const AlignedImages& images, std::size_t pixel, const Slack& slack) {
+    const auto before = images.reference_at(pixel), after = images.test_at(pixel);
+    for (std::size_t c = 0; c < before.size(); ++c) {
+        float low = before[c], high = low;
+        for_each_neighbour(images, pixel, [&](std::size_t i) {
+            low = std::min(low, images.reference_at(i)[c]);
+            high = std::max(high, images.reference_at(i)[c]);
+        });
+        const float change = std::abs(after[c] - before[c]), limit = slack(pixel, c, before[c]);
+        if (change > limit && change > std::min(max_slope_limits * limit, max_slope_share * (high - low)))
+            return false;
+    }
+    return true;
+}
+
 /// The number of failing pixels that touch the given one, directly or through one another, with itself.
 std::size_t cluster_of(const AlignedImages& images, std::size_t pixel,
                        const std::unordered_set<std::size_t>& failing) {
@@ -163,14 +180,17 @@ bool is_explained(const AlignedImages& images, std::size_t pixel,
                   const std::unordered_set<std::size_t>& failing, const Slack& slack) {
     const std::size_t cluster = cluster_of(images, pixel, failing);
     const int min_length = cluster == 1 ? 2 : 3;
+    if (cluster > max_edge_cluster) return false;
+    if (is_lost_in_slope(images, pixel, slack)) return true;
+    const bool nothing_appeared =
+        is_within_neighbours(images, pixel, images.test_at(pixel), &AlignedImages::reference_at, slack, 0.0f);
+    if (is_lost_in_grain(images, pixel, slack)) return nothing_appeared;
     const auto is_at_edge = [&] {
         return has_two_sides(images, pixel, &AlignedImages::reference_at, min_length)
                && has_two_sides(images, pixel, &AlignedImages::test_at, min_length)
                && is_old_side_surface(images, pixel);
     };
-    return cluster <= max_edge_cluster && (is_lost_in_grain(images, pixel, slack) || is_at_edge())
-           && is_within_neighbours(images, pixel, images.test_at(pixel), &AlignedImages::reference_at, slack,
-                                   0.0f)
+    return nothing_appeared && is_at_edge()
            && is_within_neighbours(images, pixel, images.reference_at(pixel), &AlignedImages::test_at, slack,
                                    max_lost_share);
 }

@@ -23,6 +23,9 @@ inline constexpr std::size_t min_surface = 6; // pixels of one side in that wind
 inline constexpr float max_grain = 3.0f;        // a change in it, over the median distance of adjacent pixels
 inline constexpr float max_grain_limits = 4.0f; // the same, over the limit
 
+inline constexpr float max_slope_share = 1.0f / 64; // a change on a slope, over the range of the 3×3 pixels
+inline constexpr float max_slope_limits = 2.0f;     // the same, over the limit
+
 /// The largest distance of the old value from those around it, as a share of the change.
 inline constexpr float max_lost_share = 0.5f;
 
@@ -59,7 +62,8 @@ struct EdgeJudgement {
 /// 5. It touches at most three other failing pixels, directly or through one another.
 ///
 /// In grain, where adjacent pixels differ as much as the pixel changed, and that is little, there is no edge
-/// to find: 3 and 4 need not be so.
+/// to find: 2, 3 and 4 need not be so. On a slope, where a picture moved by a 64th of a pixel changes as
+/// much, and that is less than twice the limit, only 5 needs to be so.
 ///
 /// @param fails one entry for each compared pixel
 EdgeJudgement judge_edges(const AlignedImages& images, const std::vector<bool>& fails, const Slack& slack);
