@@ -240,6 +240,40 @@ bool are_in_rectangle(const std::unordered_set<std::size_t>& pixels, std::size_t
     return false;
 }
 
+/// The third quartile of the differences in a column, or in a row; 0 beside the image.
+float change_of_line(const AlignedImages& images, int line, bool is_column) {
+    const int width = images.reference.width, height = images.reference.height;
+    if (line < 0 || line >= (is_column ? width : height)) return 0.0f;
+    std::vector<float> changes;
+    for (int k = 0; k < (is_column ? height : width); ++k) {
+        const auto i = static_cast<std::size_t>(is_column ? k * width + line : line * width + k);
+        if (images.pixels[i] == PixelState::compared)
+            changes.push_back(distance(images.test_at(i), images.reference_at(i)));
+    }
+    if (changes.empty()) return 0.0f;
+    const auto quartile = changes.begin() + static_cast<std::ptrdiff_t>(changes.size() * 3 / 4);
+    std::ranges::nth_element(changes, quartile);
+    return *quartile;
+}
+
+/// True if a row or a column of several failing pixels changed along its length, unlike those beside it: a
+/// line that is repeated or moved.
+bool is_a_line_wrong(const AlignedImages& images, const std::unordered_set<std::size_t>& failing) {
+    const auto width = static_cast<std::size_t>(images.reference.width);
+    for (const bool is_column : {true, false}) {
+        std::map<std::size_t, std::size_t> counts;
+        for (const std::size_t i : failing) ++counts[is_column ? i % width : i / width];
+        for (const auto& [place, count] : counts) {
+            if (count < min_in_wrong_line) continue;
+            const int line = static_cast<int>(place);
+            const float beside = std::max(change_of_line(images, line - 1, is_column),
+                                          change_of_line(images, line + 1, is_column));
+            if (change_of_line(images, line, is_column) > wrong_line_ratio * beside) return true;
+        }
+    }
+    return false;
+}
+
 } // namespace
 
 EdgeJudgement judge_edges(const AlignedImages& images, const std::vector<bool>& fails, const Slack& slack) {
@@ -258,6 +292,7 @@ EdgeJudgement judge_edges(const AlignedImages& images, const std::vector<bool>& 
     judgement.is_crowded = densest_window(images, fails, edge_window).most > max_at_edges_nearby;
     judgement.is_in_line = are_in_line(failing, static_cast<std::size_t>(images.reference.width));
     judgement.is_in_rectangle = are_in_rectangle(failing, static_cast<std::size_t>(images.reference.width));
+    judgement.is_line_wrong = is_a_line_wrong(images, failing);
     return judgement;
 }
 

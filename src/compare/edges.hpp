@@ -17,6 +17,11 @@ inline constexpr std::size_t max_edge_cluster = 4; // pixels that touch one anot
 inline constexpr std::size_t max_in_line = 12;     // in one row or column
 inline constexpr std::size_t max_in_rhythm = 3;    // the same, where all distances are equal
 
+// A row or a column with failing pixels is wrong as a whole if the third quartile of its pixels' differences
+// is as many times that of the lines beside it.
+inline constexpr std::size_t min_in_wrong_line = 2;
+inline constexpr float wrong_line_ratio = 8.0f;
+
 inline constexpr int surface_window = 7;      // [pixels] edge, around the pixel
 inline constexpr std::size_t min_surface = 6; // pixels of one side in that window that hang together
 
@@ -40,8 +45,10 @@ struct EdgeJudgement {
     bool is_crowded = false;      // more than max_at_edges_nearby in a window
     bool is_in_line = false;      // more than max_in_line or max_in_rhythm in a row or a column
     bool is_in_rectangle = false; // four at the corners of an upright rectangle
+    bool is_line_wrong = false;   // the other pixels of a row or a column changed too
     bool passes() const {
-        return unexplained == 0 && failing <= max_count && !is_crowded && !is_in_line && !is_in_rectangle;
+        return unexplained == 0 && failing <= max_count && !is_crowded && !is_in_line && !is_in_rectangle
+               && !is_line_wrong;
     }
 };
 

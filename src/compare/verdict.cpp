@@ -85,6 +85,7 @@ Verdict judge_with_edges(const Tolerance& tolerance, const AlignedImages& images
                                          : "",
                         edges.is_in_line        ? ", too many of them in one row or column"
                         : edges.is_in_rectangle ? ", four of them at the corners of a rectangle"
+                        : edges.is_line_wrong   ? ", in a row or column that changed as a whole"
                                                 : "");
     return verdict;
 }

@@ -37,8 +37,7 @@ inline image::Image transposed(const image::Image& image) {
     image::Image result(image.height, image.width, image.channels);
     result.channel_names = image.channel_names;
     for (int y = 0; y < result.height; ++y)
-        for (int x = 0; x < result.width; ++x)
-            std::ranges::copy(image.at(y, x), result.at(x, y).begin());
+        for (int x = 0; x < result.width; ++x) std::ranges::copy(image.at(y, x), result.at(x, y).begin());
     return result;
 }
 

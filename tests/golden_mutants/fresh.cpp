@@ -97,67 +97,69 @@ int lamp_left(const Image& image, int row) {
 
 std::vector<Recipe> fresh_wrong_renders() {
     const Base base = Base::render;
-    const auto wrong = [&](const char* name, const Change& change) { return wrong_image(base, name, change); };
-    return {
-        wrong("last_column_black", [](Image& i) { paint(i, i.width - 1, 0, 1, i.height, 0.0f); }),
-        wrong("last_row_black", [](Image& i) { paint(i, 0, i.height - 1, i.width, 1, 0.0f); }),
-        wrong("corner_pixel_black", [](Image& i) { paint(i, 0, i.height - 1, 1, 1, 0.0f); }),
-        wrong("alpha_2_percent_lower",
-              [](Image& i) {
-                  for (std::size_t p = 3; p < i.pixels.size(); p += 4) i.pixels[p] *= 0.98f;
-              }),
-        wrong("alpha_of_a_pixel",
-              [](Image& i) { i.at(at_share(i.width, floor_x), at_share(i.height, floor_y))[3] = 0.5f; }),
-        {base, "depth_infinite_where_nothing_is", false,
-         [](Mutant& m) {
-             m.test = m.reference = layered_render_base(extent(m.reference));
-             for (std::size_t p = 10; p < m.test.pixels.size(); p += 11)
-                 if (m.test.pixels[p] == 0.0f) m.test.pixels[p] = std::numeric_limits<float>::infinity();
-         }},
-        wrong("stored_in_11_and_10_bits", [](Image& i) { keep_bits(i, {6.0f, 6.0f, 5.0f}); }),
-        wrong("gamma_1.01", [](Image& i) { i = with_gamma(i, 1.01f); }),
-        wrong("0.7_percent_brighter", [](Image& i) { i = scaled(i, 1.007f); }),
-        wrong("red_0.7_percent_brighter",
-              [](Image& i) {
-                  in_rectangle(i, 0, 0, i.width, i.height, [](auto p, int, int) { p[0] *= 1.007f; });
-              }),
-        wrong("shadow_edge_smoothed", smooth_shadow_edge),
-        wrong("lamp_1_pixel_narrower",
-              [](Image& i) {
-                  const int left = lamp_left(i, at_share(i.height, 0.12f));
-                  for (int y = 0; y < i.height / 5; ++y)
-                      std::ranges::copy(i.at(left - 2, y), i.at(left, y).begin());
-              }),
-        wrong("horizon_lowered_on_6_pixels",
-              [](Image& i) {
-                  const int row = at_share(i.height, 0.45f) + 1;
-                  for (int k = 0; k < 6; ++k)
-                      std::ranges::copy(i.at(20 + k, row - 3), i.at(20 + k, row).begin());
-              }),
-        wrong("two_rows_exchanged",
-              [](Image& i) {
-                  const int row = at_share(i.height, 0.8f);
-                  for (int x = 0; x < i.width; ++x)
-                      std::ranges::swap_ranges(i.at(x, row), i.at(x, row + 1));
-              }),
-        wrong("pixel_15_percent_brighter",
-              [](Image& i) {
-                  in_rectangle(i, at_share(i.width, floor_x), at_share(i.height, floor_y), 1, 1,
-                               [](auto p, int, int) {
-                                   for (float& v : p) v *= 1.15f;
-                               });
-              }),
-        wrong("rougher_ball_by_2_percent",
-              [](Image& i) { i = render_base(extent(i), {.roughness = 0.1225f}); })};
+    const auto wrong = [&](const char* name, const Change& change) {
+        return wrong_image(base, name, change);
+    };
+    return {wrong("last_column_black", [](Image& i) { paint(i, i.width - 1, 0, 1, i.height, 0.0f); }),
+            wrong("last_row_black", [](Image& i) { paint(i, 0, i.height - 1, i.width, 1, 0.0f); }),
+            wrong("corner_pixel_black", [](Image& i) { paint(i, 0, i.height - 1, 1, 1, 0.0f); }),
+            wrong("alpha_2_percent_lower",
+                  [](Image& i) {
+                      for (std::size_t p = 3; p < i.pixels.size(); p += 4) i.pixels[p] *= 0.98f;
+                  }),
+            wrong("alpha_of_a_pixel",
+                  [](Image& i) { i.at(at_share(i.width, floor_x), at_share(i.height, floor_y))[3] = 0.5f; }),
+            {base, "depth_infinite_where_nothing_is", false,
+             [](Mutant& m) {
+                 m.test = m.reference = layered_render_base(extent(m.reference));
+                 for (std::size_t p = 10; p < m.test.pixels.size(); p += 11)
+                     if (m.test.pixels[p] == 0.0f) m.test.pixels[p] = std::numeric_limits<float>::infinity();
+             }},
+            wrong("stored_in_11_and_10_bits",
+                  [](Image& i) {
+                      keep_bits(i, {6.0f, 6.0f, 5.0f});
+                  }),
+            wrong("gamma_1.01", [](Image& i) { i = with_gamma(i, 1.01f); }),
+            wrong("0.7_percent_brighter", [](Image& i) { i = scaled(i, 1.007f); }),
+            wrong("red_0.7_percent_brighter",
+                  [](Image& i) {
+                      in_rectangle(i, 0, 0, i.width, i.height, [](auto p, int, int) { p[0] *= 1.007f; });
+                  }),
+            wrong("shadow_edge_smoothed", smooth_shadow_edge),
+            wrong("lamp_1_pixel_narrower",
+                  [](Image& i) {
+                      const int left = lamp_left(i, at_share(i.height, 0.12f));
+                      for (int y = 0; y < i.height / 5; ++y)
+                          std::ranges::copy(i.at(left - 2, y), i.at(left, y).begin());
+                  }),
+            wrong("horizon_lowered_on_6_pixels",
+                  [](Image& i) {
+                      const int row = at_share(i.height, 0.45f) + 1;
+                      for (int k = 0; k < 6; ++k)
+                          std::ranges::copy(i.at(20 + k, row - 3), i.at(20 + k, row).begin());
+                  }),
+            wrong("two_rows_exchanged",
+                  [](Image& i) {
+                      const int row = at_share(i.height, 0.8f);
+                      for (int x = 0; x < i.width; ++x)
+                          std::ranges::swap_ranges(i.at(x, row), i.at(x, row + 1));
+                  }),
+            wrong("pixel_15_percent_brighter",
+                  [](Image& i) {
+                      in_rectangle(i, at_share(i.width, floor_x), at_share(i.height, floor_y), 1, 1,
+                                   [](auto p, int, int) {
+                                       for (float& v : p) v *= 1.15f;
+                                   });
+                  }),
+            wrong("rougher_ball_by_2_percent",
+                  [](Image& i) { i = render_base(extent(i), {.roughness = 0.1225f}); })};
 }
 
 /// `count` pixels of the last row that take the value to their right, where an edge ends at the border.
 void flip_at_the_border(Image& image, int count) {
     const Image right = image;
     const int row = image.height - 1;
-    const auto is_like = [](auto a, auto b) {
-        return std::abs(a[1] - b[1]) <= 0.05f * std::max(a[1], b[1]);
-    };
+    const auto is_like = [](auto a, auto b) { return std::abs(a[1] - b[1]) <= 0.05f * std::max(a[1], b[1]); };
     for (int x = 2, last = -8; x + 2 < image.width && count > 0; ++x) {
         const auto here = right.at(x, row), beside = right.at(x + 1, row);
         if (x < last + 8 || is_like(here, beside) || !is_like(here, right.at(x - 1, row))) continue;
@@ -179,7 +181,9 @@ void flip_at_the_lamp(Image& image) {
 
 std::vector<Recipe> fresh_right_renders() {
     const Base base = Base::render;
-    const auto right = [&](const char* name, const Change& change) { return right_image(base, name, change); };
+    const auto right = [&](const char* name, const Change& change) {
+        return right_image(base, name, change);
+    };
     return {right("ball_moved_by_a_256th_of_a_pixel",
                   [](Image& i) { i = render_base(extent(i), {.ball_offset = 1.0f / 256.0f}); }),
             right("shadow_moved_by_a_256th_of_a_pixel",
@@ -205,7 +209,9 @@ std::vector<Recipe> fresh_right_renders() {
                  paint(m.test, 0, 0, m.test.width / 4, m.test.height / 4, 0.0f);
              },
              ""},
-            right("names_in_lower_case", [](Image& i) { i.channel_names = {"r", "g", "b", "a"}; })};
+            right("names_in_lower_case", [](Image& i) {
+                i.channel_names = {"r", "g", "b", "a"};
+            })};
 }
 
 void quantise_blocks(Image& image) {
@@ -223,50 +229,47 @@ std::vector<Recipe> fresh_wrong_photos() {
     const auto wrong = [](const char* name, const Change& change) {
         return wrong_image(Base::photo, name, change);
     };
-    return {wrong("blocks_of_strong_compression", quantise_blocks),
-            wrong("dust",
-                  [](Image& i) {
-                      for (int k = 0; k < 5; ++k)
-                          add_to(i, i.width * (k + 1) / 7, i.height * (2 * k % 5 + 1) / 7, 1, 1,
-                                 -25.0f * code);
-                  }),
-            wrong("hot_pixel",
-                  [](Image& i) { i.at(i.width / 3, i.height * 2 / 3)[0] += 60.0f * code; }),
-            wrong("rows_3_codes_up_and_down",
-                  [](Image& i) {
-                      in_rectangle(i, i.width / 2, i.height / 4, 24, 24, [](auto p, int, int y) {
-                          for (float& v : p) v += (y % 2 == 0 ? 3.0f : -3.0f) * code;
-                      });
-                  }),
-            wrong("saturation_30_percent",
-                  [](Image& i) {
-                      in_rectangle(i, 0, 0, i.width, i.height, [](auto p, int, int) {
-                          const float mean = (p[0] + p[1] + p[2]) / 3.0f;
-                          for (float& v : p) v = mean + 1.3f * (v - mean);
-                      });
-                  }),
-            wrong("watermark",
-                  [](Image& i) {
-                      in_rectangle(i, i.width / 2, i.height / 2, 60, 20, [](auto p, int x, int y) {
-                          if ((x + y) % 16 < 2)
-                              for (float& v : p) v += 4.0f * code;
-                      });
-                  }),
-            wrong("banding_in_a_part",
-                  [](Image& i) {
-                      in_rectangle(i, i.width / 3, i.height / 3, i.width / 4, i.height / 4,
-                                   [](auto p, int, int) {
-                                       for (float& v : p) v = std::round(v / (8.0f * code)) * 8.0f * code;
-                                   });
-                  }),
-            wrong("hair",
-                  [](Image& i) {
-                      for (int k = 0; k < 60; ++k)
-                          add_to(i, i.width / 2 + k,
-                                 i.height / 2 + static_cast<int>(12.0 * std::sin(0.08 * k)), 1, 1,
-                                 -12.0f * code);
-                  }),
-            wrong("first_column_black", [](Image& i) { paint(i, 0, 0, 1, i.height, 0.0f); })};
+    return {
+        wrong("blocks_of_strong_compression", quantise_blocks),
+        wrong("dust",
+              [](Image& i) {
+                  for (int k = 0; k < 5; ++k)
+                      add_to(i, i.width * (k + 1) / 7, i.height * (2 * k % 5 + 1) / 7, 1, 1, -25.0f * code);
+              }),
+        wrong("hot_pixel", [](Image& i) { i.at(i.width / 3, i.height * 2 / 3)[0] += 60.0f * code; }),
+        wrong("rows_3_codes_up_and_down",
+              [](Image& i) {
+                  in_rectangle(i, i.width / 2, i.height / 4, 24, 24, [](auto p, int, int y) {
+                      for (float& v : p) v += (y % 2 == 0 ? 3.0f : -3.0f) * code;
+                  });
+              }),
+        wrong("saturation_30_percent",
+              [](Image& i) {
+                  in_rectangle(i, 0, 0, i.width, i.height, [](auto p, int, int) {
+                      const float mean = (p[0] + p[1] + p[2]) / 3.0f;
+                      for (float& v : p) v = mean + 1.3f * (v - mean);
+                  });
+              }),
+        wrong("watermark",
+              [](Image& i) {
+                  in_rectangle(i, i.width / 2, i.height / 2, 60, 20, [](auto p, int x, int y) {
+                      if ((x + y) % 16 < 2)
+                          for (float& v : p) v += 4.0f * code;
+                  });
+              }),
+        wrong("banding_in_a_part",
+              [](Image& i) {
+                  in_rectangle(i, i.width / 3, i.height / 3, i.width / 4, i.height / 4, [](auto p, int, int) {
+                      for (float& v : p) v = std::round(v / (8.0f * code)) * 8.0f * code;
+                  });
+              }),
+        wrong("hair",
+              [](Image& i) {
+                  for (int k = 0; k < 60; ++k)
+                      add_to(i, i.width / 2 + k, i.height / 2 + static_cast<int>(12.0 * std::sin(0.08 * k)),
+                             1, 1, -12.0f * code);
+              }),
+        wrong("first_column_black", [](Image& i) { paint(i, 0, 0, 1, i.height, 0.0f); })};
 }
 
 /// Harmless to any picture of codes.
@@ -310,55 +313,55 @@ void put_dashes(Image& image, int from) {
 void put_thumb(Image& image, int top) { paint(image, image.width - 6, top, 4, 40, 0.6f); }
 
 void put_soft_shadow(Image& image) {
-    for (int k = 0; k < 6; ++k)
-        add_to(image, 14, 118 + k, 88, 1, -static_cast<float>(12 - 2 * k) * code);
+    for (int k = 0; k < 6; ++k) add_to(image, 14, 118 + k, 88, 1, -static_cast<float>(12 - 2 * k) * code);
 }
 
 std::vector<Recipe> fresh_wrong_interfaces() {
     const Base base = Base::interface;
-    const auto wrong = [&](const char* name, const Change& change) { return wrong_image(base, name, change); };
+    const auto wrong = [&](const char* name, const Change& change) {
+        return wrong_image(base, name, change);
+    };
     const auto drawn = [&](const char* name, const InterfaceBase& options) {
         return wrong(name, [options](Image& i) { i = interface_base(extent(i), options); });
     };
     const auto rule_end = [](const Image& i) { return 12 + std::min(800, i.width - 24); };
-    return {wrong("rule_1_pixel_longer", [=](Image& i) { paint(i, rule_end(i), 70, 1, 1, 0.7f); }),
-            wrong("rule_1_pixel_shorter", [=](Image& i) { paint(i, rule_end(i) - 1, 70, 1, 1, 0.97f); }),
-            wrong_beside(
-                base, "bar_1_pixel_longer", [](Image& i) { paint(i, 12, 76, 90, 4, 0.3f); },
-                [](Image& i) { paint(i, 102, 76, 1, 4, 0.3f); }),
-            drawn("l_for_i_in_the_text", {.body = "some nolse is on line 1,380"}),
-            drawn("letter_o_in_the_amount", {.amount = "1,38O.00"}),
-            wrong("text_5_codes_lighter",
-                  [](Image& i) {
-                      in_rectangle(i, 0, 128, i.width, i.height, [](auto p, int, int) {
-                          for (float& v : p) v += 5.0f * code * (0.97f - v) / 0.87f;
-                      });
-                  }),
-            wrong("amount_struck_through", [](Image& i) { paint(i, 100, 51, 96, 1, ink); }),
-            wrong("tick_mirrored",
-                  [](Image& i) {
-                      put_tick(i, false, 0.97f);
-                      put_tick(i, true, ink);
-                  }),
-            wrong_beside(base, "box_ticked", put_box,
-                         [](Image& i) { paint(i, i.width - 57, 47, 3, 3, ink); }),
-            {base, "dashes_moved_by_1_pixel", false,
-             [](Mutant& m) {
-                 put_dashes(m.reference, 12);
-                 put_dashes(m.test, 13);
-             }},
-            {base, "thumb_moved_by_1_pixel", false,
-             [](Mutant& m) {
-                 put_thumb(m.reference, 60);
-                 put_thumb(m.test, 61);
-             }},
-            {base, "soft_shadow_missing", false, [](Mutant& m) { put_soft_shadow(m.reference); }},
-            wrong("word_selected",
-                  [](Image& i) {
-                      in_rectangle(i, 60, 44, 30, 16, [](auto p, int, int) {
-                          if (p[0] > 0.9f) p[0] -= 4.0f * code;
-                      });
-                  })};
+    return {
+        wrong("rule_1_pixel_longer", [=](Image& i) { paint(i, rule_end(i), 70, 1, 1, 0.7f); }),
+        wrong("rule_1_pixel_shorter", [=](Image& i) { paint(i, rule_end(i) - 1, 70, 1, 1, 0.97f); }),
+        wrong_beside(
+            base, "bar_1_pixel_longer", [](Image& i) { paint(i, 12, 76, 90, 4, 0.3f); },
+            [](Image& i) { paint(i, 102, 76, 1, 4, 0.3f); }),
+        drawn("l_for_i_in_the_text", {.body = "some nolse is on line 1,380"}),
+        drawn("letter_o_in_the_amount", {.amount = "1,38O.00"}),
+        wrong("text_5_codes_lighter",
+              [](Image& i) {
+                  in_rectangle(i, 0, 128, i.width, i.height, [](auto p, int, int) {
+                      for (float& v : p) v += 5.0f * code * (0.97f - v) / 0.87f;
+                  });
+              }),
+        wrong("amount_struck_through", [](Image& i) { paint(i, 100, 51, 96, 1, ink); }),
+        wrong("tick_mirrored",
+              [](Image& i) {
+                  put_tick(i, false, 0.97f);
+                  put_tick(i, true, ink);
+              }),
+        wrong_beside(base, "box_ticked", put_box, [](Image& i) { paint(i, i.width - 57, 47, 3, 3, ink); }),
+        {base, "dashes_moved_by_1_pixel", false,
+         [](Mutant& m) {
+             put_dashes(m.reference, 12);
+             put_dashes(m.test, 13);
+         }},
+        {base, "thumb_moved_by_1_pixel", false,
+         [](Mutant& m) {
+             put_thumb(m.reference, 60);
+             put_thumb(m.test, 61);
+         }},
+        {base, "soft_shadow_missing", false, [](Mutant& m) { put_soft_shadow(m.reference); }},
+        wrong("word_selected", [](Image& i) {
+            in_rectangle(i, 60, 44, 30, 16, [](auto p, int, int) {
+                if (p[0] > 0.9f) p[0] -= 4.0f * code;
+            });
+        })};
 }
 
 } // namespace

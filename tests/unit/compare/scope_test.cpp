@@ -244,6 +244,24 @@ const Test a_slope("unit.golden.edges.a_highlight_moves_by_the_rounding_of_place
     EXPECT_FALSE(passes(even)); // no slope is there
 });
 
+// A slanted band on a slope: the column that repeats the one before it differs plainly in two pixels alone.
+const Test a_column("unit.golden.edges.a_repeated_column_is_no_edge", [] {
+    const auto is_bright = [](int x, int y) { return y > x && y <= x + 28; };
+    Image reference = grey(64, 64);
+    for (int y = 0; y < 64; ++y)
+        for (int x = 0; x < 64; ++x)
+            std::ranges::fill(reference.at(x, y),
+                              (is_bright(x, y) ? 1.0f : 0.3f) * (1.0f + 0.001f * static_cast<float>(x)));
+    Image flipped = reference, repeated = reference;
+    for (int y = 0; y < 64; ++y) {
+        std::ranges::copy(reference.at(30, y), repeated.at(31, y).begin());
+        if (is_bright(30, y) != is_bright(31, y))
+            std::ranges::copy(reference.at(30, y), flipped.at(31, y).begin());
+    }
+    EXPECT_TRUE(compare(flipped, reference).passed);
+    EXPECT_FALSE(compare(repeated, reference).passed);
+});
+
 const Test a_wire_is_no_edge("unit.golden.edges.a_wire_is_no_edge", [] {
     Image with = grey(64, 64), without = grey(64, 64);
     for (int x = 20; x < 23; ++x) std::ranges::fill(with.at(x, 30), 0.2f);
