@@ -148,12 +148,14 @@ struct JudgedLayer {
     std::vector<std::string> channels; // by which a noise image names its errors
     AlignedImages images;
     std::vector<double> floors;
+    RareEvents rare{}; // beside its noise
 };
 
 /// The layers beside the picture that were judged.
 struct LayerCount {
     std::size_t compared = 0;
-    std::string without_noise; // those that a tolerance judges, though noise is given
+    std::size_t rare_events = 0; // pixels that were left out
+    std::string without_noise;   // those that a tolerance judges, though noise is given
 };
 
 /// Judges a layer by its own noise if that is given, else by the tolerances, and adds its errors to the error
@@ -182,7 +184,8 @@ void judge_layer(const JudgedLayer& layer, const CompareOptions& options, Compar
     measurements.rel = relative_differences(images, measurements.floors);
     std::vector<Tolerance> tolerances = layer_tolerances(options);
     if (!noise.empty()) {
-        measurements.noise = score_noise(images, noise, layer.channels);
+        measurements.noise = score_noise(images, noise, layer.channels, layer.rare);
+        count.rare_events += measurements.noise->rare_events.size();
         tolerances = default_tolerances(options.encoding, true);
     }
     const PixelValues errors = finish_measurements(images, tolerances, tolerances, measurements);
@@ -214,13 +217,16 @@ AlignedImages without_edges(AlignedImages alpha) {
 
 /// Judges all channels of the reference but the picture's colours: none may be missing. Without known noise
 /// alpha is judged with the colours.
+/// @param rare the pixels of the colours that were left out
 void judge_other_channels(const AlignedImages& images, const Image& test, const Image& reference,
-                          const CompareOptions& options, Comparison& comparison) {
+                          const CompareOptions& options, const std::vector<std::size_t>& rare,
+                          Comparison& comparison) {
     std::string missing = lacks_alpha(test, reference, options.layer) ? "alpha" : "";
     const std::size_t before = comparison.verdicts.size();
     LayerCount count;
     if (!options.noise.empty() && images.reference.channels > images.colors) {
-        const JudgedLayer alpha{"alpha", {}, without_edges(alpha_of(images)), {1.0}};
+        const std::string name = options.layer.empty() ? "A" : options.layer + ".A";
+        const JudgedLayer alpha{"alpha", {name}, without_edges(alpha_of(images)), {1.0}, {true, rare}};
         if (!alpha.images.compared.empty()) judge_layer(alpha, options, comparison, count);
     }
     if (options.layer.empty())
@@ -239,10 +245,14 @@ void judge_other_channels(const AlignedImages& images, const Image& test, const 
         comparison.verdicts.push_back({false, "all channels of the reference: the test lacks " + missing});
     else if (count.compared > 0 && before == comparison.verdicts.size())
         comparison.verdicts.push_back(
-            {true, fmt::format("other layers: {0} of {0} agree{1}", count.compared,
-                               count.without_noise.empty()
-                                   ? ""
-                                   : "; of unknown noise, so by the tolerance: " + count.without_noise)});
+            {true,
+             fmt::format("other layers: {0} of {0} agree{1}{2}", count.compared,
+                         count.without_noise.empty()
+                             ? ""
+                             : "; of unknown noise, so by the tolerance: " + count.without_noise,
+                         count.rare_events == 0 ? ""
+                                                : fmt::format("; {} single pixels left out as rare events",
+                                                              count.rare_events))});
 }
 
 } // namespace
@@ -283,7 +293,9 @@ Comparison compare(const Image& test, const Image& reference, const CompareOptio
                    && !judge(tolerance, images, measurements).passed;
         });
     const Image picture_error = comparison.error; // a layer's errors have no cause in the picture
-    judge_other_channels(images, test, reference, options, comparison);
+    judge_other_channels(images, test, reference, options,
+                         measurements.noise ? measurements.noise->rare_events : std::vector<std::size_t>{},
+                         comparison);
     comparison.passed = std::ranges::all_of(comparison.verdicts, &Verdict::passed);
     comparison.metrics = measurements.metrics;
     if (!comparison.passed && options.diagnoses && !images.compared.empty())

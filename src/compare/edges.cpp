@@ -148,6 +148,23 @@ bool is_lost_in_grain(const AlignedImages& images, std::size_t pixel, const Slac
     return distance(before, after) <= max_grain * grain_around(images, pixel);
 }
 
+/// True if the pixel changed by little, and no more than a picture moved by the rounding of places changes
+/// there.
+bool is_lost_in_slope(const AlignedImages& images, std::size_t pixel, const Slack& slack) {
+    const auto before = images.reference_at(pixel), after = images.test_at(pixel);
+    for (std::size_t c = 0; c < before.size(); ++c) {
+        float low = before[c], high = low;
+        for_each_neighbour(images, pixel, [&](std::size_t i) {
+            low = std::min(low, images.reference_at(i)[c]);
+            high = std::max(high, images.reference_at(i)[c]);
+        });
+        const float change = std::abs(after[c] - before[c]), limit = slack(pixel, c, before[c]);
+        if (change > limit && change > std::min(max_slope_limits * limit, max_slope_share * (high - low)))
+            return false;
+    }
+    return true;
+}
+
 /// The number of failing pixels that touch the given one, directly or through one another, with itself.
 std::size_t cluster_of(const AlignedImages& images, std::size_t pixel,
                        const std::unordered_set<std::size_t>& failing) {
@@ -163,14 +180,17 @@ bool is_explained(const AlignedImages& images, std::size_t pixel,
                   const std::unordered_set<std::size_t>& failing, const Slack& slack) {
     const std::size_t cluster = cluster_of(images, pixel, failing);
     const int min_length = cluster == 1 ? 2 : 3;
+    if (cluster > max_edge_cluster) return false;
+    if (is_lost_in_slope(images, pixel, slack)) return true;
+    const bool nothing_appeared =
+        is_within_neighbours(images, pixel, images.test_at(pixel), &AlignedImages::reference_at, slack, 0.0f);
+    if (is_lost_in_grain(images, pixel, slack)) return nothing_appeared;
     const auto is_at_edge = [&] {
         return has_two_sides(images, pixel, &AlignedImages::reference_at, min_length)
                && has_two_sides(images, pixel, &AlignedImages::test_at, min_length)
                && is_old_side_surface(images, pixel);
     };
-    return cluster <= max_edge_cluster && (is_lost_in_grain(images, pixel, slack) || is_at_edge())
-           && is_within_neighbours(images, pixel, images.test_at(pixel), &AlignedImages::reference_at, slack,
-                                   0.0f)
+    return nothing_appeared && is_at_edge()
            && is_within_neighbours(images, pixel, images.reference_at(pixel), &AlignedImages::test_at, slack,
                                    max_lost_share);
 }
@@ -220,6 +240,40 @@ bool are_in_rectangle(const std::unordered_set<std::size_t>& pixels, std::size_t
     return false;
 }
 
+/// The third quartile of the differences in a column, or in a row; 0 beside the image.
+float change_of_line(const AlignedImages& images, int line, bool is_column) {
+    const int width = images.reference.width, height = images.reference.height;
+    if (line < 0 || line >= (is_column ? width : height)) return 0.0f;
+    std::vector<float> changes;
+    for (int k = 0; k < (is_column ? height : width); ++k) {
+        const auto i = static_cast<std::size_t>(is_column ? k * width + line : line * width + k);
+        if (images.pixels[i] == PixelState::compared)
+            changes.push_back(distance(images.test_at(i), images.reference_at(i)));
+    }
+    if (changes.empty()) return 0.0f;
+    const auto quartile = changes.begin() + static_cast<std::ptrdiff_t>(changes.size() * 3 / 4);
+    std::ranges::nth_element(changes, quartile);
+    return *quartile;
+}
+
+/// True if a row or a column of several failing pixels changed along its length, unlike those beside it: a
+/// line that is repeated or moved.
+bool is_a_line_wrong(const AlignedImages& images, const std::unordered_set<std::size_t>& failing) {
+    const auto width = static_cast<std::size_t>(images.reference.width);
+    for (const bool is_column : {true, false}) {
+        std::map<std::size_t, std::size_t> counts;
+        for (const std::size_t i : failing) ++counts[is_column ? i % width : i / width];
+        for (const auto& [place, count] : counts) {
+            if (count < min_in_wrong_line) continue;
+            const int line = static_cast<int>(place);
+            const float beside = std::max(change_of_line(images, line - 1, is_column),
+                                          change_of_line(images, line + 1, is_column));
+            if (change_of_line(images, line, is_column) > wrong_line_ratio * beside) return true;
+        }
+    }
+    return false;
+}
+
 } // namespace
 
 EdgeJudgement judge_edges(const AlignedImages& images, const std::vector<bool>& fails, const Slack& slack) {
@@ -238,6 +292,7 @@ EdgeJudgement judge_edges(const AlignedImages& images, const std::vector<bool>& 
     judgement.is_crowded = densest_window(images, fails, edge_window).most > max_at_edges_nearby;
     judgement.is_in_line = are_in_line(failing, static_cast<std::size_t>(images.reference.width));
     judgement.is_in_rectangle = are_in_rectangle(failing, static_cast<std::size_t>(images.reference.width));
+    judgement.is_line_wrong = is_a_line_wrong(images, failing);
     return judgement;
 }
 

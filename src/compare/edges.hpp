@@ -17,11 +17,19 @@ inline constexpr std::size_t max_edge_cluster = 4; // pixels that touch one anot
 inline constexpr std::size_t max_in_line = 12;     // in one row or column
 inline constexpr std::size_t max_in_rhythm = 3;    // the same, where all distances are equal
 
+// A row or a column with failing pixels is wrong as a whole if the third quartile of its pixels' differences
+// is as many times that of the lines beside it.
+inline constexpr std::size_t min_in_wrong_line = 2;
+inline constexpr float wrong_line_ratio = 8.0f;
+
 inline constexpr int surface_window = 7;      // [pixels] edge, around the pixel
 inline constexpr std::size_t min_surface = 6; // pixels of one side in that window that hang together
 
 inline constexpr float max_grain = 3.0f;        // a change in it, over the median distance of adjacent pixels
 inline constexpr float max_grain_limits = 4.0f; // the same, over the limit
+
+inline constexpr float max_slope_share = 1.0f / 64; // a change on a slope, over the range of the 3×3 pixels
+inline constexpr float max_slope_limits = 2.0f;     // the same, over the limit
 
 /// The largest distance of the old value from those around it, as a share of the change.
 inline constexpr float max_lost_share = 0.5f;
@@ -37,8 +45,10 @@ struct EdgeJudgement {
     bool is_crowded = false;      // more than max_at_edges_nearby in a window
     bool is_in_line = false;      // more than max_in_line or max_in_rhythm in a row or a column
     bool is_in_rectangle = false; // four at the corners of an upright rectangle
+    bool is_line_wrong = false;   // the other pixels of a row or a column changed too
     bool passes() const {
-        return unexplained == 0 && failing <= max_count && !is_crowded && !is_in_line && !is_in_rectangle;
+        return unexplained == 0 && failing <= max_count && !is_crowded && !is_in_line && !is_in_rectangle
+               && !is_line_wrong;
     }
 };
 
@@ -59,7 +69,8 @@ struct EdgeJudgement {
 /// 5. It touches at most three other failing pixels, directly or through one another.
 ///
 /// In grain, where adjacent pixels differ as much as the pixel changed, and that is little, there is no edge
-/// to find: 3 and 4 need not be so.
+/// to find: 2, 3 and 4 need not be so. On a slope, where a picture moved by a 64th of a pixel changes as
+/// much, and that is less than twice the limit, only 5 needs to be so.
 ///
 /// @param fails one entry for each compared pixel
 EdgeJudgement judge_edges(const AlignedImages& images, const std::vector<bool>& fails, const Slack& slack);

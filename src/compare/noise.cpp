@@ -14,11 +14,12 @@ namespace {
 
 using image::Image;
 
-constexpr double false_alarms = 1e-3; // of all comparisons of equal images
-constexpr double rounding = 1e-6;     // relative; eight units in the last place of a float
-constexpr double max_score = 5.0;     // of a pixel in a sum of scores, so that no single one decides
-constexpr double many_seeds = 1e6;    // as good as a known standard error
-constexpr float max_rare = 4.0f;      // of a rare value, over the largest of the reference
+constexpr double false_alarms = 1e-3;      // of all comparisons of equal images
+constexpr double rounding = 1e-6;          // relative; eight units in the last place of a float
+constexpr double max_score = 5.0;          // of a pixel in a sum of scores, so that no single one decides
+constexpr double many_seeds = 1e6;         // as good as a known standard error
+constexpr float max_rare = 4.0f;           // of a rare value, over the largest of the reference
+constexpr float max_rare_coverage = 0.25f; // change of alpha by one; 4 of 16 samples
 
 // Rare events of an image: these, and a share of the pixels. Of 300 pairs of renderings of 6144 pixels 18 had
 // one or two (tools/golden/false_alarms.py).
@@ -311,8 +312,13 @@ bool may_be_rare(const AlignedImages& images, std::size_t pixel, float brightest
     return true;
 }
 
+/// True if alpha changed by no more than the few samples that meet a crack.
+bool may_be_rare_coverage(const AlignedImages& images, std::size_t pixel) {
+    return std::abs(images.test_at(pixel)[0] - images.reference_at(pixel)[0]) <= max_rare_coverage;
+}
+
 /// The compared pixels whose scores are rare events; none if they are too many.
-std::vector<bool> rare_events(const AlignedImages& images, const NoiseScores& all) {
+std::vector<bool> rare_events(const AlignedImages& images, const NoiseScores& all, const RareEvents& rare) {
     const PixelValues& scores = all.pixels;
     const auto colors = static_cast<std::size_t>(images.colors);
     std::vector<bool> fails(images.pixels.size(), false), is_rare(images.pixels.size(), false);
@@ -322,7 +328,7 @@ std::vector<bool> rare_events(const AlignedImages& images, const NoiseScores& al
         fails[i] = static_cast<double>(scores[k]) > all.limits.pixel;
         for (const float value : images.reference_at(i).first(colors)) largest = std::max(largest, value);
     }
-    std::size_t count = 0;
+    std::size_t count = rare.known.size();
     for (const std::size_t i : images.compared) {
         if (!fails[i]) continue;
         const auto touching =
@@ -330,8 +336,10 @@ std::vector<bool> rare_events(const AlignedImages& images, const NoiseScores& al
         std::vector<float> margins(all.errors.begin() + static_cast<std::ptrdiff_t>(i * colors),
                                    all.errors.begin() + static_cast<std::ptrdiff_t>((i + 1) * colors));
         for (float& margin : margins) margin *= static_cast<float>(all.limits.pixel);
-        is_rare[i] = touching <= 1 && may_be_rare(images, i, max_rare * largest, margins);
-        count += is_rare[i];
+        is_rare[i] = touching <= 1
+                     && (rare.is_coverage ? may_be_rare_coverage(images, i)
+                                          : may_be_rare(images, i, max_rare * largest, margins));
+        count += is_rare[i] && std::ranges::find(rare.known, i) == rare.known.end();
     }
     const auto share = static_cast<std::size_t>(max_rare_share * static_cast<double>(scores.size()));
     if (count > std::min(max_rare_events, few_rare_events + share)) is_rare.assign(is_rare.size(), false);
@@ -362,7 +370,7 @@ DeviationSums sums_of(const AlignedImages& images, const std::vector<Deviation>&
 } // namespace
 
 NoiseScores score_noise(const AlignedImages& images, const std::vector<Image>& given,
-                        const std::vector<std::string>& channels) {
+                        const std::vector<std::string>& channels, const RareEvents& rare) {
     const auto colors = static_cast<std::size_t>(images.colors);
     const Blocks blocks(images.reference.width, images.reference.height);
     std::vector<Noise> noise;
@@ -383,10 +391,10 @@ NoiseScores score_noise(const AlignedImages& images, const std::vector<Image>& g
         scores.pixels.push_back(static_cast<float>(largest));
     }
     std::vector<bool> is_rare(images.pixels.size(), false);
-    if (n < many_seeds) is_rare = rare_events(images, scores);
+    if (n < many_seeds) is_rare = rare_events(images, scores, rare);
     for (std::size_t k = 0; k < scores.pixels.size(); ++k)
         if (is_rare[images.compared[k]]) {
-            ++scores.rare_events;
+            scores.rare_events.push_back(images.compared[k]);
             scores.pixels[k] = 0.0f;
         }
     DeviationSums sums = sums_of(images, deviations, is_rare, blocks);

@@ -50,8 +50,14 @@ struct NoiseScores {
     bool judges_blocks = false; // the errors of blocks are known
     double total = 0.0;
     NoiseLimits limits;
-    int rare_events = 0;       // pixels that score_noise() leaves out of all scores
-    std::vector<float> errors; // standard errors of t - r, by pixel and colour
+    std::vector<std::size_t> rare_events; // pixels that score_noise() leaves out of all scores
+    std::vector<float> errors;            // standard errors of t - r, by pixel and colour
+};
+
+/// Rules for the rare events of another channel than the picture's colours.
+struct RareEvents {
+    bool is_coverage = false;       // of alpha: a ray through a crack between two surfaces meets none
+    std::vector<std::size_t> known; // pixels that are left out already, which share the cap
 };
 
 /// The noise images that hold errors of all these channels ("key.R"); none if one of them does not, but for
@@ -71,7 +77,7 @@ std::vector<image::Image> noise_of(const std::vector<image::Image>& noise,
 /// beyond the limit are such if the dimmer of the two values is no hole, darker than all around it in its own
 /// image by more than the limit; the brighter one is at most four times the reference's largest; and they
 /// touch at most one other. They are at most 2 and a ten-thousandth of the pixels, and no more than 48; if
-/// there are more, all count.
+/// there are more, all count. Coverage may be lower than all around it, but changes by a quarter at most.
 ///
 /// Where a region or a mask leaves a part of a block, the pixels left err alike as much as those of the whole
 /// block do: their sum's variance is as many times that of independent pixels.
@@ -79,7 +85,7 @@ std::vector<image::Image> noise_of(const std::vector<image::Image>& noise,
 /// @throws Error if a noise image is neither of the images' size nor 1×1, or has a value that is negative or
 /// not finite.
 NoiseScores score_noise(const AlignedImages& images, const std::vector<image::Image>& noise,
-                        const std::vector<std::string>& channels);
+                        const std::vector<std::string>& channels, const RareEvents& rare = {});
 
 /// The z that a standard normal variable exceeds in absolute value with the given chance.
 double two_sided_z(double chance);

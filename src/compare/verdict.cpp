@@ -85,6 +85,7 @@ Verdict judge_with_edges(const Tolerance& tolerance, const AlignedImages& images
                                          : "",
                         edges.is_in_line        ? ", too many of them in one row or column"
                         : edges.is_in_rectangle ? ", four of them at the corners of a rectangle"
+                        : edges.is_line_wrong   ? ", in a row or column that changed as a whole"
                                                 : "");
     return verdict;
 }
@@ -116,8 +117,8 @@ Verdict judge_by_pixel(const Tolerance& tolerance, const AlignedImages& images,
         verdict.line += fmt::format("; of block sums {:.4g} (≤ {:.4g})", noise.max_block, noise.limits.block);
     verdict.line += fmt::format("{} of the whole sum {:.4g} (≤ {:.4g})", noise.judges_blocks ? "," : ";",
                                 noise.total, noise.limits.total);
-    if (noise.rare_events > 0)
-        verdict.line += fmt::format("; {} single pixels left out as rare events", noise.rare_events);
+    if (!noise.rare_events.empty())
+        verdict.line += fmt::format("; {} single pixels left out as rare events", noise.rare_events.size());
     return verdict;
 }
 

@@ -167,7 +167,7 @@ JsonFile::JsonFile(const std::filesystem::path& file, std::string text)
     } catch (const JsonError& error) {
         if (error.kind == JsonError::Kind::nesting)
             throw Error({file_}, "nested deeper than 64 levels",
-                        "a suite is two levels of lists and objects");
+                        "write lists and objects within fewer others");
         const Location place = location_of(error.byte, text_, file_);
         if (error.kind == JsonError::Kind::number)
             throw Error(place, "a number that is too large", "write one below 1.8e308");

@@ -13,11 +13,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view seed_word = "{seed}";
-
 /// The command of a test with this seed.
 std::vector<std::string> words_with_seed(const GoldenTest& test, const Suite& suite,
-                                         std::vector<std::string> words, const std::string& seed) {
+                                         const RunOptions& options, const std::string& out,
+                                         const std::string& seed) {
+    std::vector<std::string> words = command_words(test, options, options.program.string(), out, seed);
     if (!test.scene.empty()) {
         const auto option = std::ranges::find(words, "--seed");
         if (option != words.end() && option + 1 != words.end())
@@ -26,13 +26,8 @@ std::vector<std::string> words_with_seed(const GoldenTest& test, const Suite& su
             words.insert(words.end(), {"--seed", seed});
         return words;
     }
-    bool has_seed = false;
-    for (std::string& word : words)
-        if (const auto at = word.find(seed_word); at != std::string::npos) {
-            word.replace(at, seed_word.size(), seed);
-            has_seed = true;
-        }
-    if (!has_seed)
+    if (std::ranges::none_of(test.command,
+                             [](const std::string& word) { return word.find("{seed}") != word.npos; }))
         throw Error({suite.file.string()}, fmt::format("the command of test '{}' has no {{seed}}", test.name),
                     "write {seed} where its seed belongs");
     return words;
@@ -45,9 +40,7 @@ std::optional<image::Image> picture_of(const GoldenTest& test, const Suite& suit
         fs::absolute(options.output / "candidates"
                      / fmt::format("{}.seed{}{}", file_name_of(test.name), seed, test.extension));
     ProcessOptions process;
-    process.words =
-        words_with_seed(test, suite, command_words(test, options, options.program.string(), out.string()),
-                        std::to_string(seed));
+    process.words = words_with_seed(test, suite, options, out.string(), std::to_string(seed));
     process.folder = fs::absolute(suite.folder);
     process.log = fs::absolute(options.output / "logs" / (file_name_of(test.name) + ".noise.txt"));
     process.time_limit = test.time_limit;

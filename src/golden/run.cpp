@@ -340,10 +340,12 @@ constexpr int first_option = 5; // of {steradian} render SCENE -o {out} …
 } // namespace
 
 std::vector<std::string> command_words(const GoldenTest& test, const RunOptions& options,
-                                       std::string_view program, std::string_view out) {
+                                       std::string_view program, std::string_view out,
+                                       std::string_view seed) {
     std::vector<std::string> words;
     for (const std::string& word : test.command)
-        words.push_back(replace_all(replace_all(word, "{steradian}", program), "{out}", out));
+        words.push_back(replace_all(replace_all(replace_all(word, "{seed}", seed), "{steradian}", program),
+                                    "{out}", out));
     if (!test.scene.empty())
         for (auto folder = options.shaders.rbegin(); folder != options.shaders.rend(); ++folder)
             words.insert(words.begin() + first_option, {"--shaders", fs::absolute(*folder).string()});

@@ -37,10 +37,14 @@ struct RunOptions {
 /// Whether a pattern (* ? [a-z]) matches a name. A name always matches itself.
 bool matches(const std::string& pattern, const std::string& name);
 
-/// The words of a test's command. {steradian} is the program, {out} the image's name; the shaders of the
-/// options come before those of the test.
+/// The seed of a run, which no noise image uses: those begin at 1.
+inline constexpr std::string_view seed_of_runs = "0";
+
+/// The words of a test's command. {steradian} is the program, {out} the image's name, {seed} the seed of an
+/// external command; the shaders of the options come before those of the test.
 std::vector<std::string> command_words(const GoldenTest& test, const RunOptions& options,
-                                       std::string_view program, std::string_view out);
+                                       std::string_view program, std::string_view out,
+                                       std::string_view seed = seed_of_runs);
 
 /// Returns who rendered a picture: GL_RENDERER and GL_VERSION as its attributes have them, or else the
 /// renderer and the version of the file beside it, as "RENDERER, VERSION". Empty if neither says so.

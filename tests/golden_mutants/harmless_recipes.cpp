@@ -1,40 +1,15 @@
 #include "golden_mutants/change.hpp"
+#include "golden_mutants/flips.hpp"
 #include "golden_mutants/recipes.hpp"
 #include "golden_mutants/whole.hpp"
 
 #include <array>
 #include <cmath>
-#include <set>
 
 namespace sr::testing {
 namespace {
 
 using image::Image;
-
-/// Pixels at edges that fall to the other side: `count` of them, none beside another, take a neighbour's
-/// value, or a share of it where only some of a pixel's samples fall.
-void flip_edges(Image& image, int count, std::uint32_t seed, float share = 1.0f) {
-    const Image right = image;
-    Random random(seed);
-    std::set<std::pair<int, int>> used;
-    for (int tries = 0; tries < 400000 && static_cast<int>(used.size()) < count; ++tries) {
-        const int x = 2 + static_cast<int>(random.uniform() * static_cast<float>(image.width - 4));
-        const int y = 2 + static_cast<int>(random.uniform() * static_cast<float>(image.height - 4));
-        const bool is_beside = std::ranges::any_of(
-            used, [&](const auto& p) { return std::abs(p.first - x) <= 1 && std::abs(p.second - y) <= 1; });
-        const auto here = right.at(x, y), beside = right.at(x + 1, y), behind = right.at(x - 1, y);
-        // An edge between two even sides: equal along it, and different across.
-        const auto is_like = [](auto a, auto b) {
-            return std::abs(a[1] - b[1]) <= 0.05f * std::max(a[1], b[1]);
-        };
-        if (is_beside || is_like(here, beside) || !is_like(here, behind)) continue;
-        if (!is_like(here, right.at(x, y - 1)) || !is_like(here, right.at(x, y + 1))) continue;
-        if (!is_like(beside, right.at(x + 1, y - 1)) || !is_like(beside, right.at(x + 2, y))) continue;
-        const auto to = image.at(x, y);
-        for (std::size_t c = 0; c < to.size(); ++c) to[c] += share * (beside[c] - to[c]);
-        used.insert({x, y});
-    }
-}
 
 Recipe harmless_one(Base base, const char* name, const std::function<void(Mutant&)>& change) {
     return {base, name, true, change, ""};

@@ -190,8 +190,8 @@ std::vector<Recipe> recipes() {
     std::vector<Recipe> all;
     for (const Base base : {Base::render, Base::photo, Base::interface})
         for (Recipe& recipe : damaged(base)) all.push_back(std::move(recipe));
-    for (auto* family :
-         {wrong_renders, wrong_photos, wrong_interfaces, wrong_details, wrong_by_little, harmless_recipes})
+    for (auto* family : {wrong_renders, wrong_photos, wrong_interfaces, wrong_details, wrong_by_little,
+                         harmless_recipes, fresh_recipes})
         for (Recipe& recipe : family()) all.push_back(std::move(recipe));
     return all;
 }
@@ -218,6 +218,7 @@ Mutant made(const Recipe& recipe, Extent size) {
                   {}};
     if (recipe.base != Base::render) mutant.options.encoding = compare::Encoding::display_referred;
     recipe.change(mutant);
+    if (recipe.base != Base::render && mutant.options.bits == 8) round_to_codes(mutant.test); // as in a file
     return mutant;
 }
 

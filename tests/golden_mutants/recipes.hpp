@@ -35,6 +35,8 @@ std::vector<Recipe> wrong_details();
 std::vector<Recipe> wrong_by_little();
 /// Differences that are no mistake.
 std::vector<Recipe> harmless_recipes();
+/// Both kinds, in all bases. Each verdict was written before the comparator first saw the mutant.
+std::vector<Recipe> fresh_recipes();
 /// All of the above.
 std::vector<Recipe> recipes();
 

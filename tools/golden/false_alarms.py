@@ -2,18 +2,19 @@
 """How often the comparator calls equal pictures different, whose samples have other seeds.
 
     tools/golden/false_alarms.py build/steradian /tmp/seeds
+    tools/golden/false_alarms.py build/steradian /tmp/others --scenes office,zoo --first-seed 5001
 
-Renders five bundled scenes with 36 seeds each, makes the noise of seeds 1 to 12 with `steradian golden noise`, and
+Renders bundled scenes with 36 seeds each, makes the noise of the first 12 with `steradian golden noise`, and
 compares 60 pairs of the other seeds a scene, with the noise given twice. Pictures that are already in the folder are
-kept. Prints the pairs that fail, and their number.
+kept: give each first seed a folder of its own. Prints the pairs that fail, and their number.
 """
+import argparse
 import itertools
 import json
 import subprocess
-import sys
 from pathlib import Path
 
-SCENES = ("cornell", "default", "veach", "spheres", "brdfs")
+SCENES = "cornell,default,veach,spheres,brdfs"
 NOISE_SEEDS = range(1, 13)
 PAIR_SEEDS = range(13, 37)
 PAIRS = 60  # a scene
@@ -27,16 +28,22 @@ def pairs():
 
 
 def main():
-    steradian, folder = str(Path(sys.argv[1]).resolve()), Path(sys.argv[2]).resolve()
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("steradian", type=lambda name: str(Path(name).resolve()))
+    parser.add_argument("folder", type=lambda name: Path(name).resolve(), help="keeps the pictures")
+    parser.add_argument("--scenes", default=SCENES, help="bundled scenes, separated by commas (default: %(default)s)")
+    parser.add_argument("--first-seed", type=int, default=1, help="of 36 that follow one another (default: %(default)s)")
+    options = parser.parse_args()
+    steradian, folder, names = options.steradian, options.folder, options.scenes.split(",")
     scenes = Path(__file__).resolve().parents[2] / "assets" / "scenes"
     tests = []
-    for scene in SCENES:
+    for scene in names:
         (folder / scene).mkdir(parents=True, exist_ok=True)
         for seed in (*NOISE_SEEDS, *PAIR_SEEDS):
             out = folder / scene / f"{seed}.exr"
             if not out.exists():
-                subprocess.run([steradian, "render", scenes / f"{scene}.gltf", "-o", out, *RENDER, "--seed", str(seed)],
-                               check=True)
+                subprocess.run([steradian, "render", scenes / f"{scene}.gltf", "-o", out, *RENDER, "--seed",
+                                str(options.first_seed + seed - 1)], check=True)
         tests.append({"name": scene, "command": ["cp", f"{folder}/{scene}/{{seed}}.exr", "{out}"],
                       "noise": f"{scene}_noise.exr"})
     suite = folder / "suite.json"
@@ -44,7 +51,7 @@ def main():
     subprocess.run([steradian, "golden", "noise", suite, "-o", folder / "results", "--seeds", str(len(NOISE_SEEDS))],
                    check=True, stdout=subprocess.DEVNULL)
     alarms = compared = 0
-    for scene in SCENES:
+    for scene in names:
         noise = folder / f"{scene}_noise.exr"
         for a, b in pairs():
             ran = subprocess.run([steradian, "compare", folder / scene / f"{a}.exr", folder / scene / f"{b}.exr", "--noise",

@@ -9,6 +9,11 @@ function element(tag, properties, ...children) {
   return node;
 }
 
+/** The key of a button and its text; pages without a keyboard hide the key. */
+function key_and_text(key, text) {
+  return [element("span", { classes: "key", textContent: `${key} ` }), text];
+}
+
 const zooms = [1, 2, 4, 8, 16, 32, 64];
 
 const modes = [
@@ -76,7 +81,7 @@ class Viewer {
 
   bar() {
     this.mode_buttons = this.modes().map((mode) =>
-      element("button", { type: "button", textContent: `${mode.key} ${this.name(mode.name)}`, onclick: () => this.choose(mode) })
+      element("button", { type: "button", onclick: () => this.choose(mode) }, ...key_and_text(mode.key, this.name(mode.name)))
     );
     this.zoom_label = element("output", {});
     this.stops_label = element("output", {});
@@ -204,7 +209,7 @@ class Viewer {
     for (const stage of this.stages.querySelectorAll(".stage")) [stage.scrollLeft, stage.scrollTop] = at;
     this.mode_buttons.forEach((button, i) => button.setAttribute("aria-pressed", this.modes()[i] === this.mode));
     this.box_label.textContent = this.box_text();
-    this.alpha_button.textContent = `a alpha ${alpha_words[this.alpha_mode]}`;
+    this.alpha_button.replaceChildren(...key_and_text("a", `alpha ${alpha_words[this.alpha_mode]}`));
     this.stops_label.textContent = `${this.stops >= 0 ? "+" : ""}${this.stops} stops`;
     this.gain_label.textContent = `×${this.gain < 100 ? this.gain.toPrecision(2) : Math.round(this.gain)}`;
     this.mark();

@@ -26,7 +26,7 @@ def files(name):
 
 
 folder.mkdir(parents=True, exist_ok=True)
-subprocess.run([golden_mutants, folder], check=True, stdout=subprocess.DEVNULL)
+subprocess.run([golden_mutants, "--write", folder], check=True, stdout=subprocess.DEVNULL)
 
 check("equal images agree", *files("identical"), status=0, out="PASS")
 check("a difference is status 1", *files("pi_missing"), status=1, out="a division by π is missing")

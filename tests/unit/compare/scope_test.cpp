@@ -167,6 +167,38 @@ const Test few_rare_events("unit.golden.noise.few_rare_events_are_left_out", [] 
     EXPECT_FALSE(passes(1, 0.0f)); // a hole
 });
 
+// All seeds cover all pixels; a sample of the test meets a crack here and there.
+const Test rare_coverage("unit.golden.noise.rare_events_of_alpha_share_the_cap", [] {
+    std::mt19937 random(8);
+    std::normal_distribution<float> normal(1.0f, 0.02f);
+    const auto seed = [&] {
+        Image image = grey(96, 64, 4);
+        image.channel_names = {"R", "G", "B", "A"};
+        std::ranges::generate(image.pixels, [&] { return normal(random); });
+        for (std::size_t p = 3; p < image.pixels.size(); p += 4) image.pixels[p] = 1.0f;
+        return image;
+    };
+    NoiseOfSeeds noise;
+    for (int i = 0; i < 12; ++i) noise.add(seed());
+    const Image errors = noise.errors(), reference = seed(), test = seed();
+    const auto passes = [&](int cracks, float alpha, int bright, bool is_there = false) {
+        Image image = test;
+        for (int i = 0; i < cracks; ++i) image.at(9 + 8 * i, 5 + 11 * (i % 5))[3] = alpha;
+        for (int i = 0; i < bright; ++i)
+            std::ranges::fill(image.at(9 + 8 * (i + (is_there ? 0 : 5)), 5 + 11 * (i % 5)).first(3), 2.0f);
+        return compare(image, reference, {.noise = {errors, errors}}).passed;
+    };
+    EXPECT_TRUE(passes(0, 1.0f, 0));
+    EXPECT_TRUE(passes(1, 0.9375f, 0));
+    EXPECT_TRUE(passes(2, 0.9375f, 0));
+    EXPECT_TRUE(passes(1, 0.9375f, 1));
+    EXPECT_TRUE(passes(2, 0.9375f, 2, true)); // the same two pixels
+    EXPECT_FALSE(passes(2, 0.9375f, 1));
+    EXPECT_FALSE(passes(3, 0.9375f, 0));
+    EXPECT_FALSE(passes(1, 0.5f, 0)); // a hole
+    EXPECT_FALSE(passes(1, 0.0f, 0));
+});
+
 // A white half beside a black one, 64 × 64: 4 pixels may differ at the edge.
 const Test forgives_what_an_edge_explains("unit.golden.edges.forgives_what_an_edge_explains", [] {
     Image reference = grey(64, 64);
@@ -186,6 +218,48 @@ const Test forgives_what_an_edge_explains("unit.golden.edges.forgives_what_an_ed
     EXPECT_TRUE(passes({{32, 10}, {32, 11}, {32, 12}}, 1.0f));
     EXPECT_FALSE(passes({{32, 10}, {32, 11}, {32, 12}, {32, 13}, {32, 14}}, 1.0f)); // the edge moved
     EXPECT_FALSE(passes({{32, 4}, {32, 14}, {32, 24}, {32, 34}, {32, 44}}, 1.0f));  // too many
+});
+
+// A highlight about three pixels wide, moved by a part of a pixel.
+const Test a_slope("unit.golden.edges.a_highlight_moves_by_the_rounding_of_places", [] {
+    const auto highlight = [](float dx) {
+        Image image = grey(64, 64, 3, 0.3f);
+        for (int y = 28; y < 37; ++y)
+            for (int x = 28; x < 37; ++x) {
+                const float u = static_cast<float>(x) - 31.6f - dx, v = static_cast<float>(y) - 32.1f;
+                for (float& value : image.at(x, y)) value += 20.0f * std::exp(-1.5f * (u * u + v * v));
+            }
+        return image;
+    };
+    const auto passes = [&](const Image& test) { return compare(test, highlight(0.0f)).passed; };
+    EXPECT_FALSE(passes(highlight(0.03f))); // as many pixels as an object
+    EXPECT_FALSE(passes(highlight(0.2f)));
+    Image test = highlight(0.0f);
+    for (const int x : {31, 32}) std::ranges::fill(test.at(x, 32), 1.015f * test.at(x, 32)[0]);
+    EXPECT_TRUE(passes(test));
+    std::ranges::fill(test.at(31, 32), 1.05f * highlight(0.0f).at(31, 32)[0]);
+    EXPECT_FALSE(passes(test));
+    Image even = highlight(0.0f);
+    std::ranges::fill(even.at(10, 10), 1.015f * 0.3f);
+    EXPECT_FALSE(passes(even)); // no slope is there
+});
+
+// A slanted band on a slope: the column that repeats the one before it differs plainly in two pixels alone.
+const Test a_column("unit.golden.edges.a_repeated_column_is_no_edge", [] {
+    const auto is_bright = [](int x, int y) { return y > x && y <= x + 28; };
+    Image reference = grey(64, 64);
+    for (int y = 0; y < 64; ++y)
+        for (int x = 0; x < 64; ++x)
+            std::ranges::fill(reference.at(x, y),
+                              (is_bright(x, y) ? 1.0f : 0.3f) * (1.0f + 0.001f * static_cast<float>(x)));
+    Image flipped = reference, repeated = reference;
+    for (int y = 0; y < 64; ++y) {
+        std::ranges::copy(reference.at(30, y), repeated.at(31, y).begin());
+        if (is_bright(30, y) != is_bright(31, y))
+            std::ranges::copy(reference.at(30, y), flipped.at(31, y).begin());
+    }
+    EXPECT_TRUE(compare(flipped, reference).passed);
+    EXPECT_FALSE(compare(repeated, reference).passed);
 });
 
 const Test a_wire_is_no_edge("unit.golden.edges.a_wire_is_no_edge", [] {

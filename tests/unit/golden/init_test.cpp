@@ -33,6 +33,7 @@ const Test scenes("unit.golden.init.each_scene_becomes_a_test", [] {
     for (const char* file : {"github-actions.yml", "gitlab-ci.yml"}) {
         const std::string text = read_text(folder / "golden" / file);
         EXPECT_NE(text.find("golden/suite.json --shard"), std::string::npos) << file;
+        EXPECT_NE(text.find("--times golden-times/run.json"), std::string::npos) << file;
         EXPECT_EQ(text.find("@suite@"), std::string::npos) << file;
         EXPECT_EQ(text.find("@folder@"), std::string::npos) << file;
     }

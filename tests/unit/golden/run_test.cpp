@@ -105,6 +105,15 @@ const Test jobs("unit.golden.run.any_number_of_jobs_gives_the_same_results", [] 
     }
 });
 
+const Test seed("unit.golden.run.a_command_gets_the_seed_of_runs", [] {
+    const auto folder = scratch_folder("run_seed");
+    image::write(plain(0.5f), folder / "picture0.exr", image::SampleType::floating);
+    const auto suite = suite_of(folder, R"({"name": "a", "command": ["cp", "picture{seed}.exr", "{out}"]})");
+    const auto result = run_and_keep(suite, folder / "out");
+    EXPECT_EQ(result.tests.at(0).outcome, Outcome::missing) << result.tests.at(0).message;
+    EXPECT_EQ(result.tests.at(0).command.find("{seed}"), std::string::npos) << result.tests.at(0).command;
+});
+
 const Test interrupted("unit.golden.run.an_interruption_kills_children_and_leaves_no_results", [] {
     const auto folder = scratch_folder("run_interrupted");
     const auto suite = suite_of(folder, R"(

@@ -40,7 +40,7 @@ function header() {
     .concat([["nearly", "nearly failed", data.tests.filter(is_nearly_failed).length]])
     .filter(([, , count]) => count > 0)
     .map(([kind, text, count]) => count_button(kind, text, count));
-  const failures = element("button", { type: "button", textContent: "f failures only" });
+  const failures = element("button", { type: "button" }, ...key_and_text("f", "failures only"));
   failures.onclick = () => toggle_failures();
   page.failures_button = failures;
   const save = element("button", { type: "button", textContent: "save tests.csv", title: "all tests with their outcomes, as a table" });
@@ -56,7 +56,7 @@ function header() {
     page.search,
     failures,
     save,
-    element("details", { classes: "help" }, element("summary", { textContent: "? keys" }), help_table()),
+    element("details", { classes: "help" }, element("summary", {}, ...key_and_text("?", "keys")), help_table()),
     run_node()
   );
 }
@@ -120,13 +120,13 @@ function show_decisions() {
 
 function decision_buttons(test) {
   if (!is_decidable(test)) return "";
-  const button = (decision, textContent) => {
-    const node = element("button", { type: "button", textContent, onclick: () => decide(test, decision) });
+  const button = (decision, key, text) => {
+    const node = element("button", { type: "button", onclick: () => decide(test, decision) }, ...key_and_text(key, text));
     node.dataset.decides = decision;
     node.setAttribute("aria-pressed", page.decisions.get(test) === decision);
     return node;
   };
-  return element("div", { classes: "buttons decisions" }, button("approved", "y approve"), button("rejected", "x reject"));
+  return element("div", { classes: "buttons decisions" }, button("approved", "y", "approve"), button("rejected", "x", "reject"));
 }
 
 function help_table() {
@@ -225,6 +225,11 @@ function metric_text(value) {
   return String(value);
 }
 
+function percent_text(share) {
+  if (typeof share === "number" && share < 1e-4) return share > 0 ? "less than 0.01 %" : "nothing";
+  return `${typeof share === "number" ? Number((100 * share).toPrecision(3)) : share} %`;
+}
+
 function metrics_table(metrics) {
   const row = ([name, value]) =>
     element("tr", {}, element("th", { textContent: name.replaceAll("_", " ") }), element("td", { textContent: metric_text(value) }));
@@ -240,7 +245,7 @@ function comparison_nodes(comparison) {
         "p",
         { classes: "diagnosis" },
         element("strong", { textContent: `${comparison.diagnosis.name}: ` }),
-        `${comparison.diagnosis.statement} (${metric_text(100 * comparison.diagnosis.residual)} % of the difference is left)`
+        `${comparison.diagnosis.statement} (${percent_text(comparison.diagnosis.residual)} of the difference is left)`
       )
     );
   const verdict = (v) => element("li", { classes: v.passed ? "ok" : "failed", textContent: v.line });
