@@ -25,9 +25,22 @@ using Kind = LightEdit::Kind;
 
 json json_of(vec3 v) { return {v.x, v.y, v.z}; }
 
+json json_of(const std::vector<vec3>& points) {
+    json array = json::array();
+    for (const vec3 point : points) array.push_back(json_of(point));
+    return array;
+}
+
 vec3 vec3_in(const json& value) {
     const auto v = value.get<std::array<float, 3>>();
     return {v[0], v[1], v[2]};
+}
+
+void read_into(vec3& v, const json& value) { v = vec3_in(value); }
+
+void read_into(std::vector<vec3>& points, const json& value) {
+    points.clear();
+    for (const json& point : value) points.push_back(vec3_in(point));
 }
 
 /// Calls act(key, member) for each member of an added light (gltf::is_addable()) but its quantity and its
@@ -41,8 +54,9 @@ void for_each_member(L& light, const Act& act) {
     if constexpr (requires { light.half_u; }) {
         act("half_u", light.half_u);
         act("half_v", light.half_v);
-        act("is_two_sided", light.is_two_sided);
     }
+    if constexpr (requires { light.corners; }) act("corners", light.corners);
+    if constexpr (requires { light.is_two_sided; }) act("is_two_sided", light.is_two_sided);
     if constexpr (requires { light.half_axis; }) act("half_axis", light.half_axis);
     if constexpr (requires { light.radius; }) act("radius", light.radius);
     if constexpr (requires { light.angular_radius; }) act("angular_radius", light.angular_radius);
@@ -57,7 +71,7 @@ void for_each_member(L& light, const Act& act) {
 json shape_json(const scene::Light& light) {
     json shape{{"shape", scene::light_kind_names()[light.index()]}};
     const auto write = [&](const char* key, const auto& member) {
-        if constexpr (std::is_same_v<std::decay_t<decltype(member)>, vec3>)
+        if constexpr (requires { json_of(member); })
             shape[key] = json_of(member);
         else
             shape[key] = member; // JSON has no infinity: null
@@ -68,12 +82,11 @@ json shape_json(const scene::Light& light) {
 
 scene::Light shape_in(const json& shape) {
     const auto read = [&](const char* key, auto& member) {
-        using M = std::decay_t<decltype(member)>;
         if (!shape.contains(key) || shape.at(key).is_null()) return;
-        if constexpr (std::is_same_v<M, vec3>)
-            member = vec3_in(shape.at(key));
+        if constexpr (requires { read_into(member, shape.at(key)); })
+            read_into(member, shape.at(key));
         else
-            member = shape.at(key).get<M>();
+            member = shape.at(key).get<std::decay_t<decltype(member)>>();
     };
     scene::Light light;
     scene::for_each_light_kind([&]<class L>(std::type_identity<L>) {

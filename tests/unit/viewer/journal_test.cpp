@@ -106,6 +106,7 @@ const Test kinds("unit.viewer.journal.every_kind_of_edit_comes_back", [] {
     edited.set_size(added, 0, 0.75f);
     for (const NewLightKind& row : new_light_kinds)
         edited.add(new_light(row.kind, {vec3(0.3f, 2.0f, -0.4f), vec3(1.0f, 0.1f, 0.5f), 0.4f, 80.0f}));
+    edited.add(scene::PolygonLight{"", {{0, 1, 0}, {0.5f, 1, 0}, {0, 1, 0.5f}}, vec3(4.0f), true, false});
     edited.rename(3, "renamed");
     edited.apply(loaded);
     recover_into(fresh, edited, place.file);
