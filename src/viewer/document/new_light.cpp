@@ -40,11 +40,13 @@ scene::Light new_light(std::string_view kind, const NewLightPlace& place) {
         const float height = 0.6f * half;
         return scene::RectangleLight{name, place.at, half * u, height * v, vec3(I / (4.0f * half * height))};
     }
-    if (kind == "disk") return scene::DiskLight{name, place.at, half * u, half * v, vec3(I / (pi * half * half))};
+    if (kind == "disk")
+        return scene::DiskLight{name, place.at, half * u, half * v, vec3(I / (pi * half * half))};
     if (kind == "sphere") return scene::SphereLight{name, place.at, half, vec3(I / (pi * half * half))};
     require(kind == "tube", "the kind is one of new_light_kinds");
     const float radius = 0.04f * place.size;
-    return scene::TubeLight{name, place.at, half * u, radius, vec3(I / (4.0f * radius * half + pi * radius * radius))};
+    return scene::TubeLight{name, place.at, half * u, radius,
+                            vec3(I / (4.0f * radius * half + pi * radius * radius))};
 }
 
 std::optional<scene::Light> duplicate_of(const scene::Light& light, float offset) {
