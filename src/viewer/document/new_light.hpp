@@ -33,7 +33,8 @@ struct NewLightPlace {
 /// A light of a kind of new_light_kinds. What is small beside its distance makes E at the target.
 scene::Light new_light(std::string_view kind, const NewLightPlace& place);
 
-/// A copy of a light beside it, with another name; absent for a light that a file cannot get (gltf::is_addable()).
+/// A copy of a light beside it, with another name; absent for a light that a file cannot get
+/// (gltf::is_addable()).
 std::optional<scene::Light> duplicate_of(const scene::Light& light, float offset);
 
 } // namespace sr::viewer

@@ -27,8 +27,8 @@ Polyline circle(vec3 center, vec3 u, vec3 v) {
 
 /// Two unit vectors across a direction.
 std::pair<vec3, vec3> perpendiculars(vec3 direction) {
-    const vec3 u = glm::normalize(
-        glm::cross(std::abs(direction.x) < 0.9f ? vec3(1.0f, 0.0f, 0.0f) : vec3(0.0f, 1.0f, 0.0f), direction));
+    const vec3 u = glm::normalize(glm::cross(
+        std::abs(direction.x) < 0.9f ? vec3(1.0f, 0.0f, 0.0f) : vec3(0.0f, 1.0f, 0.0f), direction));
     return {u, glm::cross(direction, u)};
 }
 
@@ -93,10 +93,12 @@ struct ShapeMaker {
         const vec3 axis = glm::normalize(light.half_axis);
         const auto [u, v] = perpendiculars(axis);
         for (const float end : {-1.0f, 1.0f})
-            shape.outline.push_back(circle(light.center + end * light.half_axis, light.radius * u, light.radius * v));
+            shape.outline.push_back(
+                circle(light.center + end * light.half_axis, light.radius * u, light.radius * v));
         const vec3 side = light.radius * glm::normalize(glm::cross(axis, eye - light.center) + 1e-6f * u);
         for (const float s : {-1.0f, 1.0f})
-            shape.outline.push_back({light.center - light.half_axis + s * side, light.center + light.half_axis + s * side});
+            shape.outline.push_back(
+                {light.center - light.half_axis + s * side, light.center + light.half_axis + s * side});
     }
     void operator()(const scene::PolygonLight& light) const {
         Polyline corners = light.corners;
@@ -138,14 +140,15 @@ LightShape shape_of(const scene::Light& light, float length, vec3 pivot, vec3 ey
 }
 
 void draw_light_shapes(const LightEditor& lights, std::optional<std::size_t> selected,
-                       std::optional<std::size_t> hovered, const Projection& projection, float length, vec3 pivot,
-                       float scale) {
+                       std::optional<std::size_t> hovered, const Projection& projection, float length,
+                       vec3 pivot, float scale) {
     constexpr ImU32 faint = IM_COL32(230, 159, 0, 150);
     for (std::size_t i = 0; i < lights.entries().size(); ++i) {
         if (i != selected && i != hovered) continue;
         for (const scene::Light& light : lights.lights_of(i)) {
             const LightShape shape = shape_of(light, length, pivot, eye_of(projection));
-            draw_lines(shape.outline, projection, i == selected ? palette::orange : palette::white, 2.0f * scale);
+            draw_lines(shape.outline, projection, i == selected ? palette::orange : palette::white,
+                       2.0f * scale);
             if (i != selected) continue;
             draw_lines(shape.reach, projection, faint, 1.0f * scale);
             if (shape.direction) draw_arrow(*shape.direction, projection, palette::orange, scale);
@@ -153,7 +156,8 @@ void draw_light_shapes(const LightEditor& lights, std::optional<std::size_t> sel
     }
 }
 
-std::optional<std::size_t> outline_under(const LightEditor& lights, const Projection& projection, vec2 pointer) {
+std::optional<std::size_t> outline_under(const LightEditor& lights, const Projection& projection,
+                                         vec2 pointer) {
     std::optional<std::size_t> found;
     float nearest = outline_slack;
     for (std::size_t i = 0; i < lights.entries().size(); ++i) {
@@ -162,7 +166,8 @@ std::optional<std::size_t> outline_under(const LightEditor& lights, const Projec
         for (const Polyline& points : shape_of(all.front(), 1.0f, vec3(0.0f), eye_of(projection)).outline)
             for (std::size_t k = 1; k < points.size(); ++k) {
                 const auto a = projection(points[k - 1]), b = projection(points[k]);
-                const float d = a && b ? distance_to_segment(pointer, *a, *b) : std::numeric_limits<float>::infinity();
+                const float d =
+                    a && b ? distance_to_segment(pointer, *a, *b) : std::numeric_limits<float>::infinity();
                 if (d > nearest) continue;
                 nearest = d;
                 found = i;

@@ -12,8 +12,8 @@ namespace sr::viewer {
 using Polyline = std::vector<vec3>; // in the scene
 
 struct LightShape {
-    std::vector<Polyline> outline; // of the emitter
-    std::vector<Polyline> reach;   // cone and range
+    std::vector<Polyline> outline;                  // of the emitter
+    std::vector<Polyline> reach;                    // cone and range
     std::optional<std::pair<vec3, vec3>> direction; // from the light to where it shines
 };
 
@@ -22,10 +22,11 @@ LightShape shape_of(const scene::Light& light, float length, vec3 pivot, vec3 ey
 
 /// Draws the selected light with all lines, and the outline of the one under the pointer.
 void draw_light_shapes(const LightEditor& lights, std::optional<std::size_t> selected,
-                       std::optional<std::size_t> hovered, const Projection& projection, float length, vec3 pivot,
-                       float scale);
+                       std::optional<std::size_t> hovered, const Projection& projection, float length,
+                       vec3 pivot, float scale);
 
 /// The light whose outline is nearest to the pointer, a few pixels away at most; absent if there is none.
-std::optional<std::size_t> outline_under(const LightEditor& lights, const Projection& projection, vec2 pointer);
+std::optional<std::size_t> outline_under(const LightEditor& lights, const Projection& projection,
+                                         vec2 pointer);
 
 } // namespace sr::viewer

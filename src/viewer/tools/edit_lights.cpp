@@ -5,6 +5,7 @@
 #include "viewer/panels/lights.hpp"
 #include "viewer/tools/tool.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <string>
@@ -36,6 +37,7 @@ private:
     Changes ask_kind();
     Changes add(std::string_view kind);
     Changes duplicate();
+    void select_new(scene::Light light);
     float suitable_length() const;
 
     LightsPanel panel_;
@@ -149,23 +151,31 @@ float EditLights::suitable_length() const {
     return bounds.is_empty() ? 0.5f : 0.12f * glm::distance(bounds.min, bounds.max);
 }
 
+/// Adds a light and selects it. It is listed at once: others look the selection up before the scene is relit.
+void EditLights::select_new(scene::Light light) {
+    LightEditor& lights = ws_.scene->lights();
+    lights.begin_step();
+    const std::size_t entry = lights.add(std::move(light));
+    ws_.scene->stage_lights();
+    ws_.selected = entry;
+}
+
 /// Adds a light between the eye and what it looks at, which it lights as bright as the exposure wants it.
 Changes EditLights::add(std::string_view kind) {
     const Viewpoint& view = ws_.camera->view();
-    const vec3 eye(ws_.camera->camera().world_from_camera[3]);
-    const vec3 up(0.0f, suitable_length(), 0.0f);
+    constexpr float nearer = 0.4f;                      // of the way to the eye
     constexpr float grey = 0.18f, white_surface = 0.8f; // what a screen shows, and what reflects it
+    const float half_height = (view.is_orthographic ? 1.0f : 1.0f - nearer) * view.half_height();
     const float E = grey * pi / (white_surface * image::exposure_factor(ws_.exposure.ev100()));
-    const NewLightPlace place{view.pivot + 0.4f * (eye - view.pivot) + up, view.pivot, suitable_length(), E};
-    LightEditor& lights = ws_.scene->lights();
-    lights.begin_step();
-    ws_.selected = lights.add(new_light(kind, place));
+    const vec3 at = view.pivot + nearer * (view.eye() - view.pivot) + 0.5f * half_height * view.up();
+    const NewLightPlace place{at, view.pivot, std::min(suitable_length(), 0.5f * half_height), E};
+    select_new(new_light(kind, place));
     ws_.messages.notify(fmt::format("Added a light: {}. G moves it, R turns it, Enter types a value.", kind));
     return Change::lights | Change::shadows;
 }
 
 Changes EditLights::duplicate() {
-    LightEditor& lights = ws_.scene->lights();
+    const LightEditor& lights = ws_.scene->lights();
     const auto own = lights.lights_of(*ws_.selected);
     const auto copy =
         lights.can_move(*ws_.selected) ? duplicate_of(own.front(), suitable_length()) : std::nullopt;
@@ -174,8 +184,7 @@ Changes EditLights::duplicate() {
             "A light like this cannot be duplicated: it is a surface, or has a picture or a profile.");
         return Change::redraw;
     }
-    lights.begin_step();
-    ws_.selected = lights.add(*copy);
+    select_new(*copy);
     ws_.messages.notify(fmt::format("Added {}.", name_of(*copy)));
     return Change::lights | Change::shadows;
 }

@@ -69,6 +69,20 @@ def picking(viewer: Viewer):
     viewer.said("desk: 500 lm")
 
 
+def last_of_the_list(viewer: Viewer):
+    """In a scene whose new lights are the last ones: two are added, and undoing drops the selection with the light."""
+    viewer.key("ctrl+o")
+    viewer.changed_by(lambda: viewer.type(str(SCENES / "spheres.gltf")))
+    for key, kind in ("p", "point"), ("t", "tube"):
+        viewer.key("shift+a")
+        viewer.changed_by(lambda: viewer.key(key))
+        viewer.said(f"Added a light: {kind}.")
+    viewer.wait(lambda: len(places_of(viewer, LINES)) > 20, "the lines of the tube")
+    for _ in range(2):
+        viewer.changed_by(lambda: viewer.key("ctrl+z"))
+    assert not viewer.title().startswith("*"), viewer.title()
+
+
 def main() -> int:
     skip_without()
     shutil.rmtree(SCRATCH, ignore_errors=True)
@@ -83,6 +97,7 @@ def main() -> int:
         picking(viewer)
         viewer.key("ctrl+s")
         viewer.type("")
+        last_of_the_list(viewer)
         viewer.close()
     return 0
 
