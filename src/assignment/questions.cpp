@@ -17,8 +17,9 @@ namespace {
 using nlohmann::ordered_json;
 
 constexpr int view_width = 128, view_height = 96;
-constexpr int max_tries = 10;          // changes that a question tries
-constexpr std::size_t max_lights = 12; // that the choice of a pixel looks at
+constexpr int max_tries = 10;            // changes that a question tries
+constexpr double invisible_share = 5e-4; // of L_o: a light that adds no more adds nothing
+constexpr std::size_t max_lights = 12;   // that the choice of a pixel looks at
 
 /// A number of the seed, equal on every machine (FNV-1a).
 unsigned int number_of(const std::string& seed) {
@@ -190,7 +191,9 @@ Examiner::Place Examiner::interesting_place() {
     const auto gather = [&](const image::Image& film, std::optional<std::size_t> light) {
         std::vector<Place> own_places, own_lit;
         const auto is_lit = [&](int x, int y) {
-            return luminance(rgb_at(film, x, y)) - (light ? luminance(rgb_at(dark, x, y)) : 0.0f) > floor;
+            if (!light) return luminance(rgb_at(film, x, y)) > floor;
+            const double part = luminance(rgb_at(film, x, y)) - luminance(rgb_at(dark, x, y));
+            return part > std::min(floor, invisible_share * luminance(rgb_at(whole, x, y)));
         };
         for (int y = 6; y + 6 < film.height; ++y)
             for (int x = 6; x + 6 < film.width; ++x) {
