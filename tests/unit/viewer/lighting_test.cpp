@@ -215,8 +215,17 @@ const Test untouched("unit.viewer.lights.saving_keeps_what_was_not_edited", [] {
         return nlohmann::json::parse(in);
     };
     EXPECT_EQ(text(file), text(folder / "same.gltf"));
-    EXPECT_THROW(lighting.save(loaded, nullptr, folder.parent_path() / "elsewhere.gltf"), Error);
-    EXPECT_THROW(lighting.save(loaded, nullptr, folder / "same.glb"), Error);
+    // Elsewhere and in the other container the file brings what it refers to.
+    const fs::path elsewhere = folder.parent_path() / "steradian_saved_elsewhere.gltf";
+    for (const fs::path& copy : {elsewhere, folder / "same.glb"}) {
+        lighting.save(loaded, nullptr, copy);
+        const LoadedScene again = load_scene(copy, {}, 1.0f);
+        EXPECT_EQ(again.stage.scene.images.size(), loaded.stage.scene.images.size());
+        EXPECT_EQ(again.stage.scene.meshes.size(), loaded.stage.scene.meshes.size());
+        EXPECT_EQ(again.stage.lights.size(), loaded.stage.lights.size());
+    }
+    EXPECT_THROW(lighting.save(loaded, nullptr, folder / "same.obj"), Error);
+    fs::remove(elsewhere);
     fs::remove_all(folder);
 });
 
