@@ -41,21 +41,30 @@ void for_each_neighbour(const AlignedImages& images, std::size_t pixel, const Vi
 using PixelAt = std::span<const float> (AlignedImages::*)(std::size_t) const;
 
 /// True if every channel of `values` lies within the 3×3 pixels of an image, or within the slack of them, or
-/// within `share` of the pixel's change.
+/// within the margin that its change in that channel allows.
+template<typename Margin>
 bool is_within_neighbours(const AlignedImages& images, std::size_t pixel, std::span<const float> values,
-                          PixelAt at, const Slack& slack, float share) {
+                          PixelAt at, const Slack& slack, const Margin& margin) {
     for (std::size_t c = 0; c < values.size(); ++c) {
         float low = (images.*at)(pixel)[c], high = low;
         for_each_neighbour(images, pixel, [&](std::size_t i) {
             low = std::min(low, (images.*at)(i)[c]);
             high = std::max(high, (images.*at)(i)[c]);
         });
-        const float change = share * std::abs(images.test_at(pixel)[c] - images.reference_at(pixel)[c]);
+        const float change = margin(std::abs(images.test_at(pixel)[c] - images.reference_at(pixel)[c]));
         if (values[c] < low - std::max(slack(pixel, c, low), change)
             || values[c] > high + std::max(slack(pixel, c, high), change))
             return false;
     }
     return true;
+}
+
+/// The change of the channel that changed most.
+float largest_change(const AlignedImages& images, std::size_t pixel) {
+    float largest = 0.0f;
+    for (std::size_t c = 0; c < images.reference_at(pixel).size(); ++c)
+        largest = std::max(largest, std::abs(images.test_at(pixel)[c] - images.reference_at(pixel)[c]));
+    return largest;
 }
 
 float distance(std::span<const float> a, std::span<const float> b) {
@@ -182,8 +191,10 @@ bool is_explained(const AlignedImages& images, std::size_t pixel,
     const int min_length = cluster == 1 ? 2 : 3;
     if (cluster > max_edge_cluster) return false;
     if (is_lost_in_slope(images, pixel, slack)) return true;
+    const float overshoot = max_overshoot * largest_change(images, pixel);
     const bool nothing_appeared =
-        is_within_neighbours(images, pixel, images.test_at(pixel), &AlignedImages::reference_at, slack, 0.0f);
+        is_within_neighbours(images, pixel, images.test_at(pixel), &AlignedImages::reference_at, slack,
+                             [overshoot](float) { return overshoot; });
     if (is_lost_in_grain(images, pixel, slack)) return nothing_appeared;
     const auto is_at_edge = [&] {
         return has_two_sides(images, pixel, &AlignedImages::reference_at, min_length)
@@ -192,7 +203,7 @@ bool is_explained(const AlignedImages& images, std::size_t pixel,
     };
     return nothing_appeared && is_at_edge()
            && is_within_neighbours(images, pixel, images.reference_at(pixel), &AlignedImages::test_at, slack,
-                                   max_lost_share);
+                                   [](float change) { return max_lost_share * change; });
 }
 
 /// True if there are too many places in a line, or too many at equal distances, as no edge that fell to the

@@ -31,6 +31,10 @@ inline constexpr float max_grain_limits = 4.0f; // the same, over the limit
 inline constexpr float max_slope_share = 1.0f / 64; // a change on a slope, over the range of the 3×3 pixels
 inline constexpr float max_slope_limits = 2.0f;     // the same, over the limit
 
+/// The largest distance of the new value from those around it, as a share of the change of the channel that
+/// changed most: a sample at a ball's limb sees a shade that no pixel beside it has.
+inline constexpr float max_overshoot = 1.0f / 12;
+
 /// The largest distance of the old value from those around it, as a share of the change.
 inline constexpr float max_lost_share = 0.5f;
 

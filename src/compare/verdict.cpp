@@ -61,6 +61,11 @@ std::vector<bool> over(const PixelValues& values, double limit) {
     return fails;
 }
 
+/// "1 pixel exceeds it", "3 pixels exceed it".
+std::string pixels_exceed(std::size_t count) {
+    return fmt::format("{} {} it", count, count == 1 ? "pixel exceeds" : "pixels exceed");
+}
+
 Verdict judge_with_edges(const Tolerance& tolerance, const AlignedImages& images,
                          const Measurements& measurements) {
     const double limit = limit_of(tolerance, measurements);
@@ -72,14 +77,14 @@ Verdict judge_with_edges(const Tolerance& tolerance, const AlignedImages& images
     if (edges.failing == 0)
         verdict.line += fmt::format(": largest {:.4g}", largest);
     else if (edges.failing > edges.max_count)
-        verdict.line += fmt::format(": {} pixels exceed it (at most {} may, at edges), largest {:.4g}",
-                                    edges.failing, edges.max_count, largest);
+        verdict.line += fmt::format(": {} (at most {} may, at edges), largest {:.4g}",
+                                    pixels_exceed(edges.failing), edges.max_count, largest);
     else if (edges.unexplained > 0)
-        verdict.line += fmt::format(": {} pixels exceed it, {} of them at no edge that moved, largest {:.4g}",
-                                    edges.failing, edges.unexplained, largest);
+        verdict.line += fmt::format(": {}, {} of them at no edge that moved, largest {:.4g}",
+                                    pixels_exceed(edges.failing), edges.unexplained, largest);
     else
         verdict.line +=
-            fmt::format(": {} pixels exceed it, at edges that moved{}{}", edges.failing,
+            fmt::format(": {}, at edges that moved{}{}", pixels_exceed(edges.failing),
                         edges.is_crowded ? fmt::format(", more than {0} of them in a {1}x{1} window",
                                                        max_at_edges_nearby, edge_window)
                                          : "",
@@ -118,7 +123,10 @@ Verdict judge_by_pixel(const Tolerance& tolerance, const AlignedImages& images,
     verdict.line += fmt::format("{} of the whole sum {:.4g} (≤ {:.4g})", noise.judges_blocks ? "," : ";",
                                 noise.total, noise.limits.total);
     if (!noise.rare_events.empty())
-        verdict.line += fmt::format("; {} single pixels left out as rare events", noise.rare_events.size());
+        verdict.line += fmt::format("; {} left out as rare events",
+                                    noise.rare_events.size() == 1
+                                        ? "1 single pixel"
+                                        : fmt::format("{} single pixels", noise.rare_events.size()));
     return verdict;
 }
 

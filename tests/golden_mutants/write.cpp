@@ -124,9 +124,14 @@ void run(const Arguments& arguments) {
         for (const sr::testing::Recipe& recipe : sr::testing::recipes()) {
             const std::string base = sr::testing::name_of(recipe.base), name = base + "." + recipe.name;
             if ((!bases.empty() && !bases.contains(base)) || !is_chosen(name)) continue;
-            if (arguments.judges || !arguments.folder.empty())
-                add(sr::testing::made(recipe, extent_of(size)), size + "." + name);
-            else
+            if (arguments.judges || !arguments.folder.empty()) {
+                const Mutant mutant = sr::testing::made(recipe, extent_of(size));
+                if (!mutant.passes && mutant.test.pixels == mutant.reference.pixels)
+                    std::fprintf(stderr, "%s.%s: left out, it changes nothing at this size\n", size.c_str(),
+                                 name.c_str());
+                else
+                    add(mutant, size + "." + name);
+            } else
                 rows.push_back({{"name", name}, {"passes", recipe.passes}});
         }
     if (shows_progress) std::fputs("\r\033[K", stderr);

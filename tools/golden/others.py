@@ -262,7 +262,8 @@ def main():
         for_flip = set(names[::options.flip_every])
         measure(options, size, names, lambda name: [t for t in tools if t != "FLIP" or name in for_flip], measures)
         judged = mutants(options.program, size, "--verdicts" if size else "--diagnose", "--only", ",".join(names))
-        for row, name in zip(judged, names):
+        for row in judged:
+            name = row["name"].removeprefix(f"{size}.")
             rows.append({**row, "short": name, "size": size, "base": name.split(".")[0]})
     limits = {tool: min(LIMITS[tool], key=lambda limit, tool=tool: len(wrong_of(tool, rows, measures, limit)))
               for tool in tools}
