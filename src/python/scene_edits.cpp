@@ -56,8 +56,8 @@ gltf::MaterialEdit material_edit(const EditableMaterial& edit, int number, scene
     written.material = number;
     const scene::Material& factors = edit.factors;
     if (edit.has_new_emission)
-        written.emission = stated(luminance(factors.emission), scene::Quantity::radiance, units,
-                                  factors.emission);
+        written.emission =
+            stated(luminance(factors.emission), scene::Quantity::radiance, units, factors.emission);
     written.is_specular_glossiness = factors.is_specular_glossiness;
     if (edit.has_new_base_color) written.base_color = factors.base_color;
     if (edit.has_new_metallic) written.metallic = factors.metallic;
@@ -98,7 +98,8 @@ private:
     int own_node(std::size_t number) const {
         const int node = nodes_[number];
         if (std::ranges::count(nodes_, node) > 1)
-            throw Error({file_}, fmt::format("/nodes/{} has several lights, and one of them was edited", node),
+            throw Error({file_},
+                        fmt::format("/nodes/{} has several lights, and one of them was edited", node),
                         "give each light a node of its own");
         return node;
     }
@@ -120,7 +121,8 @@ void apply(const SceneEdits& edits, scene::Scene& scene, const std::vector<int>&
             scene.lights.push_back(edit.light);
         else if (found != numbers.end())
             scene.lights.push_back(
-                is_at_rest ? edit.light : edited(now[static_cast<std::size_t>(found - numbers.begin())], edit));
+                is_at_rest ? edit.light
+                           : edited(now[static_cast<std::size_t>(found - numbers.begin())], edit));
     }
     for (std::size_t i = 0; i < now.size(); ++i)
         if (numbers[i] < 0) scene.lights.push_back(now[i]);

@@ -15,13 +15,19 @@ namespace {
 using nlohmann::ordered_json;
 
 template<class L>
-constexpr bool is_flat = requires(L light) { light.half_u; };
+constexpr bool is_flat = requires(L light) {
+    light.half_u;
+};
 template<class L>
-constexpr bool is_tube = requires(L light) { light.half_axis; };
+constexpr bool is_tube = requires(L light) {
+    light.half_axis;
+};
 template<class L>
 constexpr bool is_punctual =
-    std::is_same_v<L, scene::PointLight> || std::is_same_v<L, scene::SpotLight>
-    || std::is_same_v<L, scene::DirectionalLight>;
+    std::is_same_v<
+        L,
+        scene::
+            PointLight> || std::is_same_v<L, scene::SpotLight> || std::is_same_v<L, scene::DirectionalLight>;
 
 ordered_json vector_json(glm::dvec3 v) { return {v.x, v.y, v.z}; }
 
@@ -128,10 +134,11 @@ void state_emission(ordered_json& steradian, const StatedEmission& emission) {
 
 ordered_json light_node(const AddedLight& added, glm::dvec3 origin, ordered_json& gltf) {
     if (scene::needs_its_scene(added.light))
-        throw Error(fmt::format("the copy '{}' of a {} light with a profile, a texture or a surface cannot be "
-                                "stated",
-                                scene::name_of(added.light), scene::variety_of(added.light)),
-                    "leave it out, or move the light of the file");
+        throw Error(
+            fmt::format("the copy '{}' of a {} light with a profile, a texture or a surface cannot be "
+                        "stated",
+                        scene::name_of(added.light), scene::variety_of(added.light)),
+            "leave it out, or move the light of the file");
     const std::vector<scene::LightSize> sizes = scene::sizes_of(added.light);
     ordered_json node{{"name", scene::name_of(added.light)}};
     ordered_json steradian = ordered_json::object();

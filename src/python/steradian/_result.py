@@ -15,6 +15,13 @@ from . import _native
 from ._program import told_in_python
 
 
+def embedded_png(png: bytes, width: int, text: str, count: int = 1) -> str:
+    """Returns `count` pictures side by side, `width` wide each, as HTML. Small ones have pixels that one can see."""
+    shown = max(1, 288 // width) * width * count
+    return (f'<img src="data:image/png;base64,{base64.b64encode(png).decode()}" alt="{escape(text)}" '
+            f'style="width:{shown}px;max-width:100%;image-rendering:pixelated">')
+
+
 class Result:
     """A picture: `image`, `layers` and `aov` are arrays that cannot be written to; copy them to change them."""
 
@@ -95,10 +102,9 @@ class Result:
 
     def _repr_html_(self) -> str:
         error = f", estimated error {100 * self.error:.2g} %" if self.error is not None else ""
-        caption = (f"{self.statistics['scene']}, {self.size[0]}×{self.size[1]}, {self.samples} samples{error}, "
+        caption = (f"{Path(self.statistics['scene']).name}, {self.size[0]}×{self.size[1]}, {self.samples} samples{error}, "
                    f"{self.statistics['seconds']['total']:.1f} s")
-        data = base64.b64encode(self._repr_png_()).decode()
-        return (f'<figure><img src="data:image/png;base64,{data}" alt="{escape(caption)}">'
+        return (f'<figure>{embedded_png(self._repr_png_(), self.size[0], caption)}'
                 f"<figcaption>{escape(caption)}</figcaption></figure>")
 
     def __repr__(self) -> str:

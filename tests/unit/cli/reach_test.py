@@ -123,6 +123,15 @@ class FirstContact(unittest.TestCase):
         self.assertIn("libEGL.so.1 is not installed: sudo apt-get install", backends["egl"]["failure"])
         self.assertIn("libosmesa6", backends["osmesa"]["failure"])
 
+    def test_doctor_renders_by_the_backend_that_is_left(self):
+        libraries = {"egl": ["libEGL.so.1", "libEGL.so"], "osmesa": ["libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"]}
+        for missing, left in (("egl", "osmesa"), ("osmesa", "egl")):
+            result, report, backends = self.doctor_without(libraries[missing])
+            self.assertFalse(backends[missing]["works"])
+            self.assertIn("apt-get install", backends[missing]["failure"])
+            self.assertIn("DISPLAY", backends["window"]["failure"])
+            self.assertEqual((report["can_render"], result.returncode), (backends[left]["works"], 0 if backends[left]["works"] else 3))
+
     @unittest.skipUnless(shutil.which("cc"), "needs a C compiler")
     def test_doctor_survives_a_driver_that_crashes(self):
         # Not SIGSEGV: AddressSanitizer makes an exit status of that.
