@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <fmt/format.h>
-#include <numeric>
 #include <optional>
 
 namespace sr::compare {
@@ -26,22 +25,6 @@ constexpr float max_rare_coverage = 0.25f; // change of alpha by one; 4 of 16 sa
 constexpr std::size_t few_rare_events = 2;
 constexpr double max_rare_share = 1e-4;
 constexpr std::size_t max_rare_events = 48;
-constexpr const char* seeds_attribute = "steradian:seeds";
-
-/// The division of an image into blocks.
-struct Blocks {
-    std::size_t width = 0;
-    std::size_t columns = 0;
-    std::size_t count = 0;
-
-    Blocks(int image_width, int image_height)
-        : width(static_cast<std::size_t>(image_width)),
-          columns((width + noise_block - 1) / noise_block),
-          count(columns * ((static_cast<std::size_t>(image_height) + noise_block - 1) / noise_block)) {}
-    std::size_t of(std::size_t pixel) const {
-        return pixel / width / noise_block * columns + pixel % width / noise_block;
-    }
-};
 
 /// Layers of a noise image, each with the images' colours; a 1×1 image has pixels alone.
 struct Noise {
@@ -165,7 +148,7 @@ struct DeviationSums {
     std::vector<Deviation> whole_blocks; // variances and counts with the pixels that are not compared
     std::vector<Deviation> whole_totals;
 
-    DeviationSums(const Blocks& image_blocks, std::size_t colors)
+    DeviationSums(const NoiseBlocks& image_blocks, std::size_t colors)
         : blocks(image_blocks.count * colors),
           scores(image_blocks.count * colors),
           totals(colors),
@@ -191,7 +174,7 @@ double likeness(const Deviation& whole, const std::vector<Noise>& noise, std::op
 }
 
 /// Replaces the variances of blocks, which add those of pixels as if these were independent, by known ones.
-void correct_blocks(DeviationSums& sums, const std::vector<Noise>& noise, const Blocks& blocks,
+void correct_blocks(DeviationSums& sums, const std::vector<Noise>& noise, const NoiseBlocks& blocks,
                     std::size_t colors, const std::vector<std::size_t>& compared) {
     std::vector<bool> is_done(sums.blocks.size(), false);
     for (const std::size_t i : compared) // all pixels of a block say the same
@@ -270,7 +253,7 @@ std::vector<Deviation> deviations_of(const AlignedImages& images, const std::vec
     return deviations;
 }
 
-NoiseLimits limits_of(const AlignedImages& images, const Blocks& blocks) {
+NoiseLimits limits_of(const AlignedImages& images, const NoiseBlocks& blocks) {
     const double chance = false_alarms / 3.0 / static_cast<double>(images.colors);
     std::vector<bool> has_pixels(blocks.count, false);
     for (const std::size_t i : images.compared) has_pixels[blocks.of(i)] = true;
@@ -348,7 +331,7 @@ std::vector<bool> rare_events(const AlignedImages& images, const NoiseScores& al
 
 /// The sums over all pixels but those left out.
 DeviationSums sums_of(const AlignedImages& images, const std::vector<Deviation>& deviations,
-                      const std::vector<bool>& left_out, const Blocks& blocks) {
+                      const std::vector<bool>& left_out, const NoiseBlocks& blocks) {
     const auto colors = static_cast<std::size_t>(images.colors);
     DeviationSums sums(blocks, colors);
     for (std::size_t i = 0; i < images.pixels.size(); ++i)
@@ -372,7 +355,7 @@ DeviationSums sums_of(const AlignedImages& images, const std::vector<Deviation>&
 NoiseScores score_noise(const AlignedImages& images, const std::vector<Image>& given,
                         const std::vector<std::string>& channels, const RareEvents& rare) {
     const auto colors = static_cast<std::size_t>(images.colors);
-    const Blocks blocks(images.reference.width, images.reference.height);
+    const NoiseBlocks blocks(images.reference.width, images.reference.height);
     std::vector<Noise> noise;
     for (const Image& image : given) noise.push_back(read_noise(image, images, channels));
     const double n = std::ranges::min_element(noise, {}, &Noise::degrees_of_freedom)->degrees_of_freedom;
@@ -404,77 +387,6 @@ NoiseScores score_noise(const AlignedImages& images, const std::vector<Image>& g
     for (std::size_t c = 0; c < colors; ++c)
         scores.total = std::max(scores.total, total_z(sums, noise, colors, c, n));
     return scores;
-}
-
-void NoiseOfSeeds::Moments::add(const std::vector<double>& values, int count) {
-    mean.resize(values.size());
-    squares.resize(values.size());
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        const double before = values[i] - mean[i];
-        mean[i] += before / count;
-        squares[i] += before * (values[i] - mean[i]);
-    }
-}
-
-void NoiseOfSeeds::add(const Image& picture) {
-    const auto layer = layer_of(picture, "");
-    if (!layer) throw Error("the picture has no colours", "render one with R, G and B, or with Y");
-    const bool is_named = static_cast<int>(picture.channel_names.size()) == picture.channels;
-    std::vector<std::string> names = picture.channel_names;
-    std::vector<int> chosen = layer->colors;
-    if (is_named) {
-        chosen.resize(names.size());
-        std::iota(chosen.begin(), chosen.end(), 0);
-    } else {
-        names = {"Y"};
-        if (chosen.size() == 3) names = {"R", "G", "B"};
-    }
-    if (count_ > 0 && (picture.width != width_ || picture.height != height_ || names != names_))
-        throw Error("the pictures of the seeds differ in size or channels",
-                    "render the same view with each seed");
-    width_ = picture.width;
-    height_ = picture.height;
-    names_ = names;
-    ++count_;
-    Image colors = extract(picture, chosen);
-    for (float& value : colors.pixels)
-        if (!std::isfinite(value)) value = 0.0f; // depth is infinite where nothing is
-    const std::size_t channels = names.size();
-    const Blocks blocks(width_, height_);
-    std::vector<double> block_means(blocks.count * channels), counts(blocks.count), whole(channels);
-    for (std::size_t i = 0; i < colors.pixels.size() / channels; ++i) {
-        counts[blocks.of(i)] += 1.0;
-        for (std::size_t c = 0; c < channels; ++c) {
-            block_means[blocks.of(i) * channels + c] += colors.pixels[i * channels + c];
-            whole[c] += colors.pixels[i * channels + c];
-        }
-    }
-    for (std::size_t b = 0; b < block_means.size(); ++b) block_means[b] /= counts[b / channels];
-    for (double& sum : whole) sum /= static_cast<double>(width_) * height_;
-    pixels_.add({colors.pixels.begin(), colors.pixels.end()}, count_);
-    blocks_.add(block_means, count_);
-    whole_.add(whole, count_);
-}
-
-Image NoiseOfSeeds::errors() const {
-    if (count_ < 2) throw Error("one seed does not tell noise", "take at least two, better twelve");
-    const std::size_t channels = names_.size();
-    Image errors(width_, height_, static_cast<int>(3 * channels));
-    for (const char* prefix : {"", "block.", "whole."})
-        for (const std::string& name : names_) errors.channel_names.push_back(prefix + name);
-    const Blocks blocks(width_, height_);
-    const auto error = [this](const Moments& moments, std::size_t i) {
-        return static_cast<float>(std::sqrt(moments.squares[i] / (count_ - 1)));
-    };
-    for (std::size_t i = 0; i < errors.pixels.size() / (3 * channels); ++i)
-        for (std::size_t c = 0; c < channels; ++c) {
-            float* const to = &errors.pixels[i * 3 * channels];
-            to[c] = error(pixels_, i * channels + c);
-            to[channels + c] = error(blocks_, blocks.of(i) * channels + c);
-            to[2 * channels + c] = error(whole_, c);
-        }
-    errors.attributes = {{seeds_attribute, std::to_string(count_)}};
-    return errors;
 }
 
 } // namespace sr::compare

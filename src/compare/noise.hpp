@@ -1,37 +1,25 @@
 #pragma once
-// Differences beside a known noise: standard errors from a few seeds, and scores of single values and sums.
+// Differences beside a known noise: scores of single values and sums in standard errors.
 #include "compare/metrics.hpp"
 
 namespace sr::compare {
 
-inline constexpr int noise_block = 16; // [pixels] edge of a block
+inline constexpr int noise_block = 16;                            // [pixels] edge of a block
+inline constexpr const char* seeds_attribute = "steradian:seeds"; // of a noise image: number of its pictures
 
-/// Standard errors of a picture, from pictures of it with other seeds.
-class NoiseOfSeeds {
-public:
-    /// @throws Error if the picture has another size or other channels than the first, or no colours
-    void add(const image::Image& picture);
+/// The division of an image into blocks.
+struct NoiseBlocks {
+    std::size_t width = 0;
+    std::size_t columns = 0;
+    std::size_t count = 0;
 
-    /// The standard errors of one picture, of all its channels: of each pixel, of the mean over the block of
-    /// 16×16 pixels around it ("block."), and of the mean over the picture ("whole."). Neighbours may err
-    /// alike, since all pixels can share the places of their samples: the errors of sums do not follow from
-    /// those of pixels. The attribute "steradian:seeds" is the number of pictures. @throws Error for fewer
-    /// than two
-    image::Image errors() const;
-
-private:
-    struct Moments {
-        std::vector<double> mean;
-        std::vector<double> squares;                            // of the distance from the mean
-        void add(const std::vector<double>& values, int count); // Welford 1962
-    };
-    int width_ = 0;
-    int height_ = 0;
-    std::vector<std::string> names_; // of the channels
-    int count_ = 0;
-    Moments pixels_;
-    Moments blocks_; // means, row by row
-    Moments whole_;
+    NoiseBlocks(int image_width, int image_height)
+        : width(static_cast<std::size_t>(image_width)),
+          columns((width + noise_block - 1) / noise_block),
+          count(columns * ((static_cast<std::size_t>(image_height) + noise_block - 1) / noise_block)) {}
+    std::size_t of(std::size_t pixel) const {
+        return pixel / width / noise_block * columns + pixel % width / noise_block;
+    }
 };
 
 /// The largest |z| that equal images exceed once in a thousand comparisons, at each of three scales that

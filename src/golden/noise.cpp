@@ -1,6 +1,6 @@
 #include "golden/noise.hpp"
 
-#include "compare/noise.hpp"
+#include "compare/noise_of_seeds.hpp"
 #include "core/error.hpp"
 #include "golden/process.hpp"
 #include "image/file.hpp"

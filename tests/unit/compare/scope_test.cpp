@@ -2,6 +2,7 @@
 #include "compare/align.hpp"
 #include "compare/compare.hpp"
 #include "compare/noise.hpp"
+#include "compare/noise_of_seeds.hpp"
 #include "compare/pictures.hpp"
 #include "core/error.hpp"
 #include "image/colormap.hpp"
@@ -139,6 +140,33 @@ const Test errors_of_sums_are_measured("unit.golden.noise.errors_of_sums_are_mea
     EXPECT_TRUE(compare(grey(32, 32, 3, 2.9f), grey(32, 32, 3, 1.5f), {.noise = {errors}}).passed);
     EXPECT_THROW(noise.add(grey(31, 32)), sr::Error);
     EXPECT_THROW(NoiseOfSeeds().errors(), sr::Error);
+});
+
+// An edge on which all seeds agree: in another picture one of 16 samples may fall to its other side, two do
+// not.
+const Test unseen("unit.golden.noise.a_sample_may_cross_an_edge_that_no_seed_crossed", [] {
+    const auto edge = [](float at_edge, const char* samples) {
+        Image image = grey(32, 32, 3, 0.0f);
+        for (int y = 0; y < 32; ++y)
+            for (int x = 16; x < 32; ++x) std::ranges::fill(image.at(x, y), x == 16 ? at_edge : 1.0f);
+        if (samples) image.attributes = {{"steradian:samples", samples}};
+        return image;
+    };
+    for (const char* samples : {"16", static_cast<const char*>(nullptr)}) {
+        NoiseOfSeeds noise;
+        for (int i = 0; i < 12; ++i) noise.add(edge(0.5f, samples));
+        const Image errors = noise.errors();
+        const float floor = samples ? std::sqrt(13.0f) / 14.0f / 16.0f : 0.0f;
+        EXPECT_NEAR(errors.at(16, 9)[0], floor, 1e-6f);
+        EXPECT_NEAR(errors.at(15, 9)[0], 0.5f * floor, 1e-6f);
+        EXPECT_EQ(errors.at(5, 9)[0], 0.0f);
+        const auto passes = [&](float at_edge) {
+            return compare(edge(at_edge, samples), edge(0.5f, samples), {.noise = {errors, errors}}).passed;
+        };
+        EXPECT_TRUE(passes(0.5f));
+        EXPECT_EQ(passes(0.5f + 1.0f / 16.0f), samples != nullptr);
+        EXPECT_FALSE(passes(1.0f));
+    }
 });
 
 // Seeds of normal noise, and a picture in which some pixels, far from one another, are twice as bright.
