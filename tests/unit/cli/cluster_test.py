@@ -36,7 +36,7 @@ class Workers(unittest.TestCase):
         self.scratch = Path(scratch.name)
         file = self.scratch / "scheduler.json"
         self.start("distributed.cli.dask_scheduler", "--host", "127.0.0.1", "--port", "0", "--no-dashboard", "--scheduler-file", file)
-        self.wait_for(file.is_file)
+        self.wait_for(lambda: file.is_file() and file.read_text().rstrip().endswith("}"))  # it is there before its text is
         self.address = json.loads(file.read_text())["address"]
         self.workers = [self.start("distributed.cli.dask_worker", self.address, "--nthreads", "1", "--no-nanny", "--no-dashboard", "--name", name,
                                    "--local-directory", self.scratch / name) for name in ("a", "b")]
