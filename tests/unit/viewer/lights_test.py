@@ -95,8 +95,10 @@ def main() -> int:
         adding(viewer)
         naming(viewer)
         picking(viewer)
+        saved = viewer.errors().count("Saved ")
         viewer.key("ctrl+s")
         viewer.type("")
+        viewer.said("Saved ", saved + 1)
         last_of_the_list(viewer)
         viewer.close()
     return 0
