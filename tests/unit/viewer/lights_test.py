@@ -72,15 +72,20 @@ def picking(viewer: Viewer):
 def last_of_the_list(viewer: Viewer):
     """In a scene whose new lights are the last ones: two are added, and undoing drops the selection with the light."""
     viewer.key("ctrl+o")
-    viewer.changed_by(lambda: viewer.type(str(SCENES / "spheres.gltf")))
+    viewer.type(str(SCENES / "spheres.gltf"))
+    viewer.wait(lambda: viewer.title().startswith("spheres.gltf - done"), "the other scene")
     for key, kind in ("p", "point"), ("t", "tube"):
+        asked = viewer.errors().count("Asked: Add which light?")
         viewer.key("shift+a")
-        viewer.changed_by(lambda: viewer.key(key))
+        viewer.said("Asked: Add which light?", asked + 1)
+        viewer.key(key)
         viewer.said(f"Added a light: {kind}.")
     viewer.wait(lambda: len(places_of(viewer, LINES)) > 20, "the lines of the tube")
     for _ in range(2):
-        viewer.changed_by(lambda: viewer.key("ctrl+z"))
-    assert not viewer.title().startswith("*"), viewer.title()
+        undone = viewer.errors().count("Undone: ")
+        viewer.key("ctrl+z")
+        viewer.said("Undone: ", undone + 1)
+    viewer.wait(lambda: not viewer.title().startswith("*"), "no unsaved edits")
 
 
 def main() -> int:
