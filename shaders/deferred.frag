@@ -20,7 +20,7 @@ void main() {
     deferred_count = 0;
     Surface x = surface_at_fragment();
     film = vec4(bounded(outgoing(x, direction_to_viewer())), 1.0);
-    int pixel = deferred_pixel();
+    int pixel = pixel_of_rows();
     if (deferred_count > 0) write_receiver(x, pixel);
     deferred[pixel] = deferred_count;
 }

@@ -8,6 +8,5 @@ uniform samplerBuffer ray_visibility; // L_r [cd/m²] of the pixels of a band
 out vec4 film;
 
 void main() {
-    ivec2 pixel = ivec2(gl_FragCoord.xy);
-    film = vec4(bounded(texelFetch(ray_visibility, (pixel.y - first_row) * row_size + pixel.x).rgb), 0.0);
+    film = vec4(bounded(texelFetch(ray_visibility, pixel_of_rows()).rgb), 0.0);
 }

@@ -13,6 +13,4 @@ layout(std430) buffer Deferred { int deferred[]; };
 
 int deferred_count; // samples of this pixel so far
 
-int deferred_pixel() { return (int(gl_FragCoord.y) - first_row) * row_size + int(gl_FragCoord.x); }
-
 int deferred_words_of(int pixel) { return plane_size + pixel * (receiver_words + sample_words * most_rays); }

@@ -10,3 +10,6 @@ layout(std140) uniform Rays {
     int first_row;  // of the answers, counted from the picture's lower edge
     int most_rays;  // that a pixel can have; only for interface/deferred.glsl
 };
+
+// The number of this pixel among those of the answers' rows, lower left first.
+int pixel_of_rows() { return (int(gl_FragCoord.y) - first_row) * row_size + int(gl_FragCoord.x); }

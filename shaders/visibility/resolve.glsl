@@ -7,8 +7,7 @@
 uniform samplerBuffer ray_visibility; // a plane for each ray
 
 vec3 visibility(Surface x, vec3 wi, float distance, int light, int ray) {
-    ivec2 pixel = ivec2(gl_FragCoord.xy);
     int plane = light_choices > 0 ? ray : light * rays_per_light + ray - first_ray;
-    vec3 V = texelFetch(ray_visibility, plane * plane_size + (pixel.y - first_row) * row_size + pixel.x).rgb;
+    vec3 V = texelFetch(ray_visibility, plane * plane_size + pixel_of_rows()).rgb;
     return has_tinted_casters ? V : vec3(V.r); // without glass V has one channel
 }

@@ -15,19 +15,9 @@ namespace {
 
 using Kind = LightEdit::Kind;
 
-/// Gives a light the sizes of another one of its kind.
-void take_sizes(scene::Light& light, const scene::Light& from) {
-    const std::vector<scene::LightSize> sizes = scene::sizes_of(from);
-    const std::size_t count = scene::sizes_of(light).size();
-    const float across = sizes.size() < count ? 2.0f : 1.0f; // a radius, where an ellipse became a circle
-    for (std::size_t i = 0; i < scene::sizes_of(light).size();
-         ++i) // an ellipse may become a circle on the way
-        set_size(light, i, across * sizes[std::min(i, sizes.size() - 1)].size);
-}
-
 scene::Light edited(const scene::Light& file, const LightEdit& edit) {
     scene::Light light = edit.motion == mat4(1.0f) ? file : transformed(file, edit.motion);
-    if (edit.overrides_size) take_sizes(light, edit.light);
+    if (edit.overrides_size) scene::take_sizes_of(light, edit.light);
     if (edit.overrides_quantity) set_quantity(light, quantity_of(edit.light));
     if (edit.overrides_name) set_name(light, name_of(edit.light));
     return light;
