@@ -133,6 +133,7 @@ ExitStatus render(const RenderCommand& command) {
     check(command);
     picture::OpenScene open = picture::open_scene(command, times);
     render::GpuScene gpu_scene = picture::upload(open, command);
+    if (!command.frames) picture::free_images(open);
     glFinish();
     times.end("upload");
     if (gpu_scene.visibility_backend())

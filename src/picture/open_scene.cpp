@@ -181,6 +181,10 @@ void show_frame(OpenScene& open, const RenderSettings& settings, int frame) {
     tell_new_warnings(open);
 }
 
+void free_images(OpenScene& open) {
+    for (scene::TextureImage& image : open.stage.scene.images) image.texels = {};
+}
+
 render::GpuScene upload(const OpenScene& open, const RenderSettings& settings) {
     return {open.stage.scene, open.stage.lights, settings.visibility, settings.has_energy_compensation};
 }

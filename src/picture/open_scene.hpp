@@ -67,6 +67,9 @@ double seconds_of(int frame, const RenderSettings& settings);
 /// The scene at another of its frames.
 void show_frame(OpenScene& open, const RenderSettings& settings, int frame);
 
+/// Frees the decoded images of a scene that is uploaded once and for all.
+void free_images(OpenScene& open);
+
 /// The scene and its lights in the GPU's memory. @throws Error for what is beyond the driver's limits
 render::GpuScene upload(const OpenScene& open, const RenderSettings& settings);
 

@@ -68,12 +68,12 @@ std::vector<bool> alpha_is_compared(const scene::Scene& scene) {
 /// An image in the form that the GPU stores.
 struct ReadyImage {
     TexelFormat format = TexelFormat::unorm8;
-    std::vector<MipLevel> levels;
+    std::vector<MipLevel> lower_levels;
 };
 
 ReadyImage make_ready(const scene::TextureImage& image, const ImageUse& use) {
     const TexelFormat format = texel_format(image, use.color_space, use.needs);
-    return {format, mip_chain(image, use.color_space, format)};
+    return {format, lower_mip_levels(image, use.color_space, format)};
 }
 
 /// The mean of the triangles' corners: it goes with the vertices wherever an affine transform takes them, so
@@ -151,7 +151,7 @@ void GpuScene::upload_textures(const scene::Scene& scene) {
             }));
         const ReadyImage image = ready.front().get();
         ready.pop_front();
-        images_.push_back(upload(scene.images[uses[i].image].name, image.format, image.levels));
+        images_.push_back(upload(scene.images[uses[i].image], image.format, image.lower_levels));
     }
     for (const scene::MeasuredBrdf& measured : scene.measured) measured_.push_back(upload(measured));
 }
@@ -185,18 +185,23 @@ void GpuScene::upload_materials(const scene::Scene& scene) {
 }
 
 void GpuScene::upload_lights(const scene::Scene& scene, std::span<const scene::Light> lights) {
-    const std::size_t before = emission_maps_.texels().size();
-    const std::size_t environments_before = environments_.texels().size();
+    const std::size_t before = emission_maps_.texel_count();
+    const std::size_t environments_before = environments_.texel_count();
     light_table_.upload(pack_lights(scene, lights, emission_maps_, environments_),
                         "use fewer emissive triangles");
-    if (environments_before == 0 || environments_.texels().size() != environments_before)
-        environment_texels_.upload(environments_.texels(), "use a smaller environment");
+    if (environments_before == 0 || environments_.texel_count() != environments_before)
+        environment_texels_.fill<vec4>(
+            environments_.texel_count(), [&](std::span<vec4> texels) { environments_.write_texels(texels); },
+            "use a smaller environment");
     visible_environments_.clear();
     for (std::size_t k = 0; k < lights.size(); ++k)
         if (const auto* light = std::get_if<scene::EnvironmentLight>(&lights[k]); light && light->is_visible)
             visible_environments_.push_back(static_cast<int>(k));
-    if (before == 0 || emission_maps_.texels().size() != before)
-        emission_texels_.upload(emission_maps_.texels(), "use smaller emissive textures");
+    if (before == 0 || emission_maps_.texel_count() != before)
+        emission_texels_.fill<std::uint64_t>(
+            emission_maps_.texel_count(),
+            [&](std::span<std::uint64_t> texels) { emission_maps_.write_texels(scene, texels); },
+            "use smaller emissive textures");
     light_count_ = static_cast<int>(lights.size());
     rays_per_light_ = light_features(lights).rays_per_light;
 }

@@ -2,6 +2,7 @@
 
 #include "core/error.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace sr::render {
@@ -56,22 +57,44 @@ std::size_t bytes_per_texel(GLenum format) {
     }
 }
 
+/// Gives the bound 2D texture its memory. Of textures that say their levels one by one, Mesa's software
+/// renderers keep level 0 twice.
+void define_levels(GlFormat stored, int width, int height, int levels) {
+    if (GLAD_GL_ARB_texture_storage) {
+        glTexStorage2D(GL_TEXTURE_2D, levels, stored.internal, width, height);
+    } else {
+        for (int level = 0; level < levels; ++level)
+            glTexImage2D(GL_TEXTURE_2D, level, static_cast<GLint>(stored.internal),
+                         std::max(1, width >> level), std::max(1, height >> level), 0, GL_RGBA, stored.type,
+                         nullptr);
+    }
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, levels - 1);
+}
+
 } // namespace
 
-gl::Texture upload(const std::string& name, TexelFormat format, const std::vector<MipLevel>& levels) {
+gl::Texture upload(const scene::TextureImage& image, TexelFormat format,
+                   const std::vector<MipLevel>& lower_levels) {
     GLint largest = 0;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
-    const int width = levels.front().width, height = levels.front().height;
-    if (width > largest || height > largest)
-        throw Error({name}, fmt::format("{}×{} texels, the driver takes {} at most", width, height, largest),
-                    "scale the image down");
+    if (image.width > largest || image.height > largest)
+        throw Error(
+            {image.name},
+            fmt::format("{}×{} texels, the driver takes {} at most", image.width, image.height, largest),
+            "scale the image down");
     const GlFormat stored = gl_format(format);
-    gl::Texture texture(GL_TEXTURE_2D, name);
+    gl::Texture texture(GL_TEXTURE_2D, image.name);
+    define_levels(stored, image.width, image.height, static_cast<int>(lower_levels.size()) + 1);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    for (std::size_t i = 0; i < levels.size(); ++i)
-        glTexImage2D(GL_TEXTURE_2D, static_cast<GLint>(i), static_cast<GLint>(stored.internal),
-                     levels[i].width, levels[i].height, 0, GL_RGBA, stored.type, levels[i].texels.data());
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, static_cast<GLint>(levels.size()) - 1);
+    const auto fill = [&](std::size_t level, int first_row, int width, int rows, const std::byte* texels) {
+        glTexSubImage2D(GL_TEXTURE_2D, static_cast<GLint>(level), 0, first_row, width, rows, GL_RGBA,
+                        stored.type, texels);
+    };
+    for_each_band(image, format, [&](int first_row, int rows, std::span<const std::byte> texels) {
+        fill(0, first_row, image.width, rows, texels.data());
+    });
+    for (std::size_t i = 0; i < lower_levels.size(); ++i)
+        fill(i + 1, 0, lower_levels[i].width, lower_levels[i].height, lower_levels[i].storage.get());
     return texture;
 }
 
@@ -105,14 +128,28 @@ std::size_t BufferTexture::max_texels() {
 }
 
 void BufferTexture::upload_bytes(std::span<const std::byte> bytes, std::string_view what_to_do) {
-    const std::size_t texels = bytes.size() / bytes_per_texel(format_);
+    void* const memory = map(bytes.size(), what_to_do);
+    std::ranges::copy(bytes, static_cast<std::byte*>(memory));
+    unmap();
+}
+
+void* BufferTexture::map(std::size_t size, std::string_view what_to_do) {
+    const std::size_t texels = size / bytes_per_texel(format_);
     if (texels > max_texels())
         throw Error(fmt::format("{} take {} texels, this driver has {}", name_, texels, max_texels()),
                     what_to_do);
-    constexpr std::byte nothing[16]{}; // a buffer texture cannot be empty
-    if (bytes.empty()) bytes = nothing;
+    const auto bytes = static_cast<GLsizeiptr>(std::max(size, bytes_per_texel(format_)));
     glBindBuffer(GL_TEXTURE_BUFFER, buffer_.id());
-    glBufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(bytes.size()), bytes.data(), GL_STATIC_DRAW);
+    glBufferData(GL_TEXTURE_BUFFER, bytes, nullptr, GL_STATIC_DRAW);
+    void* const memory =
+        glMapBufferRange(GL_TEXTURE_BUFFER, 0, bytes, GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_BUFFER_BIT);
+    if (!memory)
+        throw Error(fmt::format("{} take {} bytes, which the driver does not give", name_, size), what_to_do);
+    return memory;
+}
+
+void BufferTexture::unmap() {
+    glUnmapBuffer(GL_TEXTURE_BUFFER);
     texture_.bind(0);
     glTexBuffer(GL_TEXTURE_BUFFER, format_, buffer_.id());
 }

@@ -6,16 +6,18 @@
 #include "scene/measured_brdf.hpp"
 
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <string_view>
 #include <vector>
 
 namespace sr::render {
 
-/// Uploads the levels of an image, level 0 first. Of TexelFormat::srgb8 the sampler decodes sRGB, so that
+/// Uploads an image and its lower_mip_levels(). Of TexelFormat::srgb8 the sampler decodes sRGB, so that
 /// filtering is in linear light.
 /// @throws Error naming the image if the driver's largest texture is smaller.
-gl::Texture upload(const std::string& name, TexelFormat format, const std::vector<MipLevel>& levels);
+gl::Texture upload(const scene::TextureImage& image, TexelFormat format,
+                   const std::vector<MipLevel>& lower_levels);
 
 /// Uploads a measured BRDF as a texture of 180 φ_d × 90 θ_d × 90 θ_h (shaders/brdf/merl.glsl), 17.5 MB.
 gl::Texture upload(const scene::MeasuredBrdf& measured);
@@ -34,6 +36,15 @@ public:
     void upload(const std::vector<Element>& elements, std::string_view what_to_do) {
         upload_bytes(std::as_bytes(std::span(elements)), what_to_do);
     }
+    /// Has `write` fill memory of the driver, so that many elements are never there twice. It may not read
+    /// them.
+    template<class Element>
+    void fill(std::size_t count, const std::function<void(std::span<Element>)>& write,
+              std::string_view what_to_do) {
+        void* const memory = map(count * sizeof(Element), what_to_do);
+        write({static_cast<Element*>(memory), count});
+        unmap();
+    }
     void bind(GLuint unit) const { texture_.bind(unit); }
 
     /// Returns the number of texels that this driver reads from one buffer.
@@ -41,6 +52,10 @@ public:
 
 private:
     void upload_bytes(std::span<const std::byte> bytes, std::string_view what_to_do);
+    /// Gives the buffer `size` bytes, or those of an element if that is none: a buffer texture cannot be
+    /// empty.
+    void* map(std::size_t size, std::string_view what_to_do);
+    void unmap();
 
     const char* name_;
     GLenum format_;

@@ -12,25 +12,35 @@
 namespace sr::render {
 namespace {
 
-/// The linear value of every value that a texel can store.
+/// The light of every value that a texel can store, as a half float.
 template<class Texel>
-std::vector<float> linear_values(bool is_srgb) {
+std::vector<std::uint16_t> halves_of_values(bool is_srgb) {
     constexpr std::size_t max_value = std::numeric_limits<Texel>::max();
-    std::vector<float> values(max_value + 1);
+    std::vector<std::uint16_t> halves(max_value + 1);
     for (std::size_t i = 0; i <= max_value; ++i) {
         const float stored = static_cast<float>(i) / static_cast<float>(max_value);
-        values[i] = is_srgb ? image::linear_of_srgb(stored) : stored;
+        halves[i] = glm::packHalf1x16(is_srgb ? image::linear_of_srgb(stored) : stored);
     }
-    return values;
+    return halves;
 }
 
 template<class Texel>
-void append(const std::vector<Texel>& values, bool is_srgb, std::vector<std::uint64_t>& texels) {
-    const std::vector<float> linear = linear_values<Texel>(is_srgb);
-    texels.reserve(texels.size() + values.size() / 4);
-    for (std::size_t i = 0; i < values.size(); i += 4)
-        texels.push_back(
-            glm::packHalf4x16({linear[values[i]], linear[values[i + 1]], linear[values[i + 2]], 1.0f}));
+const std::vector<std::uint16_t>& halves_of(bool is_srgb) {
+    static const std::array tables{halves_of_values<Texel>(false), halves_of_values<Texel>(true)};
+    return tables[is_srgb ? 1 : 0];
+}
+
+const scene::TextureImage& image_of(const scene::Scene& scene, const scene::Texture& texture) {
+    return scene.images[static_cast<std::size_t>(texture.image)];
+}
+
+/// Calls work(values, halves) with an image's values and the light of each as a half float.
+auto with_halves(const scene::Scene& scene, const scene::Texture& texture, const auto& work) {
+    return std::visit(
+        [&]<class Texel>(const std::vector<Texel>& values) {
+            return work(values, halves_of<Texel>(texture.color_space == scene::ColorSpace::srgb));
+        },
+        image_of(scene, texture).texels);
 }
 
 /// Evenly spread weights of a triangle's second and third corner.
@@ -48,14 +58,25 @@ std::array<vec2, 64> points_of_triangle() {
 EmissionMapPlace EmissionMaps::add(const scene::Scene& scene, int index) {
     if (const auto known = places_.find(index); known != places_.end()) return known->second;
     const scene::Texture& texture = scene.textures[static_cast<std::size_t>(index)];
-    const scene::TextureImage& image = scene.images[static_cast<std::size_t>(texture.image)];
-    const EmissionMapPlace place{static_cast<int>(texels_.size()), image.width, image.height,
+    const scene::TextureImage& image = image_of(scene, texture);
+    const EmissionMapPlace place{static_cast<int>(texel_count_), image.width, image.height,
                                  static_cast<int>(texture.sampler.wrap_u)
                                      + 4 * static_cast<int>(texture.sampler.wrap_v)};
-    std::visit(
-        [&](const auto& texels) { append(texels, texture.color_space == scene::ColorSpace::srgb, texels_); },
-        image.texels);
+    texel_count_ += static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+    textures_.push_back(index);
     return places_.emplace(index, place).first->second;
+}
+
+void EmissionMaps::write_texels(const scene::Scene& scene, std::span<std::uint64_t> texels) const {
+    constexpr std::uint64_t opaque = std::uint64_t{0x3c00} << 48; // an alpha of 1
+    auto next = texels.begin();
+    for (const int index : textures_)
+        with_halves(scene, scene.textures[static_cast<std::size_t>(index)],
+                    [&](const auto& values, const std::vector<std::uint16_t>& halves) {
+                        const auto half = [&](std::size_t i) { return std::uint64_t{halves[values[i]]}; };
+                        for (std::size_t i = 0; i < values.size(); i += 4)
+                            *next++ = half(i) | half(i + 1) << 16 | half(i + 2) << 32 | opaque;
+                    });
 }
 
 vec3 EmissionMaps::mean(const scene::Scene& scene, int index, const std::array<vec2, 3>& uv) {
@@ -66,39 +87,52 @@ vec3 EmissionMaps::mean(const scene::Scene& scene, int index, const std::array<v
 }
 
 vec3 EmissionMaps::measure_mean(const scene::Scene& scene, int index, const std::array<vec2, 3>& uv) {
-    const EmissionMapPlace place = add(scene, index);
-    const scene::Sampler& sampler = scene.textures[static_cast<std::size_t>(index)].sampler;
+    const scene::Texture& texture = scene.textures[static_cast<std::size_t>(index)];
+    const scene::TextureImage& image = image_of(scene, texture);
     static const std::array points = points_of_triangle();
-    vec3 sum(0.0f);
-    for (const vec2 b : points) {
-        const vec2 at = scene::texel_place(uv[0] + b.x * (uv[1] - uv[0]) + b.y * (uv[2] - uv[0]), place.width,
-                                           place.height)
-                        + 0.5f;
-        const int x = scene::wrapped(static_cast<int>(std::floor(at.x)), place.width, sampler.wrap_u);
-        const int y = scene::wrapped(static_cast<int>(std::floor(at.y)), place.height, sampler.wrap_v);
-        sum +=
-            vec3(glm::unpackHalf4x16(texels_[static_cast<std::size_t>(place.first + y * place.width + x)]));
-    }
-    return sum / static_cast<float>(points.size());
+    return with_halves(scene, texture, [&](const auto& values, const std::vector<std::uint16_t>& halves) {
+        vec3 sum(0.0f);
+        for (const vec2 b : points) {
+            const vec2 at = scene::texel_place(uv[0] + b.x * (uv[1] - uv[0]) + b.y * (uv[2] - uv[0]),
+                                               image.width, image.height)
+                            + 0.5f;
+            const int x =
+                scene::wrapped(static_cast<int>(std::floor(at.x)), image.width, texture.sampler.wrap_u);
+            const int y =
+                scene::wrapped(static_cast<int>(std::floor(at.y)), image.height, texture.sampler.wrap_v);
+            const std::size_t first = std::size_t{4} * (static_cast<std::size_t>(y) * image.width + x);
+            for (std::size_t c = 0; c < 3; ++c)
+                sum[static_cast<int>(c)] += glm::unpackHalf1x16(halves[values[first + c]]);
+        }
+        return sum / static_cast<float>(points.size());
+    });
 }
 
 std::size_t EnvironmentTexels::add(const std::shared_ptr<const scene::EnvironmentMap>& map) {
     const auto known = std::ranges::find(places_, map, &Place::map);
     if (known != places_.end()) return known->first;
-    const std::size_t first = texels_.size();
+    const std::size_t first = texel_count_;
     if (first > std::size_t{1} << 24)
         throw Error("two environments are too large together", "use a smaller one");
-    float above = 0.0f;
-    for (int j = 0; j < map->height(); ++j) {
-        const float cdf = map->row_cdf()[static_cast<std::size_t>(j)];
-        const double density = (static_cast<double>(cdf) - above) / map->solid_angle(j);
-        texels_.emplace_back(density, map->pole_heights(j), cdf);
-        above = cdf;
-    }
-    for (std::size_t i = 0; i < map->texels().size(); ++i)
-        texels_.emplace_back(map->texels()[i], map->texel_cdf()[i]);
+    texel_count_ += static_cast<std::size_t>(map->height()) + map->texels().size();
     places_.push_back({map, first});
     return first;
+}
+
+void EnvironmentTexels::write_texels(std::span<vec4> texels) const {
+    auto next = texels.begin();
+    for (const Place& place : places_) {
+        const scene::EnvironmentMap& map = *place.map;
+        float above = 0.0f;
+        for (int j = 0; j < map.height(); ++j) {
+            const float cdf = map.row_cdf()[static_cast<std::size_t>(j)];
+            const double density = (static_cast<double>(cdf) - above) / map.solid_angle(j);
+            *next++ = vec4(density, map.pole_heights(j), cdf);
+            above = cdf;
+        }
+        for (std::size_t i = 0; i < map.texels().size(); ++i)
+            *next++ = vec4(map.texels()[i], map.texel_cdf()[i]);
+    }
 }
 
 } // namespace sr::render

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <map>
+#include <span>
 #include <vector>
 
 namespace sr::render {
@@ -20,11 +21,11 @@ struct EmissionMapPlace {
 };
 
 /// Textures of emitters, as linear texels that a shader can read at any point of any light. Each texture is
-/// appended once: a scene at another time, or in other light, has the same textures. Texels are linear RGBA
+/// there once: a scene at another time, or in other light, has the same textures. Texels are linear RGBA
 /// in half precision, whose steps (2^-11) are finer than those of 8-bit sRGB.
 class EmissionMaps {
 public:
-    /// Appends the texture unless it is there. @return its place
+    /// Adds the texture behind the others unless it is there. @return its place
     EmissionMapPlace add(const scene::Scene& scene, int texture);
 
     /// Returns the mean linear colour of the part of a texture that a triangle covers, from 64 points of it.
@@ -33,8 +34,10 @@ public:
 
     void rewind() { next_mean_ = 0; }
 
-    /// Texels of four half floats.
-    const std::vector<std::uint64_t>& texels() const { return texels_; }
+    std::size_t texel_count() const { return texel_count_; }
+
+    /// Writes the texels of all textures, each of four half floats.
+    void write_texels(const scene::Scene& scene, std::span<std::uint64_t> texels) const;
 
 private:
     struct Mean {
@@ -43,25 +46,29 @@ private:
         vec3 color{0.0f};
     };
 
-    vec3 measure_mean(const scene::Scene& scene, int texture, const std::array<vec2, 3>& uv);
+    static vec3 measure_mean(const scene::Scene& scene, int texture, const std::array<vec2, 3>& uv);
 
+    std::vector<int> textures_; // in the order of their texels
     std::map<int, EmissionMapPlace> places_;
-    std::vector<std::uint64_t> texels_;
+    std::size_t texel_count_ = 0;
     std::vector<Mean> means_;
     std::size_t next_mean_ = 0; // of means_
 };
 
-/// Maps of environments. Each map is appended once, as in EmissionMaps. A map begins with a texel for each
+/// Maps of environments. Each map is there once, as in EmissionMaps. A map begins with a texel for each
 /// row: the factor of its density besides the texel's own share [1/sr], where the row begins and ends
 /// (EnvironmentMap::pole_heights), and the cdf over rows. Its texels follow, each with the cdf of its row.
 /// Keep in sync with shaders/light/environment.glsl.
 class EnvironmentTexels {
 public:
-    /// Appends a map with light unless it is there. @return its first texel. @throws Error if maps are too
-    /// large for 32-bit floats to name it
+    /// Adds a map with light behind the others unless it is there. @return its first texel. @throws Error if
+    /// maps are too large for 32-bit floats to name it
     std::size_t add(const std::shared_ptr<const scene::EnvironmentMap>& map);
 
-    const std::vector<vec4>& texels() const { return texels_; }
+    std::size_t texel_count() const { return texel_count_; }
+
+    /// Writes the texels of all maps.
+    void write_texels(std::span<vec4> texels) const;
 
 private:
     struct Place {
@@ -70,7 +77,7 @@ private:
     };
 
     std::vector<Place> places_;
-    std::vector<vec4> texels_;
+    std::size_t texel_count_ = 0;
 };
 
 } // namespace sr::render

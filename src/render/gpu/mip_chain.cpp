@@ -16,24 +16,16 @@ using std::uint16_t;
 using std::uint32_t;
 using std::uint8_t;
 
-/// The linear value of every code of an sRGB image.
 template<class Code>
-const std::vector<float>& linear_of_codes() {
-    static const auto table = [] {
-        constexpr std::size_t max_code = std::numeric_limits<Code>::max();
-        std::vector<float> linear(max_code + 1);
-        for (std::size_t i = 0; i <= max_code; ++i)
-            linear[i] = image::linear_of_srgb(static_cast<float>(i) / static_cast<float>(max_code));
-        return linear;
-    }();
-    return table;
-}
+constexpr float max_code = static_cast<float>(std::numeric_limits<Code>::max());
 
-// A codec turns stored values into values that can be averaged, and back.
+// A codec turns an image's codes into stored values, and these into values that can be averaged, and back.
+// Channel 3 is alpha, which is linear everywhere.
 
 struct Unorm8 {
     using Stored = uint8_t;
     using Sum = uint32_t; // of values of 16 bits
+    static Stored store(uint8_t code, int) { return code; }
     static Sum decode(Stored v, int) { return v * 257u; }
     static Stored encode(Sum v, int) { return static_cast<Stored>((v + 128u) / 257u); }
 };
@@ -41,11 +33,13 @@ struct Unorm8 {
 struct Unorm16 {
     using Stored = uint16_t;
     using Sum = uint32_t;
+    static Stored store(uint8_t code, int) { return static_cast<Stored>(code * 257u); }
+    static Stored store(uint16_t code, int) { return code; }
     static Sum decode(Stored v, int) { return v; }
     static Stored encode(Sum v, int) { return static_cast<Stored>(v); }
 };
 
-/// sRGB: IEC 61966-2-1. Alpha, channel 3, is linear.
+/// sRGB: IEC 61966-2-1.
 struct Srgb8 {
     using Stored = uint8_t;
     using Sum = uint32_t;
@@ -53,7 +47,8 @@ struct Srgb8 {
         static const auto table = [] {
             std::array<uint16_t, 256> linear{};
             for (std::size_t i = 0; i < linear.size(); ++i)
-                linear[i] = static_cast<uint16_t>(std::lround(linear_of_codes<uint8_t>()[i] * 65535.0f));
+                linear[i] = static_cast<uint16_t>(
+                    std::lround(image::linear_of_srgb(static_cast<float>(i) / 255.0f) * 65535.0f));
             return linear;
         }();
         return table;
@@ -68,9 +63,17 @@ struct Srgb8 {
         }();
         return table;
     }
+    static Stored store(uint8_t code, int) { return code; }
     static Sum decode(Stored v, int channel) { return channel == 3 ? Unorm8::decode(v, 3) : to_linear()[v]; }
     static Stored encode(Sum v, int channel) { return channel == 3 ? Unorm8::encode(v, 3) : to_srgb()[v]; }
 };
+
+/// The light that a code of an sRGB image stands for.
+template<class Code>
+float linear_value(Code code, int channel) {
+    const float stored = static_cast<float>(code) / max_code<Code>;
+    return channel == 3 ? stored : image::linear_of_srgb(stored);
+}
 
 struct Float16 {
     using Stored = uint16_t;
@@ -84,6 +87,10 @@ struct Float16 {
         }();
         return table;
     }
+    template<class Code>
+    static Stored store(Code code, int channel) {
+        return glm::packHalf1x16(linear_value(code, channel));
+    }
     static Sum decode(Stored v, int) { return to_float()[v]; }
     static Stored encode(Sum v, int) { return glm::packHalf1x16(v); }
 };
@@ -91,6 +98,10 @@ struct Float16 {
 struct Float32 {
     using Stored = float;
     using Sum = float;
+    template<class Code>
+    static Stored store(Code code, int channel) {
+        return linear_value(code, channel);
+    }
     static Sum decode(Stored v, int) { return v; }
     static Stored encode(Sum v, int) { return v; }
 };
@@ -127,26 +138,76 @@ Taps taps_of(int x, int half, int full) {
     return taps;
 }
 
+/// Values that the codes of an image become: those of colours, then those of alpha.
+template<class Code, class Value>
+class CodeTable {
+public:
+    explicit CodeTable(Value (*of)(Code, int channel)) {
+        for (const int channel : {0, 3})
+            for (std::size_t code = 0; code < codes; ++code)
+                values_.push_back(of(static_cast<Code>(code), channel));
+    }
+    Value operator()(Code code, int channel) const { return values_[code + (channel == 3 ? codes : 0)]; }
+
+private:
+    static constexpr std::size_t codes = std::size_t{std::numeric_limits<Code>::max()} + 1;
+    std::vector<Value> values_;
+};
+
+template<class Codec, class Code>
+const CodeTable<Code, typename Codec::Stored>& stored_of_code() {
+    static const CodeTable<Code, typename Codec::Stored> table(
+        [](Code code, int channel) -> typename Codec::Stored { return Codec::store(code, channel); });
+    return table;
+}
+
+// A source gives values that can be averaged, whether they are read from an image or from a level.
+
+/// Level 0, without storing it.
+template<class Codec, class Code>
+struct ImageSource {
+    using Sum = typename Codec::Sum;
+    static const CodeTable<Code, Sum>& sum_of_code() {
+        static const CodeTable<Code, Sum> table([](Code code, int channel) -> Sum {
+            return Codec::decode(stored_of_code<Codec, Code>()(code, channel), channel);
+        });
+        return table;
+    }
+
+    const Code* codes;
+    const CodeTable<Code, Sum>& table = sum_of_code();
+    Sum operator()(std::ptrdiff_t texel, int channel) const {
+        return table(codes[4 * texel + channel], channel);
+    }
+};
+
+template<class Codec>
+struct LevelSource {
+    const typename Codec::Stored* values;
+    typename Codec::Sum operator()(std::ptrdiff_t texel, int channel) const {
+        return Codec::decode(values[4 * texel + channel], channel);
+    }
+};
+
 /// Both sizes even, or 1: four texels of equal weight.
-template<class Codec, class T = typename Codec::Stored>
-void halve_evenly(const T* from, int width, int height, T* to, int half_width, int half_height) {
-    const int step_x = width > 1 ? 4 : 0;
-    const std::ptrdiff_t step_y = height > 1 ? static_cast<std::ptrdiff_t>(width) * 4 : 0;
-    for (int y = 0; y < half_height; ++y) {
-        const T* row = from + static_cast<std::ptrdiff_t>(height > 1 ? 2 * y : 0) * width * 4;
-        for (int x = 0; x < half_width; ++x, row += 2 * step_x) {
+template<class Codec>
+void halve_evenly(const auto& source, int width, int height, typename Codec::Stored* to) {
+    const std::ptrdiff_t right = width > 1 ? 1 : 0, below = height > 1 ? width : 0;
+    for (std::ptrdiff_t y = 0; y < std::max(1, height / 2); ++y) {
+        std::ptrdiff_t texel = 2 * y * below;
+        for (int x = 0; x < std::max(1, width / 2); ++x, texel += 2 * right) {
             for (int c = 0; c < 4; ++c) {
-                const auto sum = Codec::decode(row[c], c) + Codec::decode(row[c + step_x], c)
-                                 + Codec::decode(row[c + step_y], c)
-                                 + Codec::decode(row[c + step_x + step_y], c);
+                const auto sum = source(texel, c) + source(texel + right, c) + source(texel + below, c)
+                                 + source(texel + right + below, c);
                 *to++ = Codec::encode(quarter(sum), c);
             }
         }
     }
 }
 
-template<class Codec, class T = typename Codec::Stored>
-void halve_by_area(const T* from, int width, int height, T* to, int half_width, int half_height) {
+template<class Codec>
+void halve_by_area(const auto& source, int width, int height, typename Codec::Stored* to) {
+    const int half_width = std::max(1, width / 2), half_height = std::max(1, height / 2);
     std::vector<Taps> columns;
     for (int x = 0; x < half_width; ++x) columns.push_back(taps_of(x, half_width, width));
     for (int y = 0; y < half_height; ++y) {
@@ -160,7 +221,7 @@ void halve_by_area(const T* from, int width, int height, T* to, int half_width, 
                             static_cast<std::ptrdiff_t>(rows.first + j) * width + taps.first + i;
                         sum += rows.weights[static_cast<std::size_t>(j)]
                                * taps.weights[static_cast<std::size_t>(i)]
-                               * static_cast<float>(Codec::decode(from[4 * texel + c], c));
+                               * static_cast<float>(source(texel, c));
                     }
                 *to++ = Codec::encode(rounded_to<typename Codec::Sum>(sum), c);
             }
@@ -168,79 +229,72 @@ void halve_by_area(const T* from, int width, int height, T* to, int half_width, 
     }
 }
 
-template<class T>
-MipLevel empty_level(int width, int height) {
-    MipLevel level{width, height, {}, {}};
-    level.own_storage.resize(static_cast<std::size_t>(width) * height * 4 * sizeof(T));
-    level.texels = level.own_storage;
-    return level;
-}
-
-template<class T>
-T* values_of(MipLevel& level) {
-    return reinterpret_cast<T*>(level.own_storage.data());
-}
-
-/// Appends the levels below level 0.
 template<class Codec>
-void append_halves(std::vector<MipLevel>& levels) {
-    using T = typename Codec::Stored;
-    while (levels.back().width > 1 || levels.back().height > 1) {
-        const int width = levels.back().width, height = levels.back().height;
-        MipLevel level = empty_level<T>(std::max(1, width / 2), std::max(1, height / 2));
-        const bool is_even = (width % 2 == 0 || width == 1) && (height % 2 == 0 || height == 1);
-        const auto halve = is_even ? halve_evenly<Codec, T> : halve_by_area<Codec, T>;
-        halve(reinterpret_cast<const T*>(levels.back().texels.data()), width, height, values_of<T>(level),
-              level.width, level.height);
-        levels.push_back(std::move(level));
-    }
+MipLevel half_of(const auto& source, int width, int height) {
+    MipLevel half{std::max(1, width / 2), std::max(1, height / 2), 0, {}};
+    half.size = static_cast<std::size_t>(half.width) * half.height * 4 * sizeof(typename Codec::Stored);
+    half.storage = std::make_unique_for_overwrite<std::byte[]>(half.size);
+    auto* to = reinterpret_cast<typename Codec::Stored*>(half.storage.get());
+    const bool is_even = (width % 2 == 0 || width == 1) && (height % 2 == 0 || height == 1);
+    if (is_even)
+        halve_evenly<Codec>(source, width, height, to);
+    else
+        halve_by_area<Codec>(source, width, height, to);
+    return half;
 }
 
-/// Returns level 0 with each code replaced by color[code], or alpha[code] in channel 3.
-template<class Code, class T>
-MipLevel converted(const scene::TextureImage& image, const std::vector<T>& color,
-                   const std::vector<T>& alpha) {
+template<class Codec, class Code>
+std::vector<MipLevel> levels_below(const scene::TextureImage& image) {
+    std::vector<MipLevel> levels;
+    if (image.width == 1 && image.height == 1) return levels;
     const auto& codes = std::get<std::vector<Code>>(image.texels);
-    MipLevel level = empty_level<T>(image.width, image.height);
-    T* values = values_of<T>(level);
-    for (std::size_t i = 0; i < codes.size(); i += 4) {
-        for (std::size_t c = 0; c < 3; ++c) values[i + c] = color[codes[i + c]];
-        values[i + 3] = alpha[codes[i + 3]];
+    levels.push_back(half_of<Codec>(ImageSource<Codec, Code>{codes.data()}, image.width, image.height));
+    while (levels.back().width > 1 || levels.back().height > 1) {
+        const MipLevel& last = levels.back();
+        const auto* values = reinterpret_cast<const typename Codec::Stored*>(last.storage.get());
+        levels.push_back(half_of<Codec>(LevelSource<Codec>{values}, last.width, last.height));
     }
-    return level;
+    return levels;
 }
 
-/// The value of every code: `of` maps it from 0..1.
-template<class Code, class T>
-std::vector<T> table(const auto& of) {
-    constexpr std::size_t max_code = std::numeric_limits<Code>::max();
-    std::vector<T> values(max_code + 1);
-    for (std::size_t i = 0; i <= max_code; ++i)
-        values[i] = of(static_cast<float>(i) / static_cast<float>(max_code));
-    return values;
-}
-
-template<class Code>
-MipLevel linear_floats(const scene::TextureImage& image, TexelFormat format) {
-    const auto same = [](float v) { return v; };
-    if (format == TexelFormat::float32)
-        return converted<Code, float>(image, linear_of_codes<Code>(), table<Code, float>(same));
-    return converted<Code, uint16_t>(
-        image, table<Code, uint16_t>([](float v) { return glm::packHalf1x16(image::linear_of_srgb(v)); }),
-        table<Code, uint16_t>([](float v) { return glm::packHalf1x16(v); }));
-}
-
-MipLevel level_0(const scene::TextureImage& image, TexelFormat format) {
+/// Calls work<Codec, Code>() with the types of the format and of the image.
+auto with_types(const scene::TextureImage& image, TexelFormat format, const auto& work) {
     const bool is_8_bit = std::holds_alternative<std::vector<uint8_t>>(image.texels);
-    if (format == TexelFormat::float16 || format == TexelFormat::float32)
-        return is_8_bit ? linear_floats<uint8_t>(image, format) : linear_floats<uint16_t>(image, format);
-    if (format == TexelFormat::unorm16 && is_8_bit) {
-        const auto widened = table<uint8_t, uint16_t>(
-            [](float v) { return static_cast<uint16_t>(std::lround(v * 65535.0f)); });
-        return converted<uint8_t, uint16_t>(image, widened, widened);
+    require(is_8_bit || (format != TexelFormat::unorm8 && format != TexelFormat::srgb8),
+            "8 bits hold an image of 8 bits");
+    switch (format) {
+    case TexelFormat::unorm8: return work.template operator()<Unorm8, uint8_t>();
+    case TexelFormat::srgb8: return work.template operator()<Srgb8, uint8_t>();
+    case TexelFormat::unorm16:
+        return is_8_bit ? work.template operator()<Unorm16, uint8_t>()
+                        : work.template operator()<Unorm16, uint16_t>();
+    case TexelFormat::float16:
+        return is_8_bit ? work.template operator()<Float16, uint8_t>()
+                        : work.template operator()<Float16, uint16_t>();
+    case TexelFormat::float32: break;
     }
-    const auto own = [](const auto& texels) { return std::as_bytes(std::span(texels)); };
-    return {image.width, image.height, std::visit(own, image.texels), {}};
+    return is_8_bit ? work.template operator()<Float32, uint8_t>()
+                    : work.template operator()<Float32, uint16_t>();
+}
+
+using Take = std::function<void(int first_row, int rows, std::span<const std::byte>)>;
+
+template<class Codec, class Code>
+void convert_bands(const scene::TextureImage& image, const Take& take) {
+    using Stored = typename Codec::Stored;
+    constexpr std::size_t band_values = std::size_t{64} << 10; // fit into a core's cache
+    const auto& codes = std::get<std::vector<Code>>(image.texels);
+    const auto& stored = stored_of_code<Codec, Code>();
+    const std::size_t row_values = std::size_t{4} * image.width;
+    const int max_rows = static_cast<int>(std::max<std::size_t>(1, band_values / row_values));
+    std::vector<Stored> band;
+    for (int row = 0; row < image.height; row += max_rows) {
+        const int rows = std::min(max_rows, image.height - row);
+        band.resize(rows * row_values);
+        const Code* from = codes.data() + static_cast<std::size_t>(row) * row_values;
+        for (std::size_t i = 0; i < band.size(); ++i) band[i] = stored(from[i], static_cast<int>(i % 4));
+        take(row, rows, std::as_bytes(std::span(band)));
+    }
 }
 
 } // namespace
@@ -253,21 +307,26 @@ TexelFormat texel_format(const scene::TextureImage& image, scene::ColorSpace col
     return needs.alpha_is_compared ? TexelFormat::float32 : TexelFormat::float16;
 }
 
-std::vector<MipLevel> mip_chain(const scene::TextureImage& image, scene::ColorSpace color_space,
-                                TexelFormat format) {
+std::vector<MipLevel> lower_mip_levels(const scene::TextureImage& image, scene::ColorSpace color_space,
+                                       TexelFormat format) {
     require((color_space == scene::ColorSpace::srgb)
                 == (format != TexelFormat::unorm8 && format != TexelFormat::unorm16),
             "the format holds the image's colour space");
-    std::vector<MipLevel> levels;
-    levels.push_back(level_0(image, format));
-    switch (format) {
-    case TexelFormat::unorm8: append_halves<Unorm8>(levels); break;
-    case TexelFormat::srgb8: append_halves<Srgb8>(levels); break;
-    case TexelFormat::unorm16: append_halves<Unorm16>(levels); break;
-    case TexelFormat::float16: append_halves<Float16>(levels); break;
-    case TexelFormat::float32: append_halves<Float32>(levels); break;
-    }
-    return levels;
+    return with_types(image, format,
+                      [&]<class Codec, class Code> { return levels_below<Codec, Code>(image); });
+}
+
+void for_each_band(const scene::TextureImage& image, TexelFormat format, const Take& take) {
+    with_types(image, format, [&]<class Codec, class Code> {
+        const bool keeps_codes =
+            std::is_same_v<
+                Codec,
+                Unorm8> || std::is_same_v<Codec, Srgb8> || (std::is_same_v<Codec, Unorm16> && std::is_same_v<Code, uint16_t>);
+        if (keeps_codes)
+            take(0, image.height, std::as_bytes(std::span(std::get<std::vector<Code>>(image.texels))));
+        else
+            convert_bands<Codec, Code>(image, take);
+    });
 }
 
 } // namespace sr::render

@@ -3,6 +3,8 @@
 #include "scene/material.hpp"
 
 #include <cstddef>
+#include <functional>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -31,19 +33,26 @@ struct TexelNeeds {
 /// GL, and becomes linear floats.
 TexelFormat texel_format(const scene::TextureImage& image, scene::ColorSpace color_space, TexelNeeds needs);
 
-/// One mip level.
+/// A mip level below the image's own, level 0.
 struct MipLevel {
     int width = 0;
     int height = 0;
-    std::span<const std::byte> texels;  // width * height RGBA texels, first row on top
-    std::vector<std::byte> own_storage; // behind `texels`; empty where they are the image's
+    std::size_t size = 0;                 // [bytes] of the texels
+    std::unique_ptr<std::byte[]> storage; // width * height RGBA texels, first row on top
+
+    std::span<const std::byte> texels() const { return {storage.get(), size}; }
 };
 
-/// Makes all levels of `image` down to 1×1, level 0 first; each is half the size of the one before, rounded
+/// Makes the levels of `image` below level 0 down to 1×1; each is half the size of the one before, rounded
 /// down. A texel is the mean of the texels that it covers (area-weighted where a size is odd), formed in
-/// linear light where the image is sRGB-encoded. Level 0 points into `image` where its texels need no
-/// conversion. `format` is one that texel_format() returns for the image.
-std::vector<MipLevel> mip_chain(const scene::TextureImage& image, scene::ColorSpace color_space,
-                                TexelFormat format);
+/// linear light where the image is sRGB-encoded. `format` is one that texel_format() returns for the image.
+std::vector<MipLevel> lower_mip_levels(const scene::TextureImage& image, scene::ColorSpace color_space,
+                                       TexelFormat format);
+
+/// Gives level 0 to `take` in bands of whole rows from the top. The texels are the image's own, in one band,
+/// where the format is the image's; otherwise they are valid during the call, and few at a time: all would
+/// take as much memory once more as they do on the GPU.
+void for_each_band(const scene::TextureImage& image, TexelFormat format,
+                   const std::function<void(int first_row, int rows, std::span<const std::byte>)>& take);
 
 } // namespace sr::render

@@ -2,6 +2,8 @@
 #include "render/gpu/light_texels.hpp"
 #include "support/address.hpp"
 
+#include <glm/gtc/packing.hpp>
+
 using namespace sr;
 using sr::testing::Test;
 
@@ -44,11 +46,24 @@ const Test remembered("unit.render.emission_maps.what_is_remembered_is_what_is_m
             EXPECT_EQ(maps.mean(scene, texture, places[place]),
                       render::EmissionMaps().mean(scene, texture, places[place]));
     }
-    EXPECT_EQ(maps.texels().size(), 2u * 64u) << "each texture is there once";
     EXPECT_NE(render::EmissionMaps().mean(scene, 0, places[0]),
               render::EmissionMaps().mean(scene, 0, places[1]));
     EXPECT_NE(render::EmissionMaps().mean(scene, 0, places[0]),
               render::EmissionMaps().mean(scene, 1, places[0]));
+});
+
+const Test texels_once("unit.render.emission_maps.each_texture_is_there_once", [] {
+    const scene::Scene scene = two_textures();
+    render::EmissionMaps maps;
+    for (const int texture : {0, 1, 0}) EXPECT_EQ(maps.add(scene, texture).first, 64 * texture);
+    ASSERT_EQ(maps.texel_count(), 2u * 64u);
+    std::vector<std::uint64_t> texels(maps.texel_count());
+    maps.write_texels(scene, texels);
+    for (int t = 0; t < 2; ++t) {
+        const vec4 last = glm::unpackHalf4x16(texels[static_cast<std::size_t>(64 * t + 63)]);
+        const vec4 expected(224.0f / 255.0f, 224.0f / 255.0f, static_cast<float>(t), 1.0f);
+        for (int c = 0; c < 4; ++c) EXPECT_NEAR(last[c], expected[c], 1.0f / 2048.0f) << t << " " << c;
+    }
 });
 
 } // namespace

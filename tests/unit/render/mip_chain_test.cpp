@@ -3,8 +3,10 @@
 #include "image/display.hpp"
 #include "support/address.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/gtc/packing.hpp>
+#include <iterator>
 
 using namespace sr;
 using namespace sr::render;
@@ -25,15 +27,30 @@ scene::TextureImage grey(int width, int height, auto value_at) {
 
 template<class T = std::uint8_t>
 T value(const MipLevel& level, std::size_t index = 0) {
-    return reinterpret_cast<const T*>(level.texels.data())[index];
+    return reinterpret_cast<const T*>(level.storage.get())[index];
 }
 
 float half_value(const MipLevel& level, std::size_t index = 0) {
     return glm::unpackHalf1x16(value<std::uint16_t>(level, index));
 }
 
+/// Level 0, put together from its bands, and the levels below it.
 std::vector<MipLevel> chain(const scene::TextureImage& image, ColorSpace color_space, TexelNeeds needs = {}) {
-    return mip_chain(image, color_space, texel_format(image, color_space, needs));
+    const TexelFormat format = texel_format(image, color_space, needs);
+    std::vector<std::byte> texels;
+    int rows_so_far = 0;
+    for_each_band(image, format, [&](int first_row, int rows, std::span<const std::byte> band) {
+        EXPECT_EQ(first_row, rows_so_far) << "no row is missing";
+        rows_so_far += rows;
+        texels.insert(texels.end(), band.begin(), band.end());
+    });
+    EXPECT_EQ(rows_so_far, image.height);
+    std::vector<MipLevel> levels;
+    MipLevel& first = levels.emplace_back(MipLevel{image.width, image.height, texels.size(), {}});
+    first.storage = std::make_unique<std::byte[]>(texels.size());
+    std::ranges::copy(texels, first.storage.get());
+    std::ranges::move(lower_mip_levels(image, color_space, format), std::back_inserter(levels));
+    return levels;
 }
 
 constexpr TexelNeeds exact{true, false};
@@ -49,9 +66,12 @@ const Test sizes("unit.render.mip_chain.sizes_halve_rounding_down", [] {
     EXPECT_EQ(levels[3].height, 1);
     for (const MipLevel& level : levels) {
         EXPECT_EQ(value(level), 7) << "a constant stays what it is";
-        EXPECT_EQ(level.texels.size(), static_cast<std::size_t>(level.width) * level.height * 4);
+        EXPECT_EQ(level.texels().size(), static_cast<std::size_t>(level.width) * level.height * 4);
     }
-    EXPECT_TRUE(levels[0].own_storage.empty()) << "level 0 is the image's own";
+    for_each_band(image, TexelFormat::unorm8, [&](int, int, std::span<const std::byte> band) {
+        EXPECT_EQ(band.data(), std::as_bytes(std::span(std::get<0>(image.texels))).data())
+            << "level 0 is the image's own";
+    });
 });
 
 // Black and white in equal parts are half the light: 128 as data, 188 as an sRGB colour; alpha is never a
@@ -101,6 +121,19 @@ const Test exactness("unit.render.mip_chain.exact_formats_keep_every_code", [] {
         EXPECT_NEAR(half_value(colors[0], 4 * code), linear, linear / 2048.0f) << code;
         EXPECT_NEAR(half_value(colors[0], 4 * code + 3), stored, stored / 2048.0f) << code;
         EXPECT_EQ(static_cast<float>(value<std::uint16_t>(data[0], 4 * code)) / 65535.0f, stored) << code;
+    }
+});
+
+// An image of many bands is stored as it is, whatever the sizes of its rows.
+const Test bands("unit.render.mip_chain.bands_join", [] {
+    for (const int width : {1, 3, 700, 20000}) {
+        const auto image =
+            grey(width, 100, [](int x, int y) { return static_cast<std::uint8_t>(x + 3 * y); });
+        const auto stored = chain(image, ColorSpace::linear, exact);
+        const auto& codes = std::get<std::vector<std::uint8_t>>(image.texels);
+        ASSERT_EQ(stored[0].size, 2 * codes.size());
+        for (std::size_t i = 0; i < codes.size(); i += 997)
+            EXPECT_EQ(value<std::uint16_t>(stored[0], i), 257 * codes[i]) << width << " " << i;
     }
 });
 
