@@ -39,6 +39,16 @@ std::optional<glsl::Root> estimator(const RenderOptions& options) {
                       {"interface/estimator.glsl", limits}});
 }
 
+/// Returns whether the shader asks for V: the views of what a surface is do not. One that cannot be expanded
+/// may: who compiles it says what is wrong.
+bool asks_for_visibility(const RenderOptions& options) {
+    try {
+        return glsl::declares(glsl::expand(options.shader_path, options.shader).text, "visibility");
+    } catch (const Error&) {
+        return true;
+    }
+}
+
 } // namespace
 
 std::shared_ptr<ShaderLibrary> Renderer::programs(const RenderOptions& options) {
@@ -51,6 +61,7 @@ Renderer::Renderer(const GpuScene& scene, const scene::Camera& camera, const Ren
     : scene_(scene),
       camera_(camera),
       options_(options),
+      has_shadows_(options.has_shadows && asks_for_visibility(options)),
       end_light_(scene.light_count()),
       shaders_(shaders ? std::move(shaders) : programs(options)),
       frame_("frame", options.width, options.height, true),
@@ -107,11 +118,10 @@ std::optional<TracedRays> Renderer::traced_rays() const {
 
 void Renderer::ask_for_shadows() {
     depth_maps_.reset();
-    if (options_.has_shadows && scene_.visibility_backend()
-        && scene_.visibility_backend()->shadow_map_scene())
+    if (has_shadows_ && scene_.visibility_backend() && scene_.visibility_backend()->shadow_map_scene())
         depth_maps_.emplace(scene_, options_.maps);
     const bool is_asked =
-        options_.has_shadows && scene_.visibility_backend() && scene_.visibility_backend()->occlusion();
+        has_shadows_ && scene_.visibility_backend() && scene_.visibility_backend()->occlusion();
     const int choices_before = std::exchange(light_choices_, choices_of_lights());
     const int rays_per_point = scene_.light_count() * scene_.rays_per_light();
     if (is_asked == (shadow_rays_ || deferred_) && rays_per_point == rays_per_point_
@@ -252,7 +262,7 @@ ProgramTerms Renderer::opaque_terms() const {
 }
 
 ProgramTerms Renderer::blended_terms() const {
-    if (!scene_.visibility_backend() || !options_.has_shadows) return {VisibilityTerm::none, light_choices_};
+    if (!scene_.visibility_backend() || !has_shadows_) return {VisibilityTerm::none, light_choices_};
     // A pixel can have several blended layers, so the shader traces their rays itself.
     const bool has_maps = scene_.visibility_backend()->shadow_map_scene() != nullptr;
     return {has_maps ? VisibilityTerm::map : VisibilityTerm::ray, light_choices_};

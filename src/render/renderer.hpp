@@ -166,6 +166,7 @@ private:
     const GpuScene& scene_;
     scene::Camera camera_;
     RenderOptions options_;
+    bool has_shadows_ = true; // and the shader asks for them
     int first_light_ = 0;
     int end_light_ = 0;
     std::shared_ptr<ShaderLibrary> shaders_;

@@ -1,6 +1,8 @@
 #include "render/gpu/shader_library.hpp"
 
 #include "core/error.hpp"
+#include "gl/context.hpp"
+#include "glsl/loops.hpp"
 #include "glsl/source.hpp"
 #include "render/gpu/blocks.hpp"
 
@@ -45,6 +47,18 @@ glsl::Root chosen_lights(int choices) {
                           {"interface/estimator.glsl", text}});
 }
 
+/// The shader with its loops inverted; absent if it has none to invert, or what is no GLSL.
+std::optional<glsl::Source> with_inverted_loops(const glsl::Source& source) {
+    glsl::Source inverted = source;
+    try {
+        inverted.text = glsl::invert_loops(source.text);
+    } catch (const Error&) { // the driver says it better
+        return std::nullopt;
+    }
+    if (inverted.text == source.text) return std::nullopt;
+    return inverted;
+}
+
 } // namespace
 
 glsl::Files brdf_files(scene::Model model, std::span<const glsl::Root> path) {
@@ -67,9 +81,22 @@ gl::Program ShaderLibrary::compiled(const std::string& vertex, const std::string
                                     std::span<const glsl::Root> path) {
     const glsl::Source vertex_source = glsl::expand(path, vertex);
     const glsl::Source fragment_source = glsl::expand(path, fragment);
-    if (trial_) trial_->try_out(vertex_source, fragment_source);
     loops_.insert(loops_.end(), fragment_source.loops.begin(), fragment_source.loops.end());
-    gl::Program program(fragment, vertex_source, fragment_source);
+    if (gl::is_software_renderer(reinterpret_cast<const char*>(glGetString(GL_RENDERER)))) {
+        if (const std::optional<glsl::Source> inverted = with_inverted_loops(fragment_source)) {
+            try {
+                return linked(fragment, vertex_source, *inverted);
+            } catch (const gl::ShaderError&) { // the driver's log is to name columns of the text as it is
+            }
+        }
+    }
+    return linked(fragment, vertex_source, fragment_source);
+}
+
+gl::Program ShaderLibrary::linked(const std::string& name, const glsl::Source& vertex,
+                                  const glsl::Source& fragment) {
+    if (trial_) trial_->try_out(vertex, fragment);
+    gl::Program program(name, vertex, fragment);
     connect(program);
     return program;
 }

@@ -62,6 +62,7 @@ public:
 private:
     gl::Program compiled(const std::string& vertex, const std::string& fragment,
                          std::span<const glsl::Root> path);
+    gl::Program linked(const std::string& name, const glsl::Source& vertex, const glsl::Source& fragment);
 
     std::vector<glsl::Root> shader_path_;
     std::optional<glsl::Root> estimator_;
