@@ -27,7 +27,7 @@ from ._scene import Animation, Camera, Scene, load  # noqa: E402
 
 Light = _native.Light
 Material = _native.Material
-__version__ = _native.__version__
+__version__ = str(vars(_native)["__version__"])
 
 __all__ = ["Animation", "Assignment", "Brdf", "Camera", "Comparison", "Diagnosis", "Error", "Law", "Light", "LightTerms",
            "Marks", "Material", "Probe", "Remark", "Result", "Scene", "Verdict", "brdf", "compare", "directional_light",

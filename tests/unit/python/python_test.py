@@ -3,8 +3,10 @@
 usage: python_test.py TEST_NAME     (a function below; PYTHONPATH names the folder of the package)
 """
 import doctest
+import importlib.util
 import math
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -18,6 +20,7 @@ import numpy as np
 import steradian
 
 CORNELL = steradian.sample("cornell")
+SOURCE = Path(__file__).resolve().parents[3]
 
 
 def refused(error, call, *words):
@@ -241,6 +244,28 @@ def test_examples_in_docstrings_hold():
         found = doctest.testmod(module, extraglobs={"steradian": steradian, "np": np}, optionflags=doctest.ELLIPSIS)
         failed += found.failed
     assert failed == 0
+
+
+def test_types_are_strict():
+    """The package itself, and that callers' mistakes are found through its types."""
+    def judged(*words):
+        run = subprocess.run([sys.executable, "-m", "mypy", *map(str, words)], cwd=SOURCE, capture_output=True, text=True,
+                             env={**os.environ, "MYPYPATH": "src/python"})
+        return run.stdout + run.stderr
+
+    if importlib.util.find_spec("mypy") is None:
+        print("SKIPPED: the Python package mypy is not installed")
+        sys.exit(77)
+    with tempfile.TemporaryDirectory() as folder:
+        caller = Path(folder, "caller.py")
+        caller.write_text("import steradian\nscene = steradian.load('a.glb')\nflux: float | None = scene.lights[0].flux\n"
+                          "scene.render(size=64, samples=2)\nname: int = scene.render().unit\n")
+        cache = f"--cache-dir={folder}/cache"
+        own = judged(cache)
+        assert own.startswith("Success"), own
+        found = judged(cache, "--strict", "--follow-imports=silent", "--config-file=pyproject.toml", caller)
+        wrong = re.findall(r"caller\.py:(\d+): error", found)
+        assert wrong == ["4", "5"], found
 
 
 def test_stubs_are_those_of_the_module():
