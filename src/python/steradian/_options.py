@@ -23,7 +23,10 @@ def _number(value: Any) -> str:
 def _size(value: Any) -> str:
     if isinstance(value, str):
         return value
-    width, height = value
+    try:
+        width, height = value
+    except (TypeError, ValueError):
+        raise ValueError(f"size: {value!r} is not (width, height)") from None
     return f"{width}x{height}"
 
 

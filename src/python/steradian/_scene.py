@@ -5,6 +5,7 @@ import os
 import sys
 import time
 from dataclasses import dataclass, replace
+from operator import index
 from typing import Any, Callable, Iterable, Iterator, Sequence
 
 import numpy as np
@@ -185,8 +186,10 @@ class Scene:
             for number, picture in scene.turntable(36, size=(640, 360)):
                 picture.save(f"turn.{number:03}.png")
         """
-        if count < 1:
+        if index(count) < 1:
             raise ValueError(f"count: {count} is not 1 or more")
+        if around is not None and len(around) != 3:
+            raise ValueError(f"around: {around} is not x, y, z")
         if around is None:
             moments = ((number, {"camera": camera}, {"turntable": [str(count)], "frames": [f"{number}:{number}"]})
                        for number in range(count))

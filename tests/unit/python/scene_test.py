@@ -209,6 +209,8 @@ def test_a_turntable_goes_once_around():
     assert np.allclose(around.eye, camera.eye) and np.allclose(around.target, camera.target)
     refused(steradian.Error, lambda: scene.camera("none"), "none", "choose one of")
     refused(ValueError, lambda: next(scene.turntable(0)), "count")
+    refused(ValueError, lambda: next(scene.turntable(3, around=(0, 0))), "around")
+    refused(ValueError, lambda: next(scene.turntable(3, size=16)), "size", "(width, height)")
 
 
 def test_a_probe_is_a_table():
