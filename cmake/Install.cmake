@@ -3,7 +3,8 @@
 include(CMakePackageConfigHelpers)
 
 install(TARGETS steradian EXPORT SteradianTargets RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-install(TARGETS sr_image_oiio LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/steradian) # where src/image/codec.cpp looks
+# Where src/image/codec.cpp looks. A folder less, and CPack takes it for a library of the linker's, for which the .deb runs ldconfig.
+install(TARGETS sr_image_oiio LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/steradian/modules)
 
 # In share/, find_package finds it before a language is enabled, too.
 set(package_folder ${CMAKE_INSTALL_DATADIR}/cmake/Steradian)

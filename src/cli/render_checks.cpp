@@ -48,12 +48,13 @@ std::optional<NumberPlace> place_in(const std::string& name) {
 
 /// Refuses outputs that cannot be written, and channels without a file that holds them.
 void check_outputs(const RenderCommand& command) {
+    const bool is_sequence = command.frames || command.turntable;
     for (const std::string& output : command.outputs) {
         image::is_scene_referred(output);
-        if (command.frames && !numbered(output, 0))
+        if (is_sequence && !numbered(output, 0))
             refuse("-o", fmt::format("'{}' has no place for the frame's number: name it like frame.####.png",
                                      output));
-        image::require_writable(command.frames ? *numbered(output, 0) : output);
+        image::require_writable(is_sequence ? *numbered(output, 0) : output);
     }
     if (std::ranges::any_of(command.outputs, output::holds_layers)) return;
     for (const auto& [is_given, option] :
@@ -64,6 +65,8 @@ void check_outputs(const RenderCommand& command) {
 } // namespace
 
 void check(const RenderCommand& command) {
+    if (command.frames && command.at && !command.turntable)
+        refuse("--frames", "is a sequence of moments, and --at is one: leave one of them out");
     picture::check(command);
     check_outputs(command);
 }

@@ -70,7 +70,7 @@ std::optional<Picture> make_picture(const Rendering& rendering, const RenderComm
                      rendering.renderer.sample_count());
         return std::nullopt;
     }
-    if (command.frames && interruption.has_come()) {
+    if (!rendering.open.frames.empty() && interruption.has_come()) {
         print_remark("interrupted in {}: the frames before are written", what);
         return std::nullopt;
     }
@@ -96,12 +96,15 @@ bool make_frames(Rendering& rendering) {
         if (frame != open.frames.front()) {
             picture::show_frame(open, command, frame);
             times.end("pose");
-            scene.relight(open.stage.scene, open.stage.lights, 0, true);
+            if (!open.turn) scene.relight(open.stage.scene, open.stage.lights, 0, true);
             renderer.resize(open.size.width, open.size.height, command.stop.samples);
             renderer.look_from(open.stage.camera);
             times.end("update");
         }
-        picture.at = picture::seconds_of(frame, command);
+        if (open.turn)
+            picture.frames = settings::FrameRange{frame, frame};
+        else
+            picture.at = picture::seconds_of(frame, command);
         for (std::size_t i = 0; i < command.outputs.size(); ++i)
             picture.outputs[i] = *numbered(command.outputs[i], frame);
         const auto what = fmt::format("frame {} of {} to {}", frame, open.frames.front(), open.frames.back());
@@ -146,7 +149,7 @@ ExitStatus render(const RenderCommand& command) {
         print_remark("{}: a folder of --shaders sums over the lights itself: its samples visit all lights",
                      command.scene);
     Rendering rendering{command, open, gpu_scene, options, renderer, times};
-    if (!(command.frames ? make_frames(rendering) : make_single(rendering))) return interrupted;
+    if (!(open.frames.empty() ? make_single(rendering) : make_frames(rendering))) return interrupted;
     if (command.json) print_summary(rendering);
     return rendering.last->stop.by == StoppedBy::interruption ? interrupted : done;
 }
@@ -166,8 +169,8 @@ void add_render_command(CLI::App& app) {
     command->add_flag("--json", options->json,
                       "print a summary as JSON: times by phase, triangles, samples, …");
     declare(*command, settings::by_render, *options);
-    command->get_option("--frames")->excludes(command->get_option("--at"));
     command->get_option("--fps")->needs(command->get_option("--frames"));
+    command->get_option("--turntable")->excludes(command->get_option("--fps"));
     command->footer(
         "Examples:\n"
         "  steradian render scene.glb -o picture.png\n"
@@ -181,6 +184,7 @@ void add_render_command(CLI::App& app) {
         "  steradian render scene.glb -o front.png --camera auto --exposure 9.5 --tone-curve agx\n"
         "  steradian render dancer.glb -o pose.png --animation Walk --at 0.5\n"
         "  steradian render dancer.glb -o walk.####.png --frames 0:47 --fps 24\n"
+        "  steradian render vase.glb -o vase.###.png --turntable 120\n"
         "  steradian render scene.glb -o mine.png --shaders my_shaders    (my_shaders/brdf/f_r.glsl wins)");
     command->callback([options, command] {
         if (command->count("--samples") == 0 && options->stop.asks_for_error())

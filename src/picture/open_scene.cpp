@@ -4,6 +4,7 @@
 #include "core/output.hpp"
 #include "gltf/asset.hpp"
 #include "gltf/read/environment.hpp"
+#include "scene/look_at.hpp"
 #include "settings/bad_setting.hpp"
 
 #include <algorithm>
@@ -12,6 +13,7 @@
 #include <fmt/format.h>
 #include <future>
 #include <numeric>
+#include <variant>
 
 namespace sr::picture {
 namespace {
@@ -26,6 +28,23 @@ struct Opened {
     std::optional<scene::EnvironmentLight> environment;
     double seconds = 0.0; // that it took
 };
+
+std::vector<int> numbers(int first, int last) {
+    std::vector<int> numbers(static_cast<std::size_t>(last - first) + 1);
+    std::iota(numbers.begin(), numbers.end(), first);
+    return numbers;
+}
+
+/// @throws BadSetting for pictures that a turn of so many does not have
+std::vector<int> pictures_of_turn(const RenderSettings& settings) {
+    const settings::FrameRange range = settings.frames.value_or(settings::FrameRange{});
+    const int end = *settings.turntable - 1;
+    if (range.first > end || range.last.value_or(end) > end)
+        throw settings::BadSetting("frames", fmt::format("{} is beyond the {} pictures of --turntable: the "
+                                                         "last one is {}",
+                                                         text_of(range), *settings.turntable, end));
+    return numbers(range.first, range.last.value_or(end));
+}
 
 /// @throws Error if the animation ends before
 std::vector<int> frames_of(const gltf::Asset& asset, const std::vector<int>& animations,
@@ -43,9 +62,7 @@ std::vector<int> frames_of(const gltf::Asset& asset, const std::vector<int>& ani
                     "name fewer with --frames A:B, or a lower --fps");
     for (const int frame : {range.first, std::max(last, range.first)})
         asset.require_within({animations, seconds_of(frame, settings)});
-    std::vector<int> frames(static_cast<std::size_t>(last - range.first) + 1);
-    std::iota(frames.begin(), frames.end(), range.first);
-    return frames;
+    return numbers(range.first, std::max(last, range.first));
 }
 
 /// Returns the bounds of the scene over these frames, or over 64 of them.
@@ -73,11 +90,13 @@ Opened open(const RenderSettings& settings) {
                   {},
                   {},
                   {}};
-    if (settings.frames || settings.at) opened.animations = opened.asset.animations_named(settings.animation);
-    if (settings.frames) opened.frames = frames_of(opened.asset, opened.animations, settings);
+    const bool moves = settings.frames && !settings.turntable;
+    if (moves || settings.at) opened.animations = opened.asset.animations_named(settings.animation);
+    if (settings.turntable) opened.frames = pictures_of_turn(settings);
+    if (moves) opened.frames = frames_of(opened.asset, opened.animations, settings);
     opened.scene = gltf::build_scene(opened.asset, {{}, settings.at, settings.animation, {}});
     opened.environment = read_environment_light(settings);
-    if (settings.frames) opened.extent = extent_of(opened, settings);
+    if (moves) opened.extent = extent_of(opened, settings);
     opened.seconds = times.total();
     return opened;
 }
@@ -158,12 +177,13 @@ OpenScene open_scene(const RenderSettings& settings, PhaseTimes& times) {
                      {}};
     result.stage_options.extent = opened.extent;
     tell_new_warnings(result);
+    const scene::Bounds bounds = scene::bounds_of(opened.scene);
     result.stage.scene = std::move(opened.scene);
-    if (result.frames.empty())
+    if (result.frames.empty() || settings.turntable)
         result.stage =
             scene::prepare_scene(std::move(result.stage.scene), settings.scene, result.stage_options);
-    else
-        show_frame(result, settings, result.frames.front());
+    if (settings.turntable) result.turn.emplace(result.stage.camera, bounds, settings);
+    if (!result.frames.empty()) show_frame(result, settings, result.frames.front());
     result.stage_options.rig = result.stage.rig; // what lights the first frame lights all
     for (const std::string& remark : result.stage.remarks) write_remark(remark);
     remark_on_estimator(settings, result.stage);
@@ -172,9 +192,41 @@ OpenScene open_scene(const RenderSettings& settings, PhaseTimes& times) {
     return result;
 }
 
+Turn::Turn(scene::Camera begin, const scene::Bounds& bounds, const RenderSettings& settings)
+    : begin_(std::move(begin)), bounds_(bounds), count_(*settings.turntable) {
+    fits_depths_ = begin_.name == "auto" && begin_.number < 0;
+    if (!scene::is_look_at(settings.camera)) return;
+    const scene::LookAt view = scene::parse_look_at(settings.camera);
+    fits_depths_ = !view.znear && !view.zfar;
+}
+
+scene::Camera Turn::camera(int picture) const {
+    if (picture == 0) return begin_;
+    const vec3 middle = bounds_.is_empty() ? vec3(0.0f) : bounds_.center();
+    scene::Camera camera = scene::turned(begin_, middle, 360.0 * picture / count_);
+    if (!fits_depths_) return camera;
+    const mat4& m = camera.world_from_camera;
+    scene::LookAt view;
+    view.eye = vec3(m[3]);
+    view.target = vec3(m[3] - m[2]);
+    if (const auto* flat = std::get_if<scene::Orthographic>(&camera.projection)) view.ymag = flat->ymag;
+    const scene::DepthRange depth = scene::depth_range(view, bounds_);
+    std::visit(
+        [&](auto& projection) {
+            projection.znear = depth.near;
+            projection.zfar = depth.far;
+        },
+        camera.projection);
+    return camera;
+}
+
 double seconds_of(int frame, const RenderSettings& settings) { return frame / settings.fps; }
 
 void show_frame(OpenScene& open, const RenderSettings& settings, int frame) {
+    if (open.turn) {
+        open.stage.camera = open.turn->camera(frame);
+        return;
+    }
     scene::Scene posed =
         open.asset.evaluate(std::move(open.stage.scene), {open.animations, seconds_of(frame, settings)});
     open.stage = scene::prepare_scene(std::move(posed), settings.scene, open.stage_options);

@@ -6,6 +6,7 @@
 
 #include <chrono>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -35,6 +36,22 @@ private:
     std::vector<std::pair<std::string, double>> phases_;
 };
 
+/// A camera that goes around a scene that stands still.
+class Turn {
+public:
+    /// @param begin the camera of picture 0. @param bounds of the scene, around whose middle it goes
+    Turn(scene::Camera begin, const scene::Bounds& bounds, const RenderSettings& settings);
+
+    scene::Camera camera(int picture) const;
+
+private:
+    scene::Camera begin_;
+    scene::Bounds bounds_;
+    int count_; // pictures of a whole turn
+    bool
+        fits_depths_; // the camera has no near and far of its own: those of the scene as each picture sees it
+};
+
 struct OpenScene {
     std::unique_ptr<gl::Context> context;
     scene::RenderScene stage;
@@ -42,8 +59,9 @@ struct OpenScene {
     gltf::Asset asset; // what the scene was made of
     scene::PrepareOptions stage_options;
     std::vector<int> animations; // that play
-    std::vector<int> frames;     // of --frames; empty: a single picture
+    std::vector<int> frames;     // of --frames or --turntable; empty: a single picture
     std::set<std::string> told;  // warnings that were written
+    std::optional<Turn> turn{};  // of --turntable
 };
 
 /// Returns the default size of a picture: 720 rows in the camera's aspect ratio, 16:9 if it has none.
@@ -64,7 +82,7 @@ OpenScene open_scene(const RenderSettings& settings, PhaseTimes& times);
 /// When a frame is [s].
 double seconds_of(int frame, const RenderSettings& settings);
 
-/// The scene at another of its frames.
+/// The scene at another of its frames, or its camera at another picture of the turn.
 void show_frame(OpenScene& open, const RenderSettings& settings, int frame);
 
 /// Frees the decoded images of a scene that is uploaded once and for all.

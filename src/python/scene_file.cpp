@@ -46,7 +46,10 @@ struct SceneFile::Staged {
         apply(edits, file.scene_, file.light_numbers(), !settings.at);
         const auto options = picture::prepare_options(settings, picture::read_environment_light(settings));
         scene::chosen_camera(file.scene_, file.file_, options); // throws before the scene is moved
+        const scene::Bounds bounds = scene::bounds_of(file.scene_);
         stage = scene::prepare_scene(std::move(file.scene_), file.file_, options);
+        if (settings.turntable && settings.frames)
+            stage.camera = picture::Turn(stage.camera, bounds, settings).camera(settings.frames->first);
         for (const std::string& remark : stage.remarks) write_remark(remark);
         picture::remark_on_estimator(settings, stage);
     }

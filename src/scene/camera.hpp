@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <variant>
@@ -52,6 +53,18 @@ inline vec2 half_extent(const Camera& camera, float aspect) {
         own = {o.xmag, o.ymag};
     }
     return {std::max(own.x, own.y * aspect), std::max(own.y, own.x / aspect)};
+}
+
+/// Returns the camera turned by an angle around the upright axis through a point: counter-clockwise, seen
+/// from above.
+inline Camera turned(Camera camera, vec3 around, double degrees) {
+    const double angle = degrees * (std::numbers::pi / 180.0);
+    const auto c = static_cast<float>(std::cos(angle)), s = static_cast<float>(std::sin(angle));
+    const mat3 turn(vec3(c, 0.0f, -s), vec3(0.0f, 1.0f, 0.0f), vec3(s, 0.0f, c));
+    mat4& m = camera.world_from_camera;
+    for (int axis = 0; axis < 3; ++axis) m[axis] = vec4(turn * vec3(m[axis]), 0.0f);
+    m[3] = vec4(around + turn * (vec3(m[3]) - around), 1.0f);
+    return camera;
 }
 
 } // namespace sr::scene

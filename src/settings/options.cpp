@@ -205,6 +205,12 @@ std::vector<Word> view_words() {
     return words;
 }
 
+/// The angle of the camera of the first of the frames.
+std::string turn_text(const S& s) {
+    return s.turntable && s.frames ? fmt::format("{:.9g} degrees", 360.0 * s.frames->first / *s.turntable)
+                                   : "";
+}
+
 constexpr double no_limit = 1e300;
 constexpr unsigned by_all = by_render | by_view | by_probe;
 constexpr unsigned by_picture = by_all | by_suites;
@@ -256,9 +262,18 @@ constexpr std::array options{
     Option{
         "frames", "Animation", by_render,
         parsed<parse_frames, [](const FrameRange& frames) { return text_of(frames); }, &S::frames>("A:B|A:"),
-        "frames A to B of the animation, or from A to its end; OUT has #### or %04d in its name"},
+        "frames A to B of the animation or the turntable, or from A to its end; OUT has #### or %04d in its "
+        "name"},
     Option{"fps", "Animation", by_render, number<&S::fps>(1e-3, 1e6),
            "frames a second: frame n is at n / fps seconds"},
+    Option{"turntable",
+           "Animation",
+           by_render,
+           number<&S::turntable>(1, 1'000'000, "COUNT"),
+           "COUNT pictures, 0 to COUNT - 1, from a camera that goes once around the middle of the scene, "
+           "counter-clockwise seen from above; scene and lights stand still",
+           nullptr,
+           {"turn", turn_text}},
 
     Option{"size", "Picture", by_picture | by_export,
            parsed<parse_size, [](Size size) { return text_of(size); }, &S::size>("WIDTHxHEIGHT"),

@@ -56,6 +56,7 @@ struct RenderSettings {
     std::string animation;    // by name, by index, or "all"; empty: the first
     std::optional<FrameRange> frames;
     double fps = 24.0;
+    std::optional<int> turntable; // pictures from a camera that goes once around; `frames` are some of them
 
     render::StopRule stop;
     /// Seed, background, estimator and depth maps; size, shaders and samples follow from the rest.

@@ -11,7 +11,14 @@
 An array of a picture has the shape height × width × channels, with the top row first. Its values are radiance in cd/m², linear
 Rec. 709 red, green and blue, and the coverage by surfaces, 0 to 1.
 """
-from . import _native
+try:
+    from . import _native
+except ImportError as error:
+    missing, found, _ = str(error).partition(": cannot open shared object file")
+    if not found:
+        raise
+    raise ImportError(f"{missing}: no such library on this system: install the package that has it (apt-file search {missing}); a wheel is for "
+                      "the release of Debian or Ubuntu that it was built on") from None
 from ._program import Error, Remark, program, sample, samples, start
 
 start()
@@ -27,7 +34,7 @@ from ._scene import Animation, Camera, Scene, load  # noqa: E402
 
 Light = _native.Light
 Material = _native.Material
-__version__ = _native.__version__
+__version__ = str(vars(_native)["__version__"])
 
 __all__ = ["Animation", "Assignment", "Brdf", "Camera", "Comparison", "Diagnosis", "Error", "Law", "Light", "LightTerms",
            "Marks", "Material", "Probe", "Remark", "Result", "Scene", "Verdict", "brdf", "compare", "directional_light",

@@ -21,17 +21,18 @@ class Marks:
     @property
     def points(self) -> float:
         """The points of all tasks."""
-        return self.result["points"]
+        return float(self.result["points"])
 
     @property
     def of(self) -> float:
         """The points that could be had, without extra ones."""
-        return self.result["of"]
+        return float(self.result["of"])
 
     @property
     def tasks(self) -> list[dict[str, Any]]:
         """A dict for each task: id, points, of, status, checks."""
-        return self.result["tasks"]
+        tasks: list[dict[str, Any]] = self.result["tasks"]
+        return tasks
 
     def save(self, file: str | os.PathLike[str]) -> None:
         """Writes the report, one .html file that needs nothing from outside."""

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import Any, Sequence
 
 import numpy as np
+from numpy.typing import NDArray
 
 from . import _native
 from ._program import told_in_python
@@ -22,7 +23,7 @@ class Law:
     broken_by_definition: bool
 
 
-def _rows(values: Any, columns: int) -> np.ndarray:
+def _rows(values: Any, columns: int) -> NDArray[np.float32]:
     array = np.asarray(values, np.float32)
     if array.ndim == 0 or array.shape[-1] != columns:
         raise ValueError(f"the last axis has {columns} numbers, not the shape {array.shape}")
@@ -36,28 +37,28 @@ class Brdf:
         self.name = name
         self._native = native
 
-    def f_r(self, wi: Any, wo: Any) -> np.ndarray:
+    def f_r(self, wi: Any, wo: Any) -> NDArray[np.float32]:
         """Returns f_r(wi, wo) [1/sr] as float32, … × 3, by the GLSL of the renderer.
 
         wi, wo: … × 3; their leading axes broadcast.
         """
         wi, wo = np.broadcast_arrays(np.asarray(wi, np.float32), np.asarray(wo, np.float32))
         with told_in_python():
-            return self._native.f_r(_rows(wi, 3), _rows(wo, 3)).reshape(wi.shape)
+            return np.asarray(self._native.f_r(_rows(wi, 3), _rows(wo, 3))).reshape(wi.shape)
 
     __call__ = f_r
 
-    def albedo(self, wo: Any, count: int = 8192) -> np.ndarray:
+    def albedo(self, wo: Any, count: int = 8192) -> NDArray[np.float32]:
         """Returns ∫ f_r cosθ_i dω_i for each wo as float32, … × 3, from `count` directions each."""
         wo = np.asarray(wo, np.float32)
         with told_in_python():
-            return self._native.albedo(_rows(wo, 3), count).reshape(wo.shape)
+            return np.asarray(self._native.albedo(_rows(wo, 3), count)).reshape(wo.shape)
 
-    def sample(self, wo: Any, u: Any) -> tuple[np.ndarray, np.ndarray]:
+    def sample(self, wo: Any, u: Any) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
         """Returns the directions that the BRDF's own sampling makes of u (… × 2, in [0, 1)), and their densities [1/sr]."""
         u = np.asarray(u, np.float32)
         with told_in_python():
-            rows = self._native.samples(tuple(float(v) for v in wo), _rows(u, 2))
+            rows = np.asarray(self._native.samples(tuple(float(v) for v in wo), _rows(u, 2)))
         return rows[:, :3].reshape(*u.shape[:-1], 3), rows[:, 3].reshape(u.shape[:-1])
 
     def laws(self) -> list[Law]:

@@ -10,12 +10,13 @@ from pathlib import Path
 from typing import Any, Sequence, Union
 
 import numpy as np
+from numpy.typing import NDArray
 
 from . import _native
 from ._program import told_in_python
 from ._result import Result, embedded_png
 
-Picture = Union[str, "os.PathLike[str]", np.ndarray, Result]
+Picture = Union[str, "os.PathLike[str]", NDArray[Any], Result]
 
 
 @dataclass(frozen=True)
@@ -49,19 +50,19 @@ class Comparison:
         self.diagnosis = Diagnosis(**diagnosis) if diagnosis else None
 
     @property
-    def error(self) -> np.ndarray | None:
+    def error(self) -> NDArray[np.float32] | None:
         """float32, height × width: each pixel's error over its limit. NaN: not finite; -1: not compared. None: other sizes."""
-        return self._native.error.channels(0, 0) if self._native.error.width else None
+        return _pixels(self._native.error, 0)
 
     @property
-    def heat_map(self) -> np.ndarray | None:
+    def heat_map(self) -> NDArray[np.float32] | None:
         """float32, height × width × 3 in 0 to 1: the error as colours."""
-        return self._native.heat_map.channels(0, 3) if self._native.heat_map.width else None
+        return _pixels(self._native.heat_map, 3)
 
     @property
-    def side_by_side(self) -> np.ndarray | None:
+    def side_by_side(self) -> NDArray[np.float32] | None:
         """float32, height × width × 3 in 0 to 1: test, reference and heat map."""
-        return self._native.side_by_side.channels(0, 3) if self._native.side_by_side.width else None
+        return _pixels(self._native.side_by_side, 3)
 
     def __bool__(self) -> bool:
         return self.passed
@@ -82,6 +83,10 @@ class Comparison:
             self._native.side_by_side.write(str(file), "8bit")
             picture = file.read_bytes()
         return text + embedded_png(picture, self._native.side_by_side.width // 3, "test, reference, heat map", 3)
+
+
+def _pixels(image: _native.Image, channels: int) -> NDArray[np.float32] | None:
+    return np.asarray(image.channels(0, channels)) if image.width else None
 
 
 def _numbers(value: Any) -> Any:
@@ -108,14 +113,14 @@ def native_image(picture: Picture) -> _native.Image:
     return _native.Image(np.ascontiguousarray(pixels), channels, bits)
 
 
-def read_image(file: str | os.PathLike[str]) -> tuple[np.ndarray, list[str]]:
+def read_image(file: str | os.PathLike[str]) -> tuple[NDArray[np.float32], list[str]]:
     """Reads any image file. Returns float32, height × width × channels, as stored, and the names of the channels."""
     with told_in_python():
         image = _native.read_image(os.fspath(file))
-    return image.channels(0, len(image.channel_names)), image.channel_names
+    return np.asarray(image.channels(0, len(image.channel_names))), image.channel_names
 
 
-def compare(test: Picture, reference: Picture, limits: Sequence[str] | str = (), *, region: tuple[int, int, int, int] | None = None,
+def compare(test: Picture, reference: Picture, limits: Sequence[str] | str = (), *, region: Sequence[int] | None = None,
             mask: Picture | None = None, noise: Sequence[Picture | float] = (), layer: str = "", encoding: str | None = None,
             allow_nonfinite: bool = False) -> Comparison:
     """Compares two pictures as `steradian compare` does.
@@ -136,7 +141,11 @@ def compare(test: Picture, reference: Picture, limits: Sequence[str] | str = (),
         native = _native.Limits()
         native.tolerances = [limits] if isinstance(limits, str) else list(limits)
         native.allows_nonfinite = allow_nonfinite
-        native.region = tuple(region) if region is not None else None
+        if region is not None:
+            if len(region) != 4:
+                raise ValueError(f"region: {region} is not x, y, width, height")
+            x, y, width, height = region
+            native.region = x, y, width, height
         if mask is not None:
             native.mask = native_image(mask)
         native.noise = [native_image(np.full((1, 1, 1), n, np.float32) if isinstance(n, (int, float)) else n) for n in noise]

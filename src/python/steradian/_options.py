@@ -9,8 +9,8 @@ from typing import Any, Mapping
 from . import _native
 
 TABLE = {row["key"]: row for row in _native.options()}
-# The end of an animation's frames, and files: these belong to the command line.
-_LEFT_OUT = {"frames", "fps", "scene", "variant", "strict"}
+# Sequences, and files: these belong to the command line.
+_LEFT_OUT = {"frames", "fps", "turntable", "scene", "variant", "strict"}
 RENDER = {key for key, row in TABLE.items() if row["of_render"]} - _LEFT_OUT
 PROBE = {key for key, row in TABLE.items() if row["of_probe"]} - _LEFT_OUT
 _LISTS = {"aov": ",", "environment": ",", "background": ","}
@@ -23,7 +23,10 @@ def _number(value: Any) -> str:
 def _size(value: Any) -> str:
     if isinstance(value, str):
         return value
-    width, height = value
+    try:
+        width, height = value
+    except (TypeError, ValueError):
+        raise ValueError(f"size: {value!r} is not (width, height)") from None
     return f"{width}x{height}"
 
 

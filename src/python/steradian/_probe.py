@@ -47,7 +47,7 @@ class Probe:
 
         rows = []
         for record in self.records():
-            row = {}
+            row: dict[str, Any] = {}
             for key, value in record.items():
                 if isinstance(value, tuple):
                     row |= {f"{key}.{axis}": part for axis, part in zip("xyz" if key == "wi" else "rgb", value)}

@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any, Sequence
 
 import numpy as np
+from numpy.typing import NDArray
 
 from . import _native
 from ._program import told_in_python
@@ -31,16 +32,16 @@ class Result:
         #: The numbers of `steradian render --json`: samples, error, seconds by phase, driver.
         self.statistics: dict[str, Any] = json.loads(native.summary)
         #: float32, height × width × 4: R, G, B [`unit`] and coverage.
-        self.image: np.ndarray = self._image.channels(0, 4)
+        self.image: NDArray[np.float32] = np.asarray(self._image.channels(0, 4))
         groups: dict[str, list[int]] = {}
         for number, name in enumerate(self._image.channel_names[4:], 4):
             groups.setdefault(name.rpartition(".")[0], []).append(number)
-        arrays = {name: self._image.channels(numbers[0], 0 if len(numbers) == 1 else len(numbers))
+        arrays = {name: np.asarray(self._image.channels(numbers[0], 0 if len(numbers) == 1 else len(numbers)))
                   for name, numbers in groups.items()}
         #: float32, height × width × 3 for each light and for "emission"; their sum is the picture.
-        self.layers: dict[str, np.ndarray] = {name: array for name, array in arrays.items() if name not in aov}
+        self.layers: dict[str, NDArray[np.float32]] = {name: array for name, array in arrays.items() if name not in aov}
         #: float32, height × width or height × width × 3, by the names that were asked for.
-        self.aov: dict[str, np.ndarray] = {name: array for name, array in arrays.items() if name in aov}
+        self.aov: dict[str, NDArray[np.float32]] = {name: array for name, array in arrays.items() if name in aov}
 
     @property
     def size(self) -> tuple[int, int]:
@@ -50,12 +51,12 @@ class Result:
     @property
     def unit(self) -> str:
         """The unit of `image`: cd/m^2, or that of the view."""
-        return self.statistics["unit"]
+        return str(self.statistics["unit"])
 
     @property
     def samples(self) -> int:
         """The samples of the pixels that have most of them."""
-        return self.statistics["samples"]
+        return int(self.statistics["samples"])
 
     @property
     def error(self) -> float | None:
@@ -81,17 +82,18 @@ class Result:
         with told_in_python():
             self._native.save([os.fspath(file) for file in files], exposure, tone_curve or "", exr_type or "")
 
-    def display(self, exposure: float | None = None, tone_curve: str | None = None) -> np.ndarray:
+    def display(self, exposure: float | None = None, tone_curve: str | None = None) -> NDArray[np.uint8]:
         """Returns uint8, height × width × 3: sRGB codes for a screen, as a .png has them."""
         with told_in_python():
-            shown = self._native.displayed(exposure, tone_curve or "").channels(0, 3)
-        return (np.clip(shown, 0, 1) * 255 + 0.5).astype(np.uint8)
+            shown = np.asarray(self._native.displayed(exposure, tone_curve or "").channels(0, 3))
+        codes: NDArray[np.uint8] = (np.clip(shown, 0, 1) * 255 + 0.5).astype(np.uint8)
+        return codes
 
-    def luminance(self) -> np.ndarray:
+    def luminance(self) -> NDArray[np.float32]:
         """Returns float32, height × width: 0.2126 R + 0.7152 G + 0.0722 B."""
         return self.image[..., :3] @ np.array([0.2126, 0.7152, 0.0722], np.float32)
 
-    def __array__(self, dtype: Any = None, copy: bool | None = None) -> np.ndarray:
+    def __array__(self, dtype: Any = None, copy: bool | None = None) -> NDArray[Any]:
         return np.array(self.image, dtype=dtype, copy=copy if copy is not None else True)
 
     def _repr_png_(self) -> bytes:

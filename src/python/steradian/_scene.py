@@ -5,6 +5,7 @@ import os
 import sys
 import time
 from dataclasses import dataclass, replace
+from operator import index
 from typing import Any, Callable, Iterable, Iterator, Sequence
 
 import numpy as np
@@ -56,7 +57,7 @@ class Camera:
 
         def turn(v: Sequence[float], by: Sequence[float]) -> Vector:
             x, y, z = (float(a) - float(b) for a, b in zip(v, by))
-            return tuple(round(value, 12) for value in (by[0] + c * x + s * z, by[1] + y, by[2] + c * z - s * x))
+            return round(by[0] + c * x + s * z, 12), round(by[1] + y, 12), round(by[2] + c * z - s * x, 12)
 
         return self.with_(eye=turn(self.eye, around), target=turn(self.target, around), up=turn(self.up, (0, 0, 0)))
 
@@ -146,7 +147,10 @@ class Scene:
         """
         options |= {"size": size, "samples": samples, "error": error, "camera": camera, "estimator": estimator, "layers": layers,
                     "aov": aov}
-        texts = self._texts(options, _options.RENDER, "render")
+        return self._render(options, progress, {})
+
+    def _render(self, options: dict[str, Any], progress: Progress | bool | None, moment: dict[str, list[str]]) -> Result:
+        texts = self._texts(options, _options.RENDER, "render") | moment
         with told_in_python(), _Bar(progress) as told:
             native = self._native.render(texts, self._edited_lights(), self._edited_materials(), told)
         self._tell_warnings()
@@ -168,27 +172,38 @@ class Scene:
             numbers = range(int(self._duration(animation) * fps + 1e-6) + 1)
         if options.get("camera") == "auto" or options.get("camera") is None and not self.cameras:
             options["camera"] = self.camera("auto")
-        yield from self._sequence(((number, {"at": number / fps, "animation": animation}) for number in numbers), options)
+        yield from self._sequence(((number, {"at": number / fps, "animation": animation}, {}) for number in numbers), options)
 
     def turntable(self, count: int = 36, camera: Camera | str | int | None = None, around: Sequence[float] | None = None,
                   **options: Any) -> Iterator[tuple[int, Result]]:
-        """Yields `count` pictures from a camera that goes once around the scene, each with its number.
+        """Yields `count` pictures from a camera that goes once around the scene, each with its number, as in
+        `steradian render --turntable`.
 
         camera: as `render` takes it; picture 0 is from there. around: the point that it goes around; None: the middle of
-        `bounds`. The other options are those of `render`; an automatic exposure is that of the first picture.
-        """
-        if count < 1:
-            raise ValueError(f"count: {count} is not 1 or more")
-        begin = camera if isinstance(camera, Camera) else self.camera(camera)
-        if around is None:
-            around = tuple((low + high) / 2 for low, high in zip(*self.bounds))
-        yield from self._sequence(((number, {"camera": begin.turned(360 * number / count, around) if number else begin})
-                                   for number in range(count)), options)
+        the scene. The other options are those of `render`; an automatic exposure is that of the first picture. The studio
+        or softboxes that light a dark scene stand still, unless `around` is given: then they are placed for each camera.
 
-    def _sequence(self, moments: Iterable[tuple[int, dict[str, Any]]], options: dict[str, Any]) -> Iterator[tuple[int, Result]]:
-        exposure = options.pop("exposure", None)
-        for number, moment in moments:
-            picture = self.render(exposure=exposure, **moment, **options)
+            for number, picture in scene.turntable(36, size=(640, 360)):
+                picture.save(f"turn.{number:03}.png")
+        """
+        if index(count) < 1:
+            raise ValueError(f"count: {count} is not 1 or more")
+        if around is not None and len(around) != 3:
+            raise ValueError(f"around: {around} is not x, y, z")
+        if around is None:
+            moments = ((number, {"camera": camera}, {"turntable": [str(count)], "frames": [f"{number}:{number}"]})
+                       for number in range(count))
+        else:
+            begin = camera if isinstance(camera, Camera) else self.camera(camera)
+            moments = ((number, {"camera": begin.turned(360 * number / count, around) if number else begin}, {})
+                       for number in range(count))
+        yield from self._sequence(moments, options)
+
+    def _sequence(self, moments: Iterable[tuple[int, dict[str, Any], dict[str, list[str]]]],
+                  options: dict[str, Any]) -> Iterator[tuple[int, Result]]:
+        exposure, progress = options.pop("exposure", None), options.pop("progress", None)
+        for number, moment, texts in moments:
+            picture = self._render({**options, **moment, "exposure": exposure}, progress, texts)
             if exposure in (None, "auto"):
                 exposure = picture.exposure
             yield number, picture
@@ -249,7 +264,7 @@ class Scene:
         return probe_of((x, y), terms)
 
     def _texts(self, options: dict[str, Any], allowed: set[str], function: str) -> dict[str, list[str]]:
-        if isinstance(options["camera"], Camera):
+        if isinstance(options.get("camera"), Camera):
             options["camera"] = options["camera"].text()
         return _options.texts(options, allowed, function)
 

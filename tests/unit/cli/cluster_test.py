@@ -157,6 +157,19 @@ class Workers(unittest.TestCase):
         self.assert_same_files(self.scratch / "apart", self.scratch / "alone")
         self.assertEqual({name: (self.scratch / "apart" / name).stat().st_mtime_ns for name in before}, before, "frames that are there stay")
 
+    def test_a_turntable_is_that_of_one_machine(self):
+        for folder in ("apart", "alone"):
+            (self.scratch / folder).mkdir()
+        options = ["--size", "48x32", "--samples", "2", "--at", "0.5"]
+        scene = SOURCE / "assets/scenes/motion.gltf"
+        rendering = self.begin("render", scene, "--turntable", "10", "-o", "apart/t.##.exr", "-o", "apart/t.##.png", "--", *options)
+        self.kill_a_worker_after(lambda: list((self.scratch / "apart").glob("*.exr")))
+        self.end(rendering)
+        subprocess.run([STERADIAN, "render", scene, "--turntable", "10", "-o", "alone/t.##.exr", "-o", "alone/t.##.png", *options], check=True,
+                       cwd=self.scratch)
+        self.assert_same_files(self.scratch / "apart", self.scratch / "alone")
+        self.assertEqual(len({file.read_bytes() for file in (self.scratch / "apart").glob("*.exr")}), 10, "ten pictures, all different")
+
     def test_a_suite_has_the_results_of_one_machine(self):
         suite = json.loads((SOURCE / "tests/golden/suite.json").read_text())
         chosen = [test for test in suite["tests"] if test["name"].startswith("plane_")][:4]
@@ -184,6 +197,8 @@ class Workers(unittest.TestCase):
         line(self.begin("render", scene, "--frames", "0:1", "-o", "f.png"), "would have this name")
         line(self.begin("render", "none.gltf", *frames), "none.gltf: no file")
         line(self.begin("render", scene, *frames, "--", "--size", "0x0"), "size")
+        line(self.begin("render", scene, "-o", "f.####.png"), "write --frames FIRST:LAST .* or --turntable")
+        line(self.begin("render", scene, *frames, "--turntable", "1"), "beyond the 1 pictures")
         line(self.begin("grade", "a3", "--submissions", self.scratch / "none", "--out", self.scratch / "out"), "no folder")
         (self.scratch / "broken.json").write_text("{")
         line(self.begin("golden", self.scratch / "broken.json"), "broken.json:1")

@@ -49,6 +49,45 @@ class Motion(cli_test.CommandLine):
             result = self.render("a.png", *arguments)
             self.assertEqual((result.returncode, result.stdout), (2, ""), arguments)
         self.assertIn("####", self.render("a.png", "--frames", "0:1").stderr)
+        self.assertIn("####", self.render("a.png", "--turntable", "4").stderr)
+        for arguments, words in ((("0:4",), "the last one is 3"), (("0:1", "--fps", "3"), "--fps")):
+            result = self.render("a.#.png", "--turntable", "4", "--frames", *arguments)
+            self.assertEqual((result.returncode, result.stdout), (2, ""), arguments)
+            self.assertIn(words, result.stderr)
+        self.assertEqual(list(self.folder.iterdir()), [])
+
+    def test_a_turntable_goes_once_around_a_scene_that_stands_still(self):
+        result = self.render("t.#.exr", "--turntable", "4", "--camera", "eye=0,1,4;target=0,1,0;near=0.1;far=20", "--json")
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        self.assertEqual([Path(name).name for name in json.loads(result.stdout)["outputs"]], [f"t.{n}.exr" for n in range(4)])
+        bounds = json.loads(cli_test.run("info", SCENE, "--json").stdout)["bounds [m]"]
+        middle = [0.5 * (bounds["min"][axis] + bounds["max"][axis]) for axis in (0, 2)]
+        offsets = [[point[axis] - middle[axis] for axis in (0, 1)] for point in ((0, 4), (0, 0))]  # of eye and target: x and z
+        for number in range(4):
+            eye, target = (f"{middle[0] + x},1,{middle[1] + z}" for x, z in offsets)
+            self.assertEqual(self.render("still.exr", "--camera", f"eye={eye};target={target};near=0.1;far=20").returncode, 0)
+            self.assertLess(self.difference(self.folder / "still.exr", self.folder / f"t.{number}.exr"), 0.01, number)
+            offsets = [[z, -x] for x, z in offsets]  # a quarter to the left, seen from above
+        self.assertGreater(self.difference(self.folder / "t.0.exr", self.folder / "t.1.exr"), 0.1)
+        self.assertIn(b"90 degrees", (self.folder / "t.1.exr").read_bytes())
+        whole = (self.folder / "t.3.exr").read_bytes()
+        (self.folder / "t.3.exr").unlink()
+        self.assertEqual(self.render("t.#.exr", "--turntable", "4", "--frames", "3:", "--camera", "eye=0,1,4;target=0,1,0;near=0.1;far=20").returncode, 0)
+        self.assertEqual((self.folder / "t.3.exr").read_bytes(), whole)
+
+    def test_a_turning_camera_cuts_nothing_off(self):
+        """The zoo is a long row, which is farther off from its front than from its ends."""
+        view = "eye=0,0.5,9;target=0,0.5,0"
+        for name, camera in (("own", view), ("deep", view + ";near=0.1;far=40"), ("flat", view + ";near=7;far=11")):
+            result = cli_test.run("render", Path(SCENE).with_name("zoo.gltf"), "-o", self.folder / f"{name}.#.exr", "--turntable", 4, "--frames", "1:1",
+                                  "--camera", camera, "--size", "48x32", "--samples", "4", "--exr-type", "half")
+            self.assertEqual((result.returncode, result.stderr), (0, ""))
+        self.assertLess(self.difference(self.folder / "own.1.exr", self.folder / "deep.1.exr"), 0.001)
+        self.assertGreater(self.difference(self.folder / "flat.1.exr", self.folder / "deep.1.exr"), 0.01)
+
+    def difference(self, one, other):
+        """relMSE of two pictures"""
+        return json.loads(cli_test.run("compare", one, other, "--json").stdout)["metrics"]["rel_mse"]
 
     def test_a_variant_changes_the_picture(self):
         self.assertEqual(self.render("a.exr").returncode + self.render("b.exr", "--variant", "gilded").returncode, 0)

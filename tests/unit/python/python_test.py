@@ -3,8 +3,10 @@
 usage: python_test.py TEST_NAME     (a function below; PYTHONPATH names the folder of the package)
 """
 import doctest
+import importlib.util
 import math
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -18,6 +20,7 @@ import numpy as np
 import steradian
 
 CORNELL = steradian.sample("cornell")
+SOURCE = Path(__file__).resolve().parents[3]
 
 
 def refused(error, call, *words):
@@ -135,6 +138,18 @@ def test_failures_are_exceptions_of_one_line():
     assert all("--" not in str(w.message) and w.filename == __file__ for w in heard), [str(w) for w in heard]
 
 
+def test_a_missing_library_is_an_error_that_says_what_to_do():
+    program = ("import sys\n"
+               "class Loader:\n"
+               "    def find_spec(self, name, *_):\n"
+               "        if name == 'steradian._native': raise ImportError('libfmt.so.9: cannot open shared object file: No such file or directory')\n"
+               "sys.meta_path.insert(0, Loader())\n"
+               "import steradian\n")
+    run = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True)
+    last = run.stderr.splitlines()[-1]
+    assert last.startswith("ImportError: libfmt.so.9: no such library") and "apt-file search libfmt.so.9" in last, run.stderr
+
+
 def test_other_threads_run_while_a_picture_is_rendered():
     ticks = []
     ended = threading.Event()
@@ -241,6 +256,21 @@ def test_examples_in_docstrings_hold():
         found = doctest.testmod(module, extraglobs={"steradian": steradian, "np": np}, optionflags=doctest.ELLIPSIS)
         failed += found.failed
     assert failed == 0
+
+
+def test_types_are_strict():
+    """The package itself has no errors, and callers' mistakes are found through its types."""
+    if importlib.util.find_spec("mypy") is None:
+        print("SKIPPED: the Python package mypy is not installed")
+        sys.exit(77)
+    with tempfile.TemporaryDirectory() as folder:
+        caller = Path(folder, "caller.py")
+        caller.write_text("import steradian\nscene = steradian.load('a.glb')\nflux: float | None = scene.lights[0].flux\n"
+                          "scene.render(size=64, samples=2)\nname: int = scene.render().unit\n")
+        run = subprocess.run([sys.executable, "-m", "mypy", f"--cache-dir={folder}/cache", "src/python/steradian", caller], cwd=SOURCE,
+                             capture_output=True, text=True)
+        errors = [line for line in run.stdout.splitlines() if ": error: " in line]
+        assert [re.sub(r".*/(\w+\.py:\d+):.*", r"\1", line) for line in errors] == ["caller.py:4", "caller.py:5"], run.stdout + run.stderr
 
 
 def test_stubs_are_those_of_the_module():

@@ -194,11 +194,23 @@ def test_a_turntable_goes_once_around():
     assert [number for number, _ in pictures] == [0, 1, 2, 3]
     assert np.array_equal(pictures[0][1].image, scene.render(size=(16, 16), samples=2).image)
     assert not np.array_equal(pictures[1][1].image, pictures[2][1].image)
+    with tempfile.TemporaryDirectory() as folder:
+        for rig in ("none", "studio"):  # which stands still
+            subprocess.run([steradian.program(), "render", CORNELL, "-o", Path(folder, "c.#.exr"), "--turntable", "3", "--size", "16x16", "--samples", "2",
+                            "--rig", rig], check=True, capture_output=True)
+            for number, picture in scene.turntable(3, size=(16, 16), samples=2, rig=rig):
+                assert np.array_equal(steradian.read_image(Path(folder, f"c.{number}.exr"))[0][..., :4], picture.image), (rig, number)
+    low, high = scene.bounds
+    middle = [(a + b) / 2 for a, b in zip(low, high)]
+    apart = next(p for n, p in scene.turntable(4, around=middle, size=(16, 16), samples=2) if n == 1)
+    assert np.isclose(apart.image, pictures[1][1].image, rtol=1e-3, atol=1e-3).mean() > 0.9
     camera = scene.camera("auto")
     around = camera.turned(360, (0, 0, 0))
     assert np.allclose(around.eye, camera.eye) and np.allclose(around.target, camera.target)
     refused(steradian.Error, lambda: scene.camera("none"), "none", "choose one of")
     refused(ValueError, lambda: next(scene.turntable(0)), "count")
+    refused(ValueError, lambda: next(scene.turntable(3, around=(0, 0))), "around")
+    refused(ValueError, lambda: next(scene.turntable(3, size=16)), "size", "(width, height)")
 
 
 def test_a_probe_is_a_table():

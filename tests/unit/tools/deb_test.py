@@ -9,8 +9,9 @@ import subprocess
 import sys
 from pathlib import Path
 
+SOURCE = Path(__file__).resolve().parents[3]
 FILES = {
-    "usr/bin/steradian", "usr/lib/steradian/sr_image_oiio.so", "usr/share/steradian/scenes/default.gltf",
+    "usr/bin/steradian", "usr/lib/steradian/modules/sr_image_oiio.so", "usr/share/steradian/scenes/default.gltf",
     "usr/share/steradian/scenes/downlight.ies", "usr/share/steradian/assignments/a1-light/assignment.json",
     "usr/share/steradian/extras.schema.json", "usr/share/cmake/Steradian/SteradianConfig.cmake", "usr/share/man/man1/steradian.1.gz",
     "usr/share/man/man1/steradian-golden-run.1.gz", "usr/share/bash-completion/completions/steradian",
@@ -39,6 +40,11 @@ def main():
     assert re.fullmatch(r"Steradian developers <\S+@\S+>", fields["Maintainer"]), fields
     for library in ("libc6", "libegl1", "libgl1-mesa-dri", "libglfw3", "libopenimageio"):  # by the program, by hand, by the module
         assert re.search(rf"(^|, ){re.escape(library)}", fields["Depends"]), (library, fields["Depends"])
+    assert not re.search(r"\b(post|pre)(inst|rm)\b", output("dpkg-deb", "-I", package)), "nothing is run at an installation"
+    if "VERSION_CODENAME=bookworm" in Path("/etc/os-release").read_text():  # the README names that release's packages
+        named = re.search(r"On Debian 12 it needs (.*?);", (SOURCE / "src/python/README.md").read_text(), re.DOTALL)[1]
+        needed = {part.split()[0] for part in fields["Depends"].split(", ")} - {"libc6", "libgcc-s1", "libstdc++6"}
+        assert set(re.findall(r"\bz?lib[a-z0-9.+-]+", named)) == needed, needed
     listed = [line.split(maxsplit=5) for line in output("dpkg-deb", "-c", package).splitlines()]
     files = {name.removeprefix("./"): mode for mode, _, _, _, _, name in listed}
     assert FILES <= set(files), FILES - set(files)

@@ -5,7 +5,7 @@ from pathlib import Path
 if not __package__:
     sys.path[0] = str(Path(__file__).resolve().parent.parent)
     __package__ = "cluster"
-    import cluster  # noqa: F401
+    import cluster  # type: ignore[import-not-found]  # noqa: F401
 
 from .command import main  # noqa: E402
 

@@ -6,6 +6,7 @@ import shutil
 import signal
 import sys
 from pathlib import Path
+from typing import Callable
 
 from .failure import Failure
 from .frames import render
@@ -20,6 +21,7 @@ Start a scheduler and workers first, each in an environment with the Python pack
 Examples:
   python -m steradian.cluster grade a3 --submissions downloads --out marks --scheduler tcp://192.0.2.1:8786
   python -m steradian.cluster render dancer.glb --frames 0:240 -o walk.####.exr --scheduler tcp://192.0.2.1:8786 -- --samples 256
+  python -m steradian.cluster render vase.glb --turntable 120 -o vase.###.png --scheduler tcp://192.0.2.1:8786
   python -m steradian.cluster golden suite.json -o golden-results --scheduler tcp://192.0.2.1:8786
 
 Exit status: that of the same command on one machine; 3 if a file, the scheduler or a worker is at fault; 130 after Ctrl-C, whereupon
@@ -46,7 +48,7 @@ def parser() -> argparse.ArgumentParser:
                                     epilog=EXAMPLES, formatter_class=form)
     commands = whole.add_subparsers(required=True, metavar="COMMAND")
 
-    def command(name: str, run, text: str) -> argparse.ArgumentParser:
+    def command(name: str, run: Callable[[argparse.Namespace], int], text: str) -> argparse.ArgumentParser:
         one = commands.add_parser(name, help=text, description=text, epilog=EXAMPLES, formatter_class=form)
         one.add_argument("--scheduler", required=True, metavar="ADDRESS", help="of the Dask scheduler, e.g. tcp://host:8786")
         one.add_argument("--program", default="steradian", help="steradian here; workers take the same path, or the one in their PATH")
@@ -60,13 +62,14 @@ def parser() -> argparse.ArgumentParser:
     grading.add_argument("--hidden", type=Path, metavar="DIR")
     grading.add_argument("--time-limit", default="20", metavar="SECONDS", help="of one task (default: 20)")
     grading.add_argument("--memory", default="2048", metavar="MIB", help="of one submission (default: 2048)")
-    rendering = command("render", render, "render frames, as `steradian render --frames` does")
+    rendering = command("render", render, "render frames or a turntable, as `steradian render --frames` and `--turntable` do")
     rendering.add_argument("scene", type=Path)
-    rendering.add_argument("--frames", required=True, type=frame_range, metavar="FIRST:LAST")
+    rendering.add_argument("--frames", type=frame_range, metavar="FIRST:LAST", help="of the animation, or some of the turntable's pictures")
+    rendering.add_argument("--turntable", type=count, metavar="COUNT", help="pictures from a camera that goes once around the scene")
     rendering.add_argument("-o", "--output", required=True, action="append", type=Path, metavar="OUT", help="with #### in its name (repeatable)")
     rendering.add_argument("--chunk", default=1, type=count, help="frames of one task (default: 1)")
     rendering.add_argument("--resume", action="store_true", help="keep the frames that are there")
-    rendering.usage = "%(prog)s SCENE --frames FIRST:LAST -o OUT --scheduler ADDRESS [--chunk N] [--resume] [-- OPTIONS of `steradian render`]"
+    rendering.usage = "%(prog)s SCENE --frames FIRST:LAST|--turntable COUNT -o OUT --scheduler ADDRESS [--chunk N] [--resume] [-- OPTIONS of `steradian render`]"
     suites = command("golden", golden, "run a golden suite, as `steradian golden run` does")
     suites.add_argument("suite", type=Path)
     suites.add_argument("-o", "--output", default=Path("golden-results"), type=Path, metavar="DIR")
@@ -90,7 +93,7 @@ def main() -> int:
         if not found:
             raise Failure(f"{arguments.program}: no such program: install Steradian, or name it with --program")
         arguments.program = os.path.abspath(found)
-        return arguments.run(arguments)
+        return int(arguments.run(arguments))
     except Failure as failure:
         print(failure, file=sys.stderr)
         return 3

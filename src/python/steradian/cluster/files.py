@@ -1,12 +1,19 @@
 """What travels to workers: scenes with their textures, folders, submissions."""
+from __future__ import annotations
+
 import hashlib
 import json
 import os
 import stat
 import struct
 from pathlib import Path
+from typing import Any, Iterable, Iterator
 
 from .failure import Failure
+
+# A path, a kind ("file", "link", …, or a size beyond what is read), and a content.
+Entry = tuple[bytes, "str | int", bytes]
+Bundle = tuple[str, list[Entry]]  # a digest and its files
 
 MOST_BYTES = 8 << 30  # of a bundle
 
@@ -14,10 +21,11 @@ MOST_BYTES = 8 << 30  # of a bundle
 MOST_DEPTH, MOST_FILES, MOST_TEXT, MOST_ARCHIVE = 8, 10_000, 1 << 20, 64 << 20
 
 
-def bundle_of(root: Path, files) -> tuple:
+def bundle_of(root: Path, files: Iterable[Path]) -> Bundle:
     """(digest, entries) of files below a folder, folders among them with all that they hold."""
-    entries, size = [], 0
-    found = set()
+    entries: list[Entry] = []
+    size = 0
+    found: set[Path] = set()
     for file in files:
         found |= {f for f in file.rglob("*") if f.is_file()} if file.is_dir() else {file}
     for file in sorted(found):
@@ -31,13 +39,13 @@ def bundle_of(root: Path, files) -> tuple:
     return digest.hexdigest(), entries
 
 
-def folder_bundle(folder: Path) -> tuple:
+def folder_bundle(folder: Path) -> Bundle:
     """A folder with all that it holds, under its own name."""
     folder = folder.resolve()
     return bundle_of(folder.parent, [folder])
 
 
-def texts_in(value):
+def texts_in(value: Any) -> Iterator[str]:
     """All texts of a JSON value."""
     if isinstance(value, str):
         yield value
@@ -49,7 +57,7 @@ def texts_in(value):
             yield from texts_in(part)
 
 
-def json_of(file: Path):
+def json_of(file: Path) -> Any:
     """The JSON of a .gltf, a .glb or a .json file; None if it has none. The program tells what is wrong with it."""
     data = file.read_bytes()
     try:
@@ -62,7 +70,8 @@ def json_of(file: Path):
 
 def named_files(file: Path) -> set[Path]:
     """A file and all that its JSON names: buffers, textures, IES files, environments, scenes of a suite."""
-    found, waiting = set(), [file]
+    found: set[Path] = set()
+    waiting = [file]
     while waiting:
         one = Path(os.path.abspath(waiting.pop()))
         if one in found:
@@ -78,12 +87,12 @@ def named_files(file: Path) -> set[Path]:
     return found
 
 
-def submission_entries(path: Path) -> list:
+def submission_entries(path: Path) -> list[Entry]:
     """A submission as entries: what is read of it whole, and the rest by name, kind and size, so that it is refused as here."""
     name = os.fsencode(path.name)
-    entries = []
+    entries: list[Entry] = []
 
-    def add(file: Path, within: bytes):
+    def add(file: Path, within: bytes) -> None:
         mode = os.lstat(file).st_mode
         if stat.S_ISLNK(mode):
             entries.append((within, "link", os.fsencode(os.readlink(file))))
@@ -97,7 +106,7 @@ def submission_entries(path: Path) -> list:
             with open(file, "rb") as stream:
                 entries.append((within, "file", stream.read()) if size <= most else (within, size, b""))
 
-    def walk(folder: Path, within: bytes, depth: int):
+    def walk(folder: Path, within: bytes, depth: int) -> None:
         with os.scandir(folder) as found:
             for entry in found:
                 if len(entries) > MOST_FILES + 1:

@@ -1,8 +1,12 @@
 """Frames of an animation, or of a turntable, on workers."""
+from __future__ import annotations
+
+import argparse
 import os
 import re
 import sys
 from pathlib import Path
+from typing import Any, Callable
 
 from . import work
 from .failure import Failure
@@ -17,7 +21,18 @@ def frame_name(pattern: str, frame: int) -> str:
     return re.sub(r"%0?(\d*)d", lambda m: f"{frame:0{int(m[1] or 1)}d}", name)
 
 
-def require_outputs(outputs: list):
+def frames_of(arguments: argparse.Namespace) -> range:
+    """The numbers of all frames: those that are named, or a whole turn."""
+    turn, named = arguments.turntable, arguments.frames
+    if not turn and not named:
+        raise Failure("no frames: write --frames FIRST:LAST for those of an animation, or --turntable COUNT")
+    first, last = named or (0, turn - 1)
+    if turn and last >= turn:
+        raise Failure(f"--frames {first}:{last}: is beyond the {turn} pictures of --turntable: the last one is {turn - 1}")
+    return range(first, last + 1)
+
+
+def require_outputs(outputs: list[Path]) -> None:
     for output in outputs:
         if frame_name(output.name, 0) == output.name:
             raise Failure(f"{output}: all frames would have this name: write #### where the number belongs")
@@ -28,10 +43,12 @@ def require_outputs(outputs: list):
 class Rendering:
     """The frames of one command."""
 
-    def __init__(self, arguments):
-        self.arguments, self.said = arguments, set()
+    def __init__(self, arguments: argparse.Namespace) -> None:
+        self.arguments = arguments
+        self.said: set[str] = set()
         self.here = Path.cwd()
         words = [str(arguments.scene), *arguments.options]
+        words += ["--turntable", str(arguments.turntable)] if arguments.turntable else []
         files = named_files(arguments.scene)
         for word in arguments.options:
             if not word.startswith("-") and os.path.exists(word):
@@ -50,12 +67,12 @@ class Rendering:
         is_fixed = "--exposure" in options and options[options.index("--exposure") + 1:][:1] != ["auto"]
         return not is_fixed and any(output.suffix.lower() in (".png", ".jpg", ".jpeg") for output in self.arguments.output)
 
-    def leave_out_exposure(self):
+    def leave_out_exposure(self) -> None:
         if "--exposure" in self.words:
             at = self.words.index("--exposure")
             del self.words[at:at + 2]
 
-    def keep(self, part: list, result: tuple) -> float | None:
+    def keep(self, part: list[int], result: tuple[dict[str, bytes], str, float | None]) -> float | None:
         pictures, remarks, ev100 = result
         for output in self.arguments.output:
             for frame in part:
@@ -69,13 +86,13 @@ class Rendering:
             print(line, file=sys.stderr, flush=True)
         return ev100
 
-    def run(self, cluster: Cluster, parts: list, more: list) -> float | None:
+    def run(self, cluster: Cluster, parts: list[list[int]], more: list[str]) -> float | None:
         """@return the exposure of the last part"""
-        exposures = []
+        exposures: list[float | None] = []
         names = [output.name for output in self.arguments.output]
         by_key = {f"frame {part[0]}" if len(part) == 1 else f"frames {part[0]} to {part[-1]}": part for part in parts}
 
-        def task(part: list):
+        def task(part: list[int]) -> Callable[[], Any]:
             return lambda: cluster.submit(work.render_frames, self.arguments.program, ("bundle", self.bundle[0]), os.path.relpath(self.here, self.root),
                                           self.words + more, names, part[0], part[-1])
 
@@ -84,19 +101,20 @@ class Rendering:
         return exposures[-1] if exposures else None
 
 
-def render(arguments) -> int:
-    first, last = arguments.frames
+def render(arguments: argparse.Namespace) -> int:
+    every = frames_of(arguments)
+    first = every[0]
     require_outputs(arguments.output)
     if not arguments.scene.is_file():
         raise Failure(f"{arguments.scene}: no file: name a .gltf or .glb file")
     rendering = Rendering(arguments)
-    frames = [f for f in range(first, last + 1) if not (arguments.resume and rendering.is_there(f))]
+    frames = [f for f in every if not (arguments.resume and rendering.is_there(f))]
     if not frames:
         return 0
     cluster = Cluster(arguments.scheduler, arguments.program)
     try:
         cluster.share(rendering.bundle)
-        more = []
+        more: list[str] = []
         if rendering.needs_exposure():
             ev100 = rendering.run(cluster, [[first]], [])
             if ev100 is not None:

@@ -1,9 +1,13 @@
 """A golden suite on workers: parts of it run where there is room, and are merged here."""
+from __future__ import annotations
+
+import argparse
 import json
 import os
 import subprocess
 import tempfile
 from pathlib import Path
+from typing import Any, Callable
 
 from . import work
 from .failure import Failure
@@ -12,7 +16,7 @@ from .grading import local
 from .tasks import Cluster
 
 
-def files_of(suite: Path, also: list) -> set[Path]:
+def files_of(suite: Path, also: list[Path]) -> set[Path]:
     """The suite, its goldens, its scenes with their textures, and what else its commands need."""
     files = named_files(suite)
     content = json_of(suite)
@@ -25,7 +29,7 @@ def files_of(suite: Path, also: list) -> set[Path]:
     return files | {Path(os.path.abspath(folder)) for folder in folders if folder.exists()}
 
 
-def golden(arguments) -> int:
+def golden(arguments: argparse.Namespace) -> int:
     suite = Path(os.path.abspath(arguments.suite))
     names = local(arguments.program, ["golden", "list", suite]).splitlines()  # an unreadable suite ends here, with its line
     cluster = Cluster(arguments.scheduler, arguments.program)
@@ -38,16 +42,18 @@ def golden(arguments) -> int:
         for folder in arguments.shaders:
             options += ["--shaders", os.path.relpath(os.path.abspath(folder), suite.parent)]
         with tempfile.TemporaryDirectory() as scratch:
-            def keep(key: str, found: dict):
+            def keep(key: str, found: dict[str, bytes]) -> None:
                 for name, content in found.items():
                     file = Path(scratch, key.replace("/", "-"), name)
                     file.parent.mkdir(parents=True, exist_ok=True)
                     file.write_bytes(content)
 
             relative = os.path.relpath(suite, root)
-            cluster.run("golden", ((f"part {k}/{parts}",
-                                    lambda k=k: cluster.submit(work.golden_shard, arguments.program, bundle, relative, options, k, parts))
-                                   for k in range(1, parts + 1)), parts, keep)
+
+            def task(part: int) -> Callable[[], Any]:
+                return lambda: cluster.submit(work.golden_shard, arguments.program, bundle, relative, options, part, parts)
+
+            cluster.run("golden", ((f"part {part}/{parts}", task(part)) for part in range(1, parts + 1)), parts, keep)
             folders = sorted(Path(scratch).iterdir())
             if not folders:
                 raise Failure(f"{suite}: no part came back: look at the workers' logs")

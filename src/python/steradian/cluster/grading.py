@@ -1,9 +1,13 @@
 """A class on workers: each submission is graded where there is room, and its files come back one by one."""
+from __future__ import annotations
+
+import argparse
 import fcntl
 import json
 import os
 import subprocess
 from pathlib import Path
+from typing import Any, Callable, Sequence
 
 from . import work
 from .failure import Failure
@@ -14,27 +18,27 @@ MOST_WITHOUT_VALUES = 3  # fewer submissions than that are not worth the values 
 LEAST_FOR_MISTAKES = 16  # as in src/assignment/grade.hpp
 
 
-def local(program: str, words: list) -> str:
+def local(program: str, words: Sequence[object]) -> str:
     run = subprocess.run([program, *map(str, words)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, errors="replace")
     if run.returncode != 0:
         raise Failure(work.last_line(run))
     return run.stdout
 
 
-def write_whole(file: Path, content: bytes):
+def write_whole(file: Path, content: bytes) -> None:
     file.parent.mkdir(parents=True, exist_ok=True)
     scratch = file.with_name(file.name + ".part")
     scratch.write_bytes(content)
     scratch.rename(file)
 
 
-def write_result(out: Path, files: dict):
+def write_result(out: Path, files: dict[str, bytes]) -> None:
     """results/KEY.json comes last: it says that the others are there."""
     for name in sorted(files, key=lambda name: name.startswith("results/")):
         write_whole(out / name, files[name])
 
 
-def grade_all(cluster: Cluster, arguments, listed: dict):
+def grade_all(cluster: Cluster, arguments: argparse.Namespace, listed: dict[str, Any]) -> None:
     assignment = ("bundle", cluster.share(folder_bundle(Path(listed["assignment"]))))
     hidden = ("bundle", cluster.share(folder_bundle(arguments.hidden))) if arguments.hidden else None
     waiting = listed["ungraded"]
@@ -43,7 +47,7 @@ def grade_all(cluster: Cluster, arguments, listed: dict):
         values = cluster.submit(work.compute_references, arguments.program, assignment, hidden, len(waiting) >= LEAST_FOR_MISTAKES)
     options = ["--time-limit", str(arguments.time_limit), "--memory", str(arguments.memory)]
 
-    def task(one: dict):
+    def task(one: dict[str, Any]) -> tuple[str, Callable[[], Any]]:
         path = Path(one["path"])
         record = {**one, "file": os.fsencode(path.name)}
         return one["key"], lambda: cluster.submit(work.grade_one, arguments.program, assignment, hidden, values, submission_entries(path), record,
@@ -52,7 +56,7 @@ def grade_all(cluster: Cluster, arguments, listed: dict):
     cluster.run("grading", map(task, waiting), len(waiting), lambda key, files: write_result(arguments.out, files))
 
 
-def grade(arguments) -> int:
+def grade(arguments: argparse.Namespace) -> int:
     words = ["assignment", "grade", arguments.assignment, "--submissions", arguments.submissions, "--out", arguments.out,
              "--time-limit", arguments.time_limit, "--memory", arguments.memory]
     words += ["--hidden", arguments.hidden] if arguments.hidden else []

@@ -1,9 +1,13 @@
 """Tasks on workers: a few at a time for each, with progress, until each has its result."""
+from __future__ import annotations
+
 import sys
 import time
 from types import FunctionType
+from typing import Any, Callable, Iterable
 
 from .failure import Failure
+from .files import Bundle
 
 MOST_ATTEMPTS = 3  # of a task whose data was lost with its workers
 AHEAD = 2  # tasks that wait on a worker for each that it runs: the scheduler never holds a whole class
@@ -17,7 +21,7 @@ class Progress:
         self.begin = self.last = time.monotonic()
         self.is_terminal = sys.stderr.isatty()
 
-    def advance(self, count: int, state: str):
+    def advance(self, count: int, state: str) -> None:
         self.done += count
         now = time.monotonic()
         is_end = self.done == self.total
@@ -47,10 +51,11 @@ class Cluster:
             self.client = distributed.Client(address, timeout="10s", set_as_default=False)
         except (OSError, TimeoutError, ValueError) as error:
             raise Failure(f"{address}: no Dask scheduler answers ({type(error).__name__}): start one with: dask scheduler") from None
-        self.bundles, self.futures = {}, {}
+        self.bundles: dict[str, Bundle] = {}
+        self.futures: dict[str, Any] = {}
         self.require_workers(address, work.version_of)
 
-    def require_workers(self, address: str, version_of):
+    def require_workers(self, address: str, version_of: Callable[[str], str]) -> None:
         """Each worker has the program, in this version: other versions may make other pictures."""
         own = version_of(self.program)
         try:
@@ -63,38 +68,41 @@ class Cluster:
             if version != own:
                 raise Failure(f"{worker}: has {version}, and here is {own}: install one version everywhere")
 
-    def share(self, bundle: tuple) -> str:
+    def share(self, bundle: Bundle) -> str:
         """Sends a bundle to each worker once. @return its name for tasks"""
         self.bundles[bundle[0]] = bundle
         self.futures[bundle[0]] = self.client.scatter(bundle, broadcast=True, hash=False)
         return bundle[0]
 
-    def submit(self, function, *arguments):
+    def submit(self, function: Callable[..., Any], *arguments: Any) -> Any:
         """A task, whose arguments may be ("bundle", name) or other tasks."""
-        def is_bundle(argument) -> bool:
+        def is_bundle(argument: Any) -> bool:
             return isinstance(argument, tuple) and len(argument) == 2 and argument[0] == "bundle"
 
         given = [self.futures[a[1]] if is_bundle(a) else a for a in arguments]
         return self.client.submit(function, *given, pure=False, retries=0)
 
     def threads(self) -> int:
-        return max(1, sum(self.client.nthreads().values()))
+        return max(1, int(sum(self.client.nthreads().values())))
 
-    def run(self, what: str, tasks, total: int, on_result, weight=lambda key: 1):
+    def run(self, what: str, tasks: Iterable[tuple[str, Callable[[], Any]]], total: int, on_result: Callable[[str, Any], object],
+            weight: Callable[[str], int] = lambda key: 1) -> None:
         """Runs (key, make) pairs, where make() submits a task, and calls on_result(key, result) for each. Tasks of workers that end are
         done by others, and bundles that were lost with them are sent again. @raises Failure for a task that fails"""
-        progress, waiting, attempts = Progress(what, total), {}, {}
+        progress = Progress(what, total)
+        waiting: dict[Any, tuple[str, Callable[[], Any]]] = {}
+        attempts: dict[str, int] = {}
         tasks = iter(tasks)
         completed = self.distributed.as_completed(loop=self.client.loop)
 
-        def fill():
+        def fill() -> None:
             while len(waiting) < (1 + AHEAD) * self.threads():
                 task = next(tasks, None)
                 if task is None:
                     return
                 start(*task)
 
-        def start(key, make):
+        def start(key: str, make: Callable[[], Any]) -> None:
             future = make()
             waiting[future] = key, make
             completed.add(future)
@@ -123,5 +131,5 @@ class Cluster:
             return f"{key}: each worker that took it ended: look at the workers' memory and logs"
         return f"{key}: {error}"
 
-    def close(self):
+    def close(self) -> None:
         self.client.close(timeout=2)

@@ -2,6 +2,8 @@
 
 A bundle is (digest, entries): files, each as (path, kind, content), which a worker writes down once.
 """
+from __future__ import annotations
+
 import ctypes
 import json
 import os
@@ -10,9 +12,17 @@ import signal
 import subprocess
 import tempfile
 from pathlib import Path
+from typing import TYPE_CHECKING, Any, Callable, Iterable, Sequence, TypeVar
+
+if TYPE_CHECKING:  # on a worker there is no such module
+    from .files import Bundle, Entry
+
+Result = TypeVar("Result")
+Files = dict[str, bytes]  # by their paths in a folder
+Run = subprocess.CompletedProcess[str]
 
 
-def die_with_parent():
+def die_with_parent() -> None:
     """Lets a program end with its worker, however that ends (Linux)."""
     try:
         ctypes.CDLL(None).prctl(1, signal.SIGKILL)  # PR_SET_PDEATHSIG
@@ -45,7 +55,7 @@ def version_of(named: str) -> str:
         return f"ERROR {error}"
 
 
-def write_entries(place: Path, entries):
+def write_entries(place: Path, entries: Iterable[Entry]) -> None:
     for path, kind, content in entries:
         target = os.path.join(os.fsencode(place), path)
         os.makedirs(os.path.dirname(target), exist_ok=True)
@@ -62,7 +72,7 @@ def write_entries(place: Path, entries):
                     stream.truncate(kind)
 
 
-def unpacked(bundle) -> Path:
+def unpacked(bundle: Bundle) -> Path:
     """The folder of a bundle, written once on each worker."""
     digest, entries = bundle
     place = worker_place()[0] / digest
@@ -76,12 +86,12 @@ def unpacked(bundle) -> Path:
     return place
 
 
-def the_folder(bundle) -> Path:
+def the_folder(bundle: Bundle) -> Path:
     """The one folder of a bundle, under its own name: an assignment's is its id."""
     return next(unpacked(bundle).iterdir())
 
 
-def run(named: str, words, folder: Path) -> subprocess.CompletedProcess:
+def run(named: str, words: Iterable[object], folder: Path) -> Run:
     """Runs steradian with this task's share of the processors."""
     share = max(1, (os.cpu_count() or 1) // max(1, worker_place()[1]))
     environment = {**os.environ, "LP_NUM_THREADS": os.environ.get("LP_NUM_THREADS", str(share))}
@@ -89,12 +99,12 @@ def run(named: str, words, folder: Path) -> subprocess.CompletedProcess:
                           stdin=subprocess.DEVNULL, preexec_fn=die_with_parent)
 
 
-def files_in(folder: Path) -> dict:
+def files_in(folder: Path) -> Files:
     """Paths within a folder → bytes."""
     return {str(file.relative_to(folder)): file.read_bytes() for file in sorted(folder.rglob("*")) if file.is_file()}
 
 
-def in_scratch(task):
+def in_scratch(task: Callable[[Path], Result]) -> Result:
     """Calls task(folder) with a folder that goes when it returns."""
     folder = Path(tempfile.mkdtemp(dir=worker_place()[0]))
     try:
@@ -103,15 +113,15 @@ def in_scratch(task):
         shutil.rmtree(folder, ignore_errors=True)
 
 
-def last_line(run_result) -> str:
+def last_line(run_result: Run) -> str:
     lines = [line for line in (run_result.stdout + "\n" + run_result.stderr).splitlines() if line.strip() and not line.startswith("Run with --help")]
     return lines[-1] if lines else f"exit status {run_result.returncode}"
 
 
-def compute_references(program: str, assignment, hidden, mistakes: bool) -> bytes:
+def compute_references(program: str, assignment: Bundle, hidden: Bundle | None, mistakes: bool) -> bytes:
     """The values that submissions are compared with. They only save time, so a failure gives none."""
     def task(folder: Path) -> bytes:
-        words = ["assignment", "references", the_folder(assignment), folder / "values"]
+        words: list[object] = ["assignment", "references", the_folder(assignment), folder / "values"]
         words += [f"--hidden={the_folder(hidden)}"] if hidden else []
         run(program, words + (["--mistakes"] if mistakes else []), folder)
         return (folder / "values").read_bytes() if (folder / "values").is_file() else b""
@@ -119,12 +129,13 @@ def compute_references(program: str, assignment, hidden, mistakes: bool) -> byte
     return in_scratch(task)
 
 
-def grade_one(program: str, assignment, hidden, values: bytes, submission, record: dict, options: list) -> dict:
+def grade_one(program: str, assignment: Bundle, hidden: Bundle | None, values: bytes, submission: list[Entry], record: dict[str, Any],
+              options: list[str]) -> Files:
     """The files of one submission's result."""
-    def task(folder: Path) -> dict:
+    def task(folder: Path) -> Files:
         write_entries(folder / "in", submission)
         place = folder / "in" / os.fsdecode(record["file"])
-        words = ["assignment", "grade-one", the_folder(assignment), place, "--out", folder / "out", *options]
+        words: list[object] = ["assignment", "grade-one", the_folder(assignment), place, "--out", folder / "out", *options]
         words += [f"--{name}={record[name]}" for name in ("key", "name", "id", "fingerprint") if record[name]]
         words += ["--hidden", the_folder(hidden)] if hidden else []
         if values:
@@ -138,9 +149,10 @@ def grade_one(program: str, assignment, hidden, values: bytes, submission, recor
     return in_scratch(task)
 
 
-def render_frames(program: str, bundle, folder: str, words: list, outputs: list, first: int, last: int) -> tuple:
+def render_frames(program: str, bundle: Bundle, folder: str, words: Sequence[str | tuple[str, str]], outputs: list[str], first: int,
+                  last: int) -> tuple[Files, str, float | None]:
     """The pictures of frames first to last, what the program said, and the exposure of pictures for a screen (EV100, or None)."""
-    def task(scratch: Path) -> tuple:
+    def task(scratch: Path) -> tuple[Files, str, float | None]:
         root = unpacked(bundle)
         here = [str(root / word[1]) if isinstance(word, tuple) else word for word in words]
         for output in outputs:
@@ -154,9 +166,9 @@ def render_frames(program: str, bundle, folder: str, words: list, outputs: list,
     return in_scratch(task)
 
 
-def golden_shard(program: str, bundle, suite: str, options: list, part: int, parts: int) -> dict:
+def golden_shard(program: str, bundle: Bundle, suite: str, options: list[str], part: int, parts: int) -> Files:
     """The output folder of one part of a suite."""
-    def task(scratch: Path) -> dict:
+    def task(scratch: Path) -> Files:
         file = unpacked(bundle) / suite
         done = run(program, ["golden", "run", file.name, "--shard", f"{part}/{parts}", "-o", scratch / "out", *options], file.parent)
         if not (scratch / "out" / "results.json").is_file():
