@@ -1,7 +1,7 @@
+#include "golden_mutants/unforeseen.hpp"
 #include "compare/noise_of_seeds.hpp"
 #include "golden_mutants/flips.hpp"
 #include "golden_mutants/noisy.hpp"
-#include "golden_mutants/unforeseen.hpp"
 
 #include <array>
 #include <cmath>
@@ -73,7 +73,8 @@ void mirror_ball(Image& image) {
     const Image right = image;
     const float height = static_cast<float>(image.height);
     on_ball(image, [&](auto p, float u, float v) {
-        const int x = static_cast<int>((0.55f - 0.2f * u) * height), y = static_cast<int>((0.55f + 0.2f * v) * height);
+        const int x = static_cast<int>((0.55f - 0.2f * u) * height),
+                  y = static_cast<int>((0.55f + 0.2f * v) * height);
         std::ranges::copy(right.at(x, y).first(3), p.begin());
     });
 }
@@ -94,15 +95,17 @@ void spread_alpha(Image& image) {
 
 /// A wire in the air, brighter than the sky's gradient behind it.
 void put_thread(Image& image, float contrast) {
-    in_rectangle(image, at_share(image.width, 0.2f), at_share(image.height, 0.3f), at_share(image.width, 0.15f), 1,
+    in_rectangle(image, at_share(image.width, 0.2f), at_share(image.height, 0.3f),
+                 at_share(image.width, 0.15f), 1,
                  [contrast](auto p, int, int) { scale(p, 1.0f + contrast); });
 }
 
 void put_acne(Image& image) {
     Random random(91);
-    in_rectangle(image, at_share(image.width, 0.1f), at_share(image.height, 0.8f), 24, 24, [&](auto p, int, int) {
-        if (random.uniform() < 0.05f) scale(p, 0.7f);
-    });
+    in_rectangle(image, at_share(image.width, 0.1f), at_share(image.height, 0.8f), 24, 24,
+                 [&](auto p, int, int) {
+                     if (random.uniform() < 0.05f) scale(p, 0.7f);
+                 });
 }
 
 /// Each second wire of a doubled geometry.
@@ -111,7 +114,8 @@ void double_wire(Image& image) {
     const Image none = render_base(extent(image), {.has_wire = false});
     for (int y = 0; y < image.height; ++y)
         for (int x = 0; x < image.width; ++x)
-            if (other.at(x, y)[0] != none.at(x, y)[0]) std::ranges::copy(other.at(x, y), image.at(x, y).begin());
+            if (other.at(x, y)[0] != none.at(x, y)[0])
+                std::ranges::copy(other.at(x, y), image.at(x, y).begin());
 }
 
 void smear_floor(Image& image) {
@@ -145,53 +149,58 @@ std::vector<Recipe> wrong_in_tiles() {
     const auto floor_top = [](const Image& i) { return at_share(i.height, 0.78f); };
     const auto limb_left = [](const Image& i) { return at_share(i.height, 0.38f) - 12; };
     const auto limb_top = [](const Image& i) { return at_share(i.height, 0.44f) - 12; };
-    return {
-        wrong("lower_half_by_a_row", lower_half_by_a_row),
-        wrong("tile_1.5_percent_brighter",
-              [=](Image& i) {
-                  in_rectangle(i, floor_left(i), floor_top(i), 32, 32,
-                               [](auto p, int, int) { scale(p, 1.015f); });
-              }),
-        wrong("tile_with_red_and_blue_exchanged",
-              [=](Image& i) {
-                  in_rectangle(i, floor_left(i), floor_top(i), 16, 16,
-                               [](auto p, int, int) { std::swap(p[0], p[2]); });
-              }),
-        wrong("tile_transposed", [=](Image& i) { transpose_square(i, limb_left(i), limb_top(i), 24); }),
-        wrong("tile_moved_by_a_quarter_of_a_pixel",
-              [=](Image& i) { move_part(i, limb_left(i), limb_top(i), 24, 24, 0.25f, 0.0f); }),
-        wrong("tile_from_a_row_below", [=](Image& i) { move_part(i, limb_left(i), limb_top(i), 24, 24, 0.0f, -1.0f); }),
-        wrong("every_64th_pixel_doubled",
-              [](Image& i) {
-                  for (int y = 40; y < i.height; y += 64)
-                      for (int x = 40; x < i.width; x += 64) scale(i.at(x, y).first(3), 2.0f);
-              }),
-        wrong("checkerboard_of_1.5_percent", [](Image& i) {
-            in_rectangle(i, 0, 0, i.width, i.height,
-                         [](auto p, int x, int y) { scale(p, (x + y) % 2 == 0 ? 1.015f : 0.985f); });
-        })};
+    return {wrong("lower_half_by_a_row", lower_half_by_a_row),
+            wrong("tile_1.5_percent_brighter",
+                  [=](Image& i) {
+                      in_rectangle(i, floor_left(i), floor_top(i), 32, 32,
+                                   [](auto p, int, int) { scale(p, 1.015f); });
+                  }),
+            wrong("tile_with_red_and_blue_exchanged",
+                  [=](Image& i) {
+                      in_rectangle(i, floor_left(i), floor_top(i), 16, 16,
+                                   [](auto p, int, int) { std::swap(p[0], p[2]); });
+                  }),
+            wrong("tile_transposed", [=](Image& i) { transpose_square(i, limb_left(i), limb_top(i), 24); }),
+            wrong("tile_moved_by_a_quarter_of_a_pixel",
+                  [=](Image& i) { move_part(i, limb_left(i), limb_top(i), 24, 24, 0.25f, 0.0f); }),
+            wrong("tile_from_a_row_below",
+                  [=](Image& i) { move_part(i, limb_left(i), limb_top(i), 24, 24, 0.0f, -1.0f); }),
+            wrong("every_64th_pixel_doubled",
+                  [](Image& i) {
+                      for (int y = 40; y < i.height; y += 64)
+                          for (int x = 40; x < i.width; x += 64) scale(i.at(x, y).first(3), 2.0f);
+                  }),
+            wrong("checkerboard_of_1.5_percent", [](Image& i) {
+                in_rectangle(i, 0, 0, i.width, i.height,
+                             [](auto p, int x, int y) { scale(p, (x + y) % 2 == 0 ? 1.015f : 0.985f); });
+            })};
 }
 
 std::vector<Recipe> wrong_elsewhere() {
     const auto wrong = [](const char* name, const Change& change) { return wrong_image(lit, name, change); };
-    const auto lamp_pixel = [](Image& i) { return i.at(at_share(i.height, 0.82f), at_share(i.height, 0.12f)); };
-    return {
-        wrong("horizon_aliased", alias_horizon), wrong("floor_smeared", smear_floor),
-        wrong_beside(
-            lit, "thread_missing_in_the_sky", [](Image& i) { put_thread(i, 0.15f); },
-            [](Image& i) { put_thread(i, 1.0f / 1.15f - 1.0f); }),
-        wrong_beside(
-            lit, "thread_at_half_its_contrast", [](Image& i) { put_thread(i, 0.15f); },
-            [](Image& i) { put_thread(i, 1.075f / 1.15f - 1.0f); }),
-        wrong("acne_in_a_part", put_acne), wrong("alpha_grown_by_a_pixel", spread_alpha),
-        wrong("lamp_pixel_at_half", [=](Image& i) { scale(lamp_pixel(i).first(3), 0.5f); }),
-        wrong("lamp_pixel_without_blue", [=](Image& i) { lamp_pixel(i)[2] = 0.0f; }),
-        wrong("wire_doubled", double_wire),
-        wrong("sky_2_percent_bluer",
-              [](Image& i) {
-                  in_rectangle(i, 0, 0, i.width / 4, i.height / 4, [](auto p, int, int) { p[2] *= 1.02f; });
-              }),
-        wrong("nan_where_alpha_is_0", [](Image& i) { i.at(2, 2)[1] = std::numeric_limits<float>::quiet_NaN(); })};
+    const auto lamp_pixel = [](Image& i) {
+        return i.at(at_share(i.height, 0.82f), at_share(i.height, 0.12f));
+    };
+    return {wrong("horizon_aliased", alias_horizon),
+            wrong("floor_smeared", smear_floor),
+            wrong_beside(
+                lit, "thread_missing_in_the_sky", [](Image& i) { put_thread(i, 0.15f); },
+                [](Image& i) { put_thread(i, 1.0f / 1.15f - 1.0f); }),
+            wrong_beside(
+                lit, "thread_at_half_its_contrast", [](Image& i) { put_thread(i, 0.15f); },
+                [](Image& i) { put_thread(i, 1.075f / 1.15f - 1.0f); }),
+            wrong("acne_in_a_part", put_acne),
+            wrong("alpha_grown_by_a_pixel", spread_alpha),
+            wrong("lamp_pixel_at_half", [=](Image& i) { scale(lamp_pixel(i).first(3), 0.5f); }),
+            wrong("lamp_pixel_without_blue", [=](Image& i) { lamp_pixel(i)[2] = 0.0f; }),
+            wrong("wire_doubled", double_wire),
+            wrong("sky_2_percent_bluer",
+                  [](Image& i) {
+                      in_rectangle(i, 0, 0, i.width / 4, i.height / 4,
+                                   [](auto p, int, int) { p[2] *= 1.02f; });
+                  }),
+            wrong("nan_where_alpha_is_0",
+                  [](Image& i) { i.at(2, 2)[1] = std::numeric_limits<float>::quiet_NaN(); })};
 }
 
 /// Harmless or not, beside the noise of both images, which `golden noise` knows from 12 seeds.

@@ -85,7 +85,8 @@ void stick_bit(Image& image) {
 
 void add_moire(Image& image) {
     in_rectangle(image, 0, 0, image.width, image.height, [](auto p, int x, int y) {
-        for (float& v : p) v += 4.0f * code * std::sin(0.9f * static_cast<float>(x) + 0.5f * static_cast<float>(y));
+        for (float& v : p)
+            v += 4.0f * code * std::sin(0.9f * static_cast<float>(x) + 0.5f * static_cast<float>(y));
     });
 }
 
@@ -113,7 +114,9 @@ void add_to_all(std::span<float> values, float amount) {
 }
 
 std::vector<Recipe> right_codes(Base base) {
-    const auto right = [base](const char* name, const Change& change) { return right_image(base, name, change); };
+    const auto right = [base](const char* name, const Change& change) {
+        return right_image(base, name, change);
+    };
     return {right("dithered_by_a_code",
                   each([](auto p, int x, int y) { add_to_all(p, (x + y) % 2 == 0 ? code : -code); })),
             right("finest_compression", [](Image& i) { quantise_cosines(i, 1.0f, 0.0f); }),
@@ -159,15 +162,20 @@ void thicken_text(Image& image) {
 } // namespace
 
 std::vector<Recipe> unforeseen_photos() {
-    const auto wrong = [](const char* name, const Change& change) { return wrong_image(Base::photo, name, change); };
+    const auto wrong = [](const char* name, const Change& change) {
+        return wrong_image(Base::photo, name, change);
+    };
     std::vector<Recipe> list{
         wrong("compressed", [](Image& i) { quantise_cosines(i, 4.0f, 2.0f); }),
         wrong("a_part_compressed", [](Image& i) { compress_part(i, 4.0f, 2.0f); }),
-        wrong("ghost", add_ghost), wrong("red_moved_by_half_a_pixel", move_red),
+        wrong("ghost", add_ghost),
+        wrong("red_moved_by_half_a_pixel", move_red),
         wrong("a_part_moved_by_a_quarter_of_a_pixel",
               [](Image& i) { move_square(i, i.width / 3, i.height / 2, 40, 0.25f, 0.25f); }),
-        wrong("bit_stuck_in_a_block", stick_bit), wrong("moire", add_moire),
-        wrong("pixels_exchanged_in_a_row", exchange_pixels), wrong("two_rows_inserted", insert_rows),
+        wrong("bit_stuck_in_a_block", stick_bit),
+        wrong("moire", add_moire),
+        wrong("pixels_exchanged_in_a_row", exchange_pixels),
+        wrong("two_rows_inserted", insert_rows),
         wrong("every_8th_column_4_codes_brighter",
               each([](auto p, int x, int) { add_to_all(p, x % 8 == 0 ? 4.0f * code : 0.0f); })),
         wrong("shadows_4_codes_redder",
@@ -192,7 +200,8 @@ std::vector<Recipe> unforeseen_interfaces() {
     std::vector<Recipe> list{
         drawn("save_sane_in_small_letters", {.label = "Sane", .text_size = 1.25f}, {.text_size = 1.25f}),
         drawn("digit_3_8_in_large_letters", {.amount = "1,880.00", .text_size = 2.6f}, {.text_size = 2.6f}),
-        drawn("comma_period_in_the_smallest_letters", {.amount = "1.380.00", .text_size = 1.0f}, {.text_size = 1.0f}),
+        drawn("comma_period_in_the_smallest_letters", {.amount = "1.380.00", .text_size = 1.0f},
+              {.text_size = 1.0f}),
         wrong_beside(
             Base::interface, "button_flat", [](Image& i) { put_gradient(i, -0.5f); },
             [](Image& i) { paint(i, 140, 84, 60, 30, 0.6f - 7.0f * code); }),
@@ -208,7 +217,8 @@ std::vector<Recipe> unforeseen_interfaces() {
         wrong_beside(
             Base::interface, "menu_lacks_a_dot", [](Image& i) { put_menu(i, 3); },
             [](Image& i) { paint(i, i.width - 40, 18, 2, 2, i.at(i.width - 44, 18)[0]); }),
-        wrong("word_in_another_colour", colour_a_word), wrong("line_of_text_a_pixel_lower", lower_a_line),
+        wrong("word_in_another_colour", colour_a_word),
+        wrong("line_of_text_a_pixel_lower", lower_a_line),
         wrong("text_thicker", thicken_text),
         wrong("a_part_compressed", [](Image& i) { compress_part(i, 4.0f, 2.0f); }),
         wrong("field_with_a_border", [](Image& i) { add_to(i, 140, 84, i.width - 152, 1, -8.0f * code); }),
