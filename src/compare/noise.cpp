@@ -1,5 +1,7 @@
 #include "compare/noise.hpp"
 
+#include "compare/rare_events.hpp"
+#include "compare/winsorised.hpp"
 #include "core/error.hpp"
 
 #include <algorithm>
@@ -140,6 +142,26 @@ struct Deviation {
     }
 };
 
+/// The number of rare events that the images may have in a sum that none of the noise's pictures had: with n
+/// pictures of each image, 1 / (n + 2) are expected (Laplace's rule of succession).
+std::size_t most_unseen_events(const std::vector<Noise>& noise) {
+    double expected = 0.0;
+    for (const Noise& known : noise) expected += 1.0 / (known.degrees_of_freedom + 3.0);
+    return most_events(expected, false_alarms / 3.0);
+}
+
+/// The number of rare events that the images may have, after as many as the noise's pictures had.
+std::size_t most_rare_events(const std::vector<Noise>& noise, double limit) {
+    double expected = 0.0;
+    for (const Noise& known : noise) {
+        if (known.is_number()) continue;
+        const double n = known.degrees_of_freedom;
+        expected +=
+            (static_cast<double>(seen_events(known.pixels, n + 1.0, t_of_z(limit, n))) + 1.0) / (n + 3.0);
+    }
+    return std::max(few_rare_events, most_events(expected, false_alarms / 3.0));
+}
+
 /// The sums of a comparison, by colour.
 struct DeviationSums {
     std::vector<Deviation> blocks; // block by block, all colours of each
@@ -219,6 +241,13 @@ double two_sided_z(double chance) {
         (std::erfc(middle / std::sqrt(2.0)) > chance ? low : high) = middle;
     }
     return 0.5 * (low + high);
+}
+
+double t_of_z(double z, double degrees_of_freedom) {
+    const double n = degrees_of_freedom;
+    if (n >= many_seeds) return z;
+    const double scaled = z * (8.0 * n + 3.0) / (8.0 * n + 1.0);
+    return std::sqrt(n * std::expm1(scaled * scaled / n));
 }
 
 double z_of_t(double t, double degrees_of_freedom) {
@@ -301,7 +330,8 @@ bool may_be_rare_coverage(const AlignedImages& images, std::size_t pixel) {
 }
 
 /// The compared pixels whose scores are rare events; none if they are too many.
-std::vector<bool> rare_events(const AlignedImages& images, const NoiseScores& all, const RareEvents& rare) {
+std::vector<bool> rare_events(const AlignedImages& images, const NoiseScores& all, const RareEvents& rare,
+                              const std::vector<Noise>& noise) {
     const PixelValues& scores = all.pixels;
     const auto colors = static_cast<std::size_t>(images.colors);
     std::vector<bool> fails(images.pixels.size(), false), is_rare(images.pixels.size(), false);
@@ -325,15 +355,19 @@ std::vector<bool> rare_events(const AlignedImages& images, const NoiseScores& al
         count += is_rare[i] && std::ranges::find(rare.known, i) == rare.known.end();
     }
     const auto share = static_cast<std::size_t>(max_rare_share * static_cast<double>(scores.size()));
-    if (count > std::min(max_rare_events, few_rare_events + share)) is_rare.assign(is_rare.size(), false);
+    if (count > std::min(max_rare_events, few_rare_events + share)
+        || (count > few_rare_events && count > most_rare_events(noise, all.limits.pixel)))
+        is_rare.assign(is_rare.size(), false);
     return is_rare;
 }
 
 /// The sums over all pixels but those left out.
+/// @param unseen the number of rare events that a sum of differences may have
 DeviationSums sums_of(const AlignedImages& images, const std::vector<Deviation>& deviations,
-                      const std::vector<bool>& left_out, const NoiseBlocks& blocks) {
+                      const std::vector<bool>& left_out, const NoiseBlocks& blocks, std::size_t unseen) {
     const auto colors = static_cast<std::size_t>(images.colors);
     DeviationSums sums(blocks, colors);
+    WinsorisedSums in_blocks(sums.blocks.size(), unseen), in_image(colors, unseen);
     for (std::size_t i = 0; i < images.pixels.size(); ++i)
         for (std::size_t c = 0; c < colors; ++c) {
             const Deviation& deviation = deviations[i * colors + c];
@@ -346,7 +380,13 @@ DeviationSums sums_of(const AlignedImages& images, const std::vector<Deviation>&
             sums.blocks[block] += deviation;
             sums.scores[block] += {z, 1.0, 1.0};
             sums.totals[c] += deviation;
+            in_blocks.add(block, deviation.difference);
+            in_image.add(c, deviation.difference);
         }
+    for (std::size_t b = 0; b < sums.blocks.size(); ++b)
+        sums.blocks[b].difference = in_blocks.nearer_to_0(b, sums.blocks[b].difference);
+    for (std::size_t c = 0; c < colors; ++c)
+        sums.totals[c].difference = in_image.nearer_to_0(c, sums.totals[c].difference);
     return sums;
 }
 
@@ -374,13 +414,13 @@ NoiseScores score_noise(const AlignedImages& images, const std::vector<Image>& g
         scores.pixels.push_back(static_cast<float>(largest));
     }
     std::vector<bool> is_rare(images.pixels.size(), false);
-    if (n < many_seeds) is_rare = rare_events(images, scores, rare);
+    if (n < many_seeds) is_rare = rare_events(images, scores, rare, noise);
     for (std::size_t k = 0; k < scores.pixels.size(); ++k)
         if (is_rare[images.compared[k]]) {
             scores.rare_events.push_back(images.compared[k]);
             scores.pixels[k] = 0.0f;
         }
-    DeviationSums sums = sums_of(images, deviations, is_rare, blocks);
+    DeviationSums sums = sums_of(images, deviations, is_rare, blocks, most_unseen_events(noise));
     if (scores.judges_blocks) correct_blocks(sums, noise, blocks, colors, images.compared);
     for (const Deviation& block : sums.blocks)
         scores.max_block = std::max(scores.max_block, z_of_t(block.t(), n));

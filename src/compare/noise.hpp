@@ -65,7 +65,14 @@ std::vector<image::Image> noise_of(const std::vector<image::Image>& noise,
 /// beyond the limit are such if the dimmer of the two values is no hole, darker than all around it in its own
 /// image by more than the limit; the brighter one is at most four times the reference's largest; and they
 /// touch at most one other. They are at most 2 and a ten-thousandth of the pixels, and no more than 48; if
-/// there are more, all count. Coverage may be lower than all around it, but changes by a quarter at most.
+/// there are more, all count. Beyond 2, they are at most as many as Poisson's law allows after those that the
+/// noise's pictures had (compare/rare_events.hpp). Coverage may be lower than all around it, but changes by a
+/// quarter at most.
+///
+/// In a sum, the few differences that lift it most count as much as the next one (Winsorised sums,
+/// compare/winsorised.hpp): rare events may stay below the limit of a pixel and yet decide a sum. Their
+/// number is the largest that Poisson's law allows, where 1 / (n + 2) are expected of an image whose noise is
+/// that of n seeds: 3 of two images with 12 seeds, and none where the noise is known.
 ///
 /// Where a region or a mask leaves a part of a block, the pixels left err alike as much as those of the whole
 /// block do: their sum's variance is as many times that of independent pixels.
@@ -81,5 +88,8 @@ double two_sided_z(double chance);
 /// The z that is as improbable as |t| of Student's t with that many degrees of freedom. Wallace 1959, "Bounds
 /// on normal approximations to Student's and the chi-square distributions", Eq. 2.5.
 double z_of_t(double t, double degrees_of_freedom);
+
+/// The inverse of z_of_t().
+double t_of_z(double z, double degrees_of_freedom);
 
 } // namespace sr::compare

@@ -225,7 +225,8 @@ std::string junit_xml(const RunResult& result) {
 std::string count_text(const RunResult& result) {
     std::string text = fmt::format("{} of {} passed", result.count(Outcome::passed), result.tests.size());
     if (const int n = result.passed_by_alternates()) text += fmt::format(" ({} as an alternate)", n);
-    if (const int n = result.count(Outcome::differs)) text += fmt::format(", {} differ", n);
+    if (const int n = result.count(Outcome::differs))
+        text += fmt::format(", {} {}", n, n == 1 ? "differs" : "differ");
     if (const int n = result.count(Outcome::missing)) text += fmt::format(", {} without a golden", n);
     if (const int n = result.count(Outcome::broken)) text += fmt::format(", {} broken", n);
     if (const int n = result.count(Outcome::unreadable)) text += fmt::format(", {} unreadable", n);

@@ -17,7 +17,7 @@ std::string report_html(const RunResult& result, const Suite& suite, const std::
 /// the tests that did not pass. At most 60000 bytes, which GitHub takes as a comment.
 std::string summary_markdown(const RunResult& result, const std::optional<RunRecord>& record);
 
-/// The counts in a sentence: "18 of 20 passed (2 as an alternate), 1 differ, 1 flaky".
+/// The counts in a sentence: "18 of 20 passed (2 as an alternate), 1 differs, 1 flaky".
 std::string count_text(const RunResult& result);
 
 /// The run as JUnit XML: a test that differs or has no golden is a <failure>, one that made no image is an

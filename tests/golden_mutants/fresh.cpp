@@ -1,6 +1,5 @@
-#include "golden_mutants/change.hpp"
 #include "golden_mutants/flips.hpp"
-#include "golden_mutants/recipes.hpp"
+#include "golden_mutants/painting.hpp"
 #include "golden_mutants/whole.hpp"
 
 #include <array>
@@ -11,49 +10,6 @@ namespace sr::testing {
 namespace {
 
 using image::Image;
-
-using Change = std::function<void(Image&)>;
-
-constexpr float code = 1.0f / 255.0f;
-
-Recipe wrong_image(Base base, const char* name, const Change& change) {
-    return {base, name, false, [change](Mutant& m) { change(m.test); }};
-}
-
-Recipe right_image(Base base, const char* name, const Change& change) {
-    return {base, name, true, [change](Mutant& m) { change(m.test); }, ""};
-}
-
-/// A change of both images, and one of the test.
-Recipe wrong_beside(Base base, const char* name, const Change& both, const Change& change) {
-    return {base, name, false, [=](Mutant& m) {
-                both(m.reference);
-                both(m.test);
-                change(m.test);
-            }};
-}
-
-Extent extent(const Image& image) { return {image.width, image.height}; }
-
-/// `f(colours, x, y)` of a rectangle in pixels.
-template<typename Function>
-void in_rectangle(Image& image, int left, int top, int width, int height, const Function& f) {
-    for (int y = std::max(top, 0); y < std::min(top + height, image.height); ++y)
-        for (int x = std::max(left, 0); x < std::min(left + width, image.width); ++x)
-            f(image.at(x, y).first(3), x, y);
-}
-
-void paint(Image& image, int left, int top, int width, int height, float value) {
-    in_rectangle(image, left, top, width, height, [=](auto p, int, int) { std::ranges::fill(p, value); });
-}
-
-void add_to(Image& image, int left, int top, int width, int height, float value) {
-    in_rectangle(image, left, top, width, height, [=](auto p, int, int) {
-        for (float& v : p) v += value;
-    });
-}
-
-int at_share(int edge, float share) { return static_cast<int>(share * static_cast<float>(edge)); }
 
 /// The edge of the floor's shadow smoothed over 3×3 pixels, as by a filter that was to remove noise.
 void smooth_shadow_edge(Image& image) {

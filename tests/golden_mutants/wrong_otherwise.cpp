@@ -12,7 +12,6 @@ namespace {
 using image::Image;
 
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-constexpr float infinity = std::numeric_limits<float>::infinity();
 
 Image with_value(Image image, int x, int y, float value) {
     std::ranges::fill(image.at(x, y).first(3), value);
@@ -39,7 +38,13 @@ std::vector<Mutant> holes(const Image& right) {
     std::vector<Mutant> list{
         {"all_nan", filled(right, nan, nan, nan), right, false, {}, {}, {}},
         {"one_nan", with_value(right, 50, 50, nan), right, false, {}, {}, {}},
-        {"one_infinity", with_value(right, 50, 50, infinity), right, false, {}, {}, {}},
+        {"one_infinity",
+         with_value(right, 50, 50, std::numeric_limits<float>::infinity()),
+         right,
+         false,
+         {},
+         {},
+         {}},
         {"nan_in_both", hole_in_both, hole_in_both, false, {}, {}, {}},
         {"nan_in_both_allowed", hole_in_both, hole_in_both, true, {}, {}, {}},
         {"all_nan_allowed", filled(right, nan, nan, nan), right, false, {}, {}, {}},

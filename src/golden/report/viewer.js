@@ -84,6 +84,7 @@ class Viewer {
       element("button", { type: "button", onclick: () => this.choose(mode) }, ...key_and_text(mode.key, this.name(mode.name)))
     );
     this.zoom_label = element("output", {});
+    this.fit_button = element("button", { type: "button", textContent: "fit", title: "as large as fits (0)", onclick: () => this.fit() });
     this.stops_label = element("output", {});
     this.gain_label = element("output", {});
     this.stops_slider = element("input", { type: "range", min: -12, max: 12, step: 0.25, value: 0 });
@@ -111,7 +112,7 @@ class Viewer {
         button("−", "smaller (-)", () => this.step_zoom(-1)),
         this.zoom_label,
         button("+", "larger (+)", () => this.step_zoom(1)),
-        button("fit", "fit (0)", () => this.fit())
+        this.fit_button
       ),
       element("label", {}, "exposure ", this.stops_slider, this.stops_label),
       ...(this.is_comparable ? [element("label", {}, "difference ", this.gain_slider, this.gain_label)] : []),
@@ -231,7 +232,8 @@ class Viewer {
     };
     for (const canvas of this.stages.querySelectorAll("canvas")) place(canvas, { width: canvas.width, height: canvas.height });
     for (const node of this.stages.querySelectorAll(".box")) place(node, this.boxes[Number(node.dataset.box)]);
-    this.zoom_label.textContent = this.zoom ? `×${Number(this.zoom.toPrecision(3))}` : "fit";
+    this.zoom_label.textContent = `×${Number((this.zoom || this.fitting_zoom()).toPrecision(2))}`;
+    this.fit_button.setAttribute("aria-pressed", !this.zoom);
     this.mark();
   }
 

@@ -4,6 +4,8 @@
 #include "compare/noise.hpp"
 #include "compare/noise_of_seeds.hpp"
 #include "compare/pictures.hpp"
+#include "compare/rare_events.hpp"
+#include "compare/winsorised.hpp"
 #include "core/error.hpp"
 #include "image/colormap.hpp"
 #include "support/address.hpp"
@@ -195,6 +197,36 @@ const Test few_rare_events("unit.golden.noise.few_rare_events_are_left_out", [] 
     EXPECT_FALSE(passes(1, 0.0f)); // a hole
 });
 
+// In four pixels of one block a seed has a bright sample; the test has brighter ones, though within the limit
+// of a pixel.
+const Test rare_in_sums("unit.golden.noise.few_rare_events_decide_no_sum", [] {
+    std::mt19937 random(9);
+    std::normal_distribution<float> normal(1.0f, 0.02f);
+    const auto seed = [&](int events, float value) {
+        Image image = grey(96, 64);
+        std::ranges::generate(image.pixels, [&] { return normal(random); });
+        for (int i = 0; i < events; ++i) std::ranges::fill(image.at(18 + 4 * i, 20), value);
+        return image;
+    };
+    NoiseOfSeeds noise;
+    for (int i = 0; i < 12; ++i) noise.add(seed(i == 3 ? 4 : 0, 4.0f));
+    const Image errors = noise.errors(), reference = seed(0, 1.0f);
+    const auto passes = [&](const Image& test) {
+        return compare(test, reference, {.noise = {errors, errors}}).passed;
+    };
+    for (int events = 0; events <= 3; ++events) EXPECT_TRUE(passes(seed(events, 16.0f))) << events;
+    EXPECT_FALSE(passes(seed(4, 16.0f)));
+    const auto brighter_block = [&](int left, int events) {
+        Image image = seed(events, 16.0f);
+        for (int y = 16; y < 32; ++y)
+            for (int x = left; x < left + 16; ++x)
+                for (float& value : image.at(x, y)) value += left == 16 ? 0.5f : 0.02f;
+        return image;
+    };
+    EXPECT_FALSE(passes(brighter_block(16, 0))); // by less than the noise of the four
+    EXPECT_FALSE(passes(brighter_block(32, 3)));
+});
+
 // All seeds cover all pixels; a sample of the test meets a crack here and there.
 const Test rare_coverage("unit.golden.noise.rare_events_of_alpha_share_the_cap", [] {
     std::mt19937 random(8);
@@ -307,6 +339,70 @@ const Test sums_find_what_pixels_hide("unit.golden.noise.sums_find_what_pixels_h
     EXPECT_NEAR(comparison.metrics.total_z, 0.1 * 64.0, 1e-2);
     EXPECT_FALSE(comparison.passed);
     EXPECT_TRUE(compare(grey(64, 64, 3, 1.001f), reference, options).passed);
+});
+
+const Test poisson("unit.golden.noise.most_events", [] {
+    EXPECT_EQ(most_events(0.0, 1e-3), 0u);
+    EXPECT_EQ(most_events(2.0 / 14.0, 1e-3 / 3.0), 3u); // P(more than 2) is 4.4e-4, P(more than 3) 1.6e-5
+    EXPECT_EQ(most_events(1.0, 0.02), 3u);              // 0.080, 0.019
+    EXPECT_NEAR(t_of_z(z_of_t(7.0, 11.0), 11.0), 7.0, 1e-9);
+});
+
+// A line of uneven pixels is an edge; a single one is an event.
+const Test seen("unit.golden.noise.events_that_seeds_had", [] {
+    Image errors = grey(64, 48, 1, 0.01f);
+    for (int x = 0; x < 64; ++x) errors.at(x, 10)[0] = 1.0f;
+    EXPECT_EQ(seen_events(errors, 12.0, 14.0), 0u);
+    errors.at(20, 30)[0] = 1.0f;
+    errors.at(40, 40)[0] = errors.at(41, 40)[0] = 1.0f; // of two pixels
+    EXPECT_EQ(seen_events(errors, 12.0, 14.0), 3u);
+    errors.at(50, 30)[0] = 0.02f;
+    EXPECT_EQ(seen_events(errors, 12.0, 14.0), 3u);
+});
+
+// The frame has room for 8 of them (2 and a ten-thousandth of the pixels), but the seeds had none.
+const Test no_more_than_seen("unit.golden.noise.rare_events_are_no_more_than_the_seeds_tell", [] {
+    std::mt19937 random(10);
+    std::normal_distribution<float> normal(1.0f, 0.02f);
+    const auto seed = [&](int events) {
+        Image image = grey(300, 200);
+        std::ranges::generate(image.pixels, [&] { return normal(random); });
+        for (int i = 0; i < events; ++i)
+            std::ranges::fill(image.at(static_cast<int>(random() % 300), static_cast<int>(random() % 200)),
+                              3.0f);
+        return image;
+    };
+    const auto passes = [&](int events_of_seeds, int events) {
+        NoiseOfSeeds noise;
+        for (int i = 0; i < 12; ++i) noise.add(seed(events_of_seeds));
+        const Image errors = noise.errors();
+        return compare(seed(events), seed(0), {.noise = {errors, errors}}).passed;
+    };
+    EXPECT_TRUE(passes(0, 2));
+    EXPECT_FALSE(passes(0, 7));
+    EXPECT_TRUE(passes(3, 7));
+    EXPECT_FALSE(passes(3, 9));
+});
+
+// Neither a few large terms nor the lack of them moves such a sum away from 0.
+const Test winsorised("unit.golden.noise.winsorised_sums", [] {
+    const auto sum_of = [](std::initializer_list<double> terms, std::size_t limited) {
+        WinsorisedSums sums(2, limited);
+        double plain = 0.0;
+        for (const double term : terms) {
+            sums.add(1, term);
+            plain += term;
+        }
+        return sums.nearer_to_0(1, plain);
+    };
+    EXPECT_EQ(sum_of({1.0, 2.0, 9.0, 4.0}, 0), 16.0);
+    EXPECT_EQ(sum_of({1.0, 2.0, 9.0, 4.0}, 1), 11.0);
+    EXPECT_EQ(sum_of({1.0, 2.0, 9.0, 4.0}, 2), 7.0);
+    EXPECT_EQ(sum_of({3.0, 3.0, 3.0, 3.0}, 2), 12.0); // a change of all is kept
+    EXPECT_EQ(sum_of({-1.0, -2.0, -9.0}, 1), -5.0);
+    EXPECT_EQ(sum_of({5.0, 5.0, 5.0, -20.0, -1.0}, 1), -6.0); // the plain sum is nearer
+    EXPECT_EQ(sum_of({7.0}, 3), 0.0);
+    EXPECT_EQ(sum_of({}, 3), 0.0);
 });
 
 const Test heat_map_colors("unit.golden.pictures.heat_map_colors", [] {

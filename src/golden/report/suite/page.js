@@ -19,6 +19,9 @@ const page = {
 const is_nearly_failed = (test) => test.outcome === "passed" && test.largest_error_over_limit > nearly;
 const is_decidable = (test) => test.candidate_sha256 !== "" && !test.is_earlier && !["passed", "flaky"].includes(test.outcome);
 
+/** An outcome after a number: "1 differs", "21 differ". */
+const counted_word = (outcome, count) => (outcome === "differs" && count !== 1 ? "differ" : outcome_words[outcome]);
+
 function badge(outcome) {
   return element("span", { classes: `badge ${outcome}`, textContent: outcome_words[outcome] });
 }
@@ -36,7 +39,8 @@ function count_button(kind, text, count) {
 
 function header() {
   const counts = Object.keys(outcome_words)
-    .map((outcome) => [outcome, outcome_words[outcome], data.tests.filter((test) => test.outcome === outcome).length])
+    .map((outcome) => [outcome, data.tests.filter((test) => test.outcome === outcome).length])
+    .map(([outcome, count]) => [outcome, counted_word(outcome, count), count])
     .concat([["nearly", "nearly failed", data.tests.filter(is_nearly_failed).length]])
     .filter(([, , count]) => count > 0)
     .map(([kind, text, count]) => count_button(kind, text, count));
@@ -338,7 +342,10 @@ async function choose(index) {
   );
   if (page.viewer) page.viewer.draw();
   const current = page.list.querySelector("[aria-current]");
-  if (current) page.list.scrollTop += current.getBoundingClientRect().top - page.list.getBoundingClientRect().top - page.list.clientHeight / 2;
+  if (!current) return;
+  const [at, list] = [current.getBoundingClientRect(), page.list.getBoundingClientRect()];
+  page.list.scrollTop += at.top - list.top - page.list.clientHeight / 2;
+  page.list.scrollLeft += at.left - list.left - (page.list.clientWidth - at.width) / 2; // on a phone the list is a row
 }
 
 function step_test(by) {
