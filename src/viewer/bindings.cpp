@@ -39,6 +39,10 @@ constexpr auto table = std::to_array<CommandInfo>({
     {wider, "Wider field of view", "zoom out by the lens", "Camera"},
     {next_camera, "Next camera", "go to the file's next camera", "Camera"},
     {file_camera, "Back to the camera", "go back to the camera that the view began with", "Camera"},
+    {type_camera, "Type the camera", "position, target and field of view, with units: 1.5 m; 35 deg; 50 mm",
+     "Camera"},
+    {keep_bookmark, "Keep the view", "as a bookmark of this file, which the next start knows", "Camera"},
+    {next_bookmark, "Next bookmark", "go to the file's next bookmark", "Camera"},
     {copy_view, "Copy the view", "copy it as arguments of `steradian render` that make the same picture",
      "Camera"},
     {paste_view, "Paste a view", "go to a view that was copied", "Camera"},
@@ -89,6 +93,8 @@ constexpr auto table = std::to_array<CommandInfo>({
     {try_question, "Try the question", "go to its pixel, or make its change and take it back", "Examination"},
     {find_command, "All commands", "find a command by its name, and run it", "Program"},
     {open_file, "Open", "a glTF file; a file can be dropped on the window, too", "Program"},
+    {next_file, "Next file", "open the next glTF file of the folder", "Program"},
+    {previous_file, "Previous file", "open the glTF file before this one in the folder", "Program"},
     {save_as, "Save as", "write lights and view as a new glTF file", "Program"},
     {reload, "Reload", "read scene and shaders again", "Program"},
     {fullscreen, "Full screen", "fill the screen, or leave it", "Program"},
@@ -145,6 +151,9 @@ constexpr auto keys = std::to_array<Binding>({
     {GLFW_KEY_0, no_modifier, file_camera},
     {GLFW_KEY_KP_0, no_modifier, file_camera},
     {GLFW_KEY_C, no_modifier, next_camera},
+    {GLFW_KEY_C, shift, type_camera},
+    {GLFW_KEY_B, control, keep_bookmark},
+    {GLFW_KEY_B, shift, next_bookmark},
     {GLFW_KEY_C, control, copy_view},
     {GLFW_KEY_V, control, paste_view},
     {GLFW_KEY_COMMA, no_modifier, darker},
@@ -191,6 +200,8 @@ constexpr auto keys = std::to_array<Binding>({
     {GLFW_KEY_U, no_modifier, show_answer},
     {GLFW_KEY_I, no_modifier, try_question},
     {GLFW_KEY_O, control, open_file},
+    {GLFW_KEY_PAGE_DOWN, control, next_file},
+    {GLFW_KEY_PAGE_UP, control, previous_file},
     {GLFW_KEY_S, control, save_as},
     {GLFW_KEY_F5, no_modifier, reload},
     {GLFW_KEY_F11, no_modifier, fullscreen},
@@ -274,6 +285,8 @@ bool works_in_text_fields(Command command) {
     case quit:
     case find_command:
     case open_file:
+    case next_file:
+    case previous_file:
     case save_as:
     case reload:
     case fullscreen:

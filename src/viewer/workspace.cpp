@@ -153,8 +153,9 @@ Changes Workspace::take_loaded() {
         messages.clear_error();
         return everything;
     } catch (const Error& error) {
-        if (!scene) throw;
-        messages.fail("Cannot open the file. The previous scene stays.", error.what());
+        if (!scene && !has_first_page) throw;
+        messages.fail(scene ? "Cannot open the file. The previous scene stays." : "Cannot open the file.",
+                      error.what());
         return Change::redraw;
     }
 }
