@@ -38,9 +38,9 @@ gl::WindowOptions window_options(const Options& options) {
 Tools make_tools(Workspace& workspace) {
     Tools tools;
     for (const auto make :
-         {make_transform, make_mix_lights, make_navigate, make_place_camera, make_edit_lights, make_animate,
-          make_adjust_display, make_compare, make_assignment, make_tick, make_probe, make_explain, make_files,
-          make_turntable, make_keep_edits})
+         {make_transform, make_mix_lights, make_navigate, make_place_camera, make_edit_lights, make_inspect,
+          make_animate, make_adjust_display, make_compare, make_assignment, make_tick, make_probe,
+          make_explain, make_files, make_turntable, make_keep_edits})
         if (auto tool = make(workspace)) tools.push_back(std::move(tool));
     return tools;
 }

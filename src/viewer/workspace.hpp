@@ -54,6 +54,7 @@ struct Workspace {
     std::unique_ptr<SceneView> scene{};       // null until the first file has loaded
     std::optional<CameraController> camera{}; // present once `scene` is
     std::optional<std::size_t> selected{};    // entry of scene->lights()
+    std::optional<ObjectId> object{};         // selected in the scene tree
     Playback playback{};
     Exposure exposure;
     DisplaySettings display{};

@@ -21,7 +21,7 @@ ordered_json read(const std::filesystem::path& store) {
     try {
         ordered_json all = ordered_json::parse(read_text(store));
         if (all.is_object()) return all;
-    } catch (const Error&) { // there are none yet
+    } catch (const Error&) {                     // there are none yet
     } catch (const nlohmann::json::exception&) { // somebody broke the file
     }
     return ordered_json::object();
@@ -62,7 +62,8 @@ void Bookmarks::write() const {
     everything.erase(key_);
     while (everything.size() >= max_files) everything.erase(everything.begin());
     ordered_json mine = ordered_json::array();
-    for (const Bookmark& bookmark : all_) mine.push_back({{"name", bookmark.name}, {"view", bookmark.look_at}});
+    for (const Bookmark& bookmark : all_)
+        mine.push_back({{"name", bookmark.name}, {"view", bookmark.look_at}});
     if (!mine.empty()) everything[key_] = mine;
     write_lines(store_, {everything.dump(1, ' ', false, ordered_json::error_handler_t::replace)});
 }

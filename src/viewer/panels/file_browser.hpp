@@ -43,8 +43,8 @@ private:
     std::array<char, 1024> typed_{};
     FocusRequest focus_;
     int ends_left_ = 0;  // frames in which the cursor goes to the end: the field may select all twice
-    std::string listed_;       // the text that `entries_` go on from
-    std::string folder_;       // of `entries_`, as it was typed, with its last '/'
+    std::string listed_; // the text that `entries_` go on from
+    std::string folder_; // of `entries_`, as it was typed, with its last '/'
     std::vector<Entry> entries_;
     bool has_more_ = false; // entries than are listed
 };

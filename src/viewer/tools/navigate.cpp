@@ -215,9 +215,10 @@ Changes Navigate::paste_view() {
     }
 }
 
-/// The bounds of the selected light; empty if none is selected.
+/// The bounds of the selected light or object; empty if none is selected.
 scene::Bounds Navigate::selection() const {
     scene::Bounds bounds;
+    if (!ws_.selected && ws_.object) return bounds_of(ws_.scene->stage().scene, *ws_.object);
     if (!ws_.selected) return bounds;
     const scene::Bounds& all = ws_.camera->bounds();
     const float min_size = all.is_empty() ? 0.1f : 0.02f * all.radius();

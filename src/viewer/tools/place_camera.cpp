@@ -95,19 +95,18 @@ std::array<PlaceCamera::Field, 3> PlaceCamera::fields_of(const scene::LookAt& vi
     const Field eye{"position", "of the eye, in the file's world: three numbers with m, cm, mm, km, ft or in",
                     [](const LookAt& v) { return text_of_point(v.origin + glm::dvec3(v.eye)); },
                     [](LookAt& v, const std::string& typed) { v.eye = vec3(parse_point(typed) - v.origin); }};
-    const Field target{"target", "the point that the view looks at and turns around",
-                       [](const LookAt& v) { return text_of_point(v.origin + glm::dvec3(v.target)); },
-                       [](LookAt& v, const std::string& typed) { v.target = vec3(parse_point(typed) - v.origin); }};
-    const Field lens{"lens", "the full vertical field of view: 40 deg, 0.7 rad, or 50 mm before film of 24 mm height",
-                     [](const LookAt& v) { return text_of_field_of_view(v.yfov); },
-                     [](LookAt& v, const std::string& typed) {
-                         v.yfov = static_cast<float>(parse_field_of_view(typed));
-                     }};
-    const Field height{"height", "of the picture, in the world: the view is orthographic",
-                       [](const LookAt& v) { return text_of_length(2.0 * v.ymag.value_or(0.0f)); },
-                       [](LookAt& v, const std::string& typed) {
-                           v.ymag = 0.5f * static_cast<float>(parse_length(typed));
-                       }};
+    const Field target{
+        "target", "the point that the view looks at and turns around",
+        [](const LookAt& v) { return text_of_point(v.origin + glm::dvec3(v.target)); },
+        [](LookAt& v, const std::string& typed) { v.target = vec3(parse_point(typed) - v.origin); }};
+    const Field lens{
+        "lens", "the full vertical field of view: 40 deg, 0.7 rad, or 50 mm before film of 24 mm height",
+        [](const LookAt& v) { return text_of_field_of_view(v.yfov); },
+        [](LookAt& v, const std::string& typed) { v.yfov = static_cast<float>(parse_field_of_view(typed)); }};
+    const Field height{
+        "height", "of the picture, in the world: the view is orthographic",
+        [](const LookAt& v) { return text_of_length(2.0 * v.ymag.value_or(0.0f)); },
+        [](LookAt& v, const std::string& typed) { v.ymag = 0.5f * static_cast<float>(parse_length(typed)); }};
     return {eye, target, view.ymag ? height : lens};
 }
 
@@ -150,7 +149,8 @@ Changes PlaceCamera::draw_section() {
     const scene::LookAt view = scene::parse_look_at(camera.look_at_text(), camera.origin());
     Changes changes;
     bool is_first = true;
-    for (const Field& field : fields_of(view)) changes |= draw_field(field, std::exchange(is_first, false), view);
+    for (const Field& field : fields_of(view))
+        changes |= draw_field(field, std::exchange(is_first, false), view);
     return changes | draw_bookmarks();
 }
 

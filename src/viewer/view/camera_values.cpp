@@ -40,7 +40,9 @@ std::optional<std::vector<Quantified>> quantities_in(std::string_view text) {
         if (failure != std::errc{} || !std::isfinite(next.number)) return std::nullopt;
         text.remove_prefix(static_cast<std::size_t>(end - text.data()));
         while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
-        const auto is_of_unit = [&](char c) { return !is_gap(c) && !(c >= '0' && c <= '9') && c != '-' && c != '.'; };
+        const auto is_of_unit = [&](char c) {
+            return !is_gap(c) && !(c >= '0' && c <= '9') && c != '-' && c != '.';
+        };
         const auto unit_end = std::ranges::find_if_not(text, is_of_unit);
         next.unit = std::string(text.begin(), unit_end);
         text.remove_prefix(static_cast<std::size_t>(unit_end - text.begin()));
