@@ -1,4 +1,5 @@
 #include "cli/commands.hpp"
+#include "cli/samples.hpp"
 #include "cli/version.hpp"
 #include "core/error.hpp"
 #include "core/output.hpp"
@@ -90,6 +91,17 @@ void list_samples(bool as_json) {
 }
 
 } // namespace
+
+std::vector<viewer::SampleScene> sample_scenes() {
+    std::vector<viewer::SampleScene> scenes;
+    try {
+        for (const Sample& sample : samples)
+            scenes.push_back({std::string(sample.name), std::string(sample.what), path_of(sample)});
+    } catch (const Error&) { // a program without its scenes opens others
+        scenes.clear();
+    }
+    return scenes;
+}
 
 void print_welcome() {
     print_data(

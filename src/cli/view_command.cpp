@@ -3,6 +3,7 @@
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
 #include "cli/interruption.hpp"
+#include "cli/samples.hpp"
 #include "cli/version.hpp"
 #include "core/error.hpp"
 #include "core/output.hpp"
@@ -101,6 +102,7 @@ void view(const ViewCommand& command) {
     viewer::Options options = viewer_options(command);
     if (!command.submission.empty()) take_assignment(options, command.submission);
     options.is_examined = command.is_examined;
+    if (options.scene.empty()) options.samples = sample_scenes();
     viewer::App app(std::move(options));
     gl::when_display_is_lost([] {
         write_remark(
@@ -116,7 +118,8 @@ void view(const ViewCommand& command) {
 void add_view_command(CLI::App& app) {
     const auto options = std::make_shared<ViewCommand>();
     CLI::App* command = app.add_subcommand("view", "show a scene in a window");
-    command->add_option("SCENE", options->rendering.scene, "a .gltf or .glb file");
+    command->add_option("SCENE", options->rendering.scene,
+                        "a .gltf or .glb file; without one, a page to choose from");
     declare(*command, settings::by_view, options->rendering);
     const auto assignment = command->add_option(
         "--assignment", options->submission,
@@ -134,6 +137,7 @@ void add_view_command(CLI::App& app) {
         "F1 or ? in the window shows all keys.\n\n"
         "Examples:\n"
         "  steradian view scene.glb\n"
+        "  steradian view                                     (a page of recent files and bundled scenes)\n"
         "  steradian view scene.glb --shaders my_shaders      (saved changes show at once)\n"
         "  steradian view dancer.glb --animation Walk --play\n"
         "  steradian view scene.glb --camera 1 --exposure 9 --tone-curve agx --samples 1024\n"
@@ -142,9 +146,6 @@ void add_view_command(CLI::App& app) {
         "  steradian view --assignment my-a3 --tick           (the questions of an oral examination)\n"
         "  steradian view scene.glb --error 0.1%              (until its error is that small)");
     command->callback([options, command] {
-        if (options->rendering.scene.empty() && options->submission.empty())
-            throw CLI::ValidationError("SCENE",
-                                       "is missing: name a scene, or a student's folder with --assignment");
         if (command->count("--samples") == 0) converge_by_default(options->rendering.stop);
         view(*options);
     });

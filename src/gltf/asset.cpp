@@ -149,6 +149,11 @@ private:
         for (int mesh = 0; mesh < static_cast<int>(document_.count("meshes")); ++mesh)
             for (const json& primitive : document_.entry("meshes", mesh).at("primitives"))
                 if (primitive.contains("targets")) contents_.morph_targets += primitive.at("targets").size();
+        for (int node = 0; node < static_cast<int>(document_.count("nodes")); ++node) {
+            const json& source = document_.entry("nodes", node);
+            contents_.nodes.push_back(
+                {text_in(source, "name"), source.value("children", std::vector<int>{})});
+        }
         contents_.extensions_used = document_.extensions_used;
         contents_.extensions_required = document_.extensions_required;
     }

@@ -41,6 +41,11 @@ struct Contents {
     /// each material; negative for glTF's default material.
     std::vector<int> light_nodes;
     std::vector<int> material_numbers;
+    struct NodeInfo {
+        std::string name;
+        std::vector<int> children;
+    };
+    std::vector<NodeInfo> nodes; // of the file, also those that its Scene does not show
 };
 
 /// A time of one or more animations, which play at once. The later one wins where two move the same property.

@@ -116,7 +116,7 @@ MeshLight mesh_light(const Mesh& mesh, const mat4& world_from_object, const Mate
 void append_emitters_of(const Instance& instance, const Scene& scene, std::vector<Light>& lights) {
     const Mesh& mesh = scene.meshes[static_cast<std::size_t>(instance.mesh)];
     const Material& material = scene.materials[static_cast<std::size_t>(mesh.material)];
-    if (!mesh.is_surface() || !material.is_emissive() || material.is_unlit) return;
+    if (instance.is_hidden || !mesh.is_surface() || !material.is_emissive() || material.is_unlit) return;
     const std::string& name = instance.name.empty() ? mesh.name : instance.name;
     auto rectangles = material.emission_texture.is_present()
                           ? std::nullopt

@@ -29,7 +29,9 @@ struct Instance {
     int mesh = 0;
     mat4 world_from_object{1.0f};
     std::string name;
-    LightRange emits_as{}; // which lights of the RenderScene this surface is; empty: none
+    LightRange emits_as{};  // which lights of the RenderScene this surface is; empty: none
+    int node = -1;          // of the file, whose mesh it is; negative: none
+    bool is_hidden = false; // not drawn, casts no shadow, emits nothing
 };
 
 struct Scene {

@@ -43,8 +43,11 @@ public:
             caster.alpha_map = map_of(material.base_color_texture.texture, Planes::alpha);
             append_alpha(mesh, material);
         }
+        // Triangles are counted, so those of a hidden instance shrink to a point instead of leaving.
         for (const std::uint32_t index : mesh.indices)
-            all_.corners.push_back(vec3(instance.world_from_object * vec4(mesh.positions[index], 1.0f)));
+            all_.corners.push_back(
+                vec3(instance.world_from_object
+                     * vec4(mesh.positions[instance.is_hidden ? mesh.indices.front() : index], 1.0f)));
         all_.caster_of.resize(all_.corners.size() / 3, static_cast<std::uint32_t>(all_.casters.size()));
         all_.casters.push_back(caster);
     }

@@ -37,9 +37,10 @@ gl::WindowOptions window_options(const Options& options) {
 /// view, a click on a light before a probe.
 Tools make_tools(Workspace& workspace) {
     Tools tools;
-    for (const auto make : {make_transform, make_mix_lights, make_navigate, make_edit_lights, make_animate,
-                            make_adjust_display, make_compare, make_assignment, make_tick, make_probe,
-                            make_explain, make_files, make_turntable, make_keep_edits})
+    for (const auto make :
+         {make_transform, make_mix_lights, make_navigate, make_place_camera, make_edit_lights, make_inspect,
+          make_animate, make_adjust_display, make_compare, make_assignment, make_tick, make_probe,
+          make_explain, make_files, make_turntable, make_keep_edits})
         if (auto tool = make(workspace)) tools.push_back(std::move(tool));
     return tools;
 }
@@ -63,7 +64,11 @@ App::App(Options options)
     statistics.renderer = window_.info().renderer;
     workspace_.display.curve = options.tone_curve;
     resize();
-    workspace_.open(options.scene);
+    workspace_.has_first_page = options.scene.empty();
+    if (workspace_.has_first_page)
+        workspace_.messages.notify("No scene is open. Ctrl P finds all commands.");
+    else
+        workspace_.open(options.scene);
 }
 
 App::~App() {
@@ -213,8 +218,22 @@ Changes App::dispatch(const Event& event) {
     return belongs_to_panel(event) ? Changes() : dispatch_to_tools(event);
 }
 
+/// Opens a scene from the first page.
+Changes App::open_first(const Event& event) {
+    if (command_in(event) && !workspace_.loading) workspace_.messages.notify("Open a scene first.");
+    const auto* chosen = std::get_if<FileEvent>(&event);
+    if (!chosen) return {};
+    const std::string extension = std::filesystem::path(chosen->file).extension().string();
+    if (extension == ".gltf" || extension == ".glb")
+        workspace_.open(chosen->file);
+    else
+        workspace_.messages.fail("Cannot open the file.",
+                                 Error({chosen->file}, "is no scene", "give a .gltf or .glb file").what());
+    return Change::redraw;
+}
+
 Changes App::dispatch_to_tools(const Event& event) {
-    if (!workspace_.scene) return {};
+    if (!workspace_.scene) return open_first(event);
     const bool is_for_all = std::holds_alternative<MotionEvent>(event);
     Changes changes;
     bool is_handled = false;

@@ -32,6 +32,7 @@ private:
     Changes update(double seconds);
     Changes dispatch(const Event& event);
     Changes dispatch_to_tools(const Event& event);
+    Changes open_first(const Event& event);
     Changes dispatch_key(const KeyEvent& key);
     Changes cancel_innermost();
     bool belongs_to_panel(const Event& event) const;

@@ -106,6 +106,20 @@ void remember_panels(const PanelSettings& panels) {
     write_lines(file_named("panels"), {fmt::format("{:.0f} {:d}", panels.column, panels.are_shown)});
 }
 
+std::vector<std::string> scenes_beside(const std::string& file) {
+    std::vector<std::string> files;
+    const fs::path path(file);
+    const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+    std::error_code failure;
+    for (fs::directory_iterator entry(folder, failure); !failure && entry != fs::directory_iterator();
+         entry.increment(failure)) {
+        const std::string extension = entry->path().extension().string();
+        if (extension == ".gltf" || extension == ".glb") files.push_back(entry->path().string());
+    }
+    std::ranges::sort(files);
+    return files;
+}
+
 std::string free_name(const std::string& scene_file, const std::string& extension) {
     const std::string stem = std::filesystem::path(scene_file).stem().string();
     for (int number = 1;; ++number) {

@@ -35,6 +35,9 @@ struct PanelSettings {
 PanelSettings remembered_panels();
 void remember_panels(const PanelSettings& panels);
 
+/// The .gltf and .glb files in the folder of a file, sorted by name.
+std::vector<std::string> scenes_beside(const std::string& file);
+
 /// "STEM-001.EXT" in the working directory, or the first number after that is free.
 std::string free_name(const std::string& scene_file, const std::string& extension);
 

@@ -3,11 +3,22 @@
 #include "glsl/root.hpp"
 #include "settings/render_settings.hpp"
 
+#include <string>
+#include <vector>
+
 namespace sr::viewer {
+
+/// A bundled scene that the first page offers.
+struct SampleScene {
+    std::string name;
+    std::string what; // it shows
+    std::string file;
+};
 
 /// `rendering` and `stop` are those of the converging render.
 struct Options : settings::RenderSettings {
     std::optional<scene::EnvironmentLight> environment_light; // that `environment` names
+    std::vector<SampleScene> samples;                         // of the first page, where `scene` is empty
     bool plays = false;                                       // from `at` or the beginning on
     bool is_reloading = false; // parts that the file has lost are remarks instead of errors
     // Of an assignment.

@@ -153,8 +153,9 @@ Changes Workspace::take_loaded() {
         messages.clear_error();
         return everything;
     } catch (const Error& error) {
-        if (!scene) throw;
-        messages.fail("Cannot open the file. The previous scene stays.", error.what());
+        if (!scene && !has_first_page) throw;
+        messages.fail(scene ? "Cannot open the file. The previous scene stays." : "Cannot open the file.",
+                      error.what());
         return Change::redraw;
     }
 }
@@ -173,9 +174,14 @@ void Workspace::show(LoadedScene loaded) {
     auto shown = std::make_unique<SceneView>(std::move(loaded), options, controller.camera(), width, height);
     const bool has_edits = std::exchange(keeps_edits, false) && is_same_file;
     if (has_edits) shown->take_edits(scene->lights());
+    if (is_same_file && !scene->loaded().hidden.empty()) {
+        shown->hide(scene->loaded().hidden);
+        shown->relight(true);
+    }
     scene = std::move(shown);
     camera = std::move(controller);
     selected.reset();
+    if (!is_same_file) object.reset();
     restart_playback(is_same_file);
     if (is_first) statistics.uploaded(scene->upload_seconds(), scene->compile_seconds());
     if (!is_same_file) written.clear();

@@ -54,6 +54,7 @@ struct Workspace {
     std::unique_ptr<SceneView> scene{};       // null until the first file has loaded
     std::optional<CameraController> camera{}; // present once `scene` is
     std::optional<std::size_t> selected{};    // entry of scene->lights()
+    std::optional<ObjectId> object{};         // selected in the scene tree
     Playback playback{};
     Exposure exposure;
     DisplaySettings display{};
@@ -68,6 +69,7 @@ struct Workspace {
     int width = 0; // of the film [pixels]
     int height = 0;
 
+    bool has_first_page = false; // no scene was named: a file that cannot be shown does not end the viewer
     std::optional<std::future<LoadedScene>> loading{};
     bool keeps_edits = false;   // of lights, once `loading` is done
     bool has_new_files = false; // a file has loaded, and is not watched yet
@@ -104,7 +106,7 @@ struct Workspace {
     /// Begins to load the current file again.
     void reload(bool with_edits);
     /// Shows a file that has loaded. @return what changed
-    /// @throws Error if it is the first file and cannot be shown
+    /// @throws Error if it is the file of the command line and cannot be shown
     Changes take_loaded();
     /// Restarts the render with the shaders on disk. Reports errors; then the old render stays.
     Changes reload_shaders();

@@ -218,7 +218,8 @@ void MeshInstances::append_instances(const InstancedMesh& instanced, const NodeT
                                      scene::Scene& scene) const {
     const std::string name = text_in(*node.source, "name");
     for (const dmat4& node_from_instance : instanced.node_from_instance)
-        scene.instances.push_back({instanced.mesh, mat4(node.world_from_node * node_from_instance), name});
+        scene.instances.push_back(
+            {instanced.mesh, mat4(node.world_from_node * node_from_instance), name, {}, node.node});
 }
 
 std::vector<bool> MeshInstances::evaluate(const std::vector<NodeTransform>& nodes,
@@ -243,8 +244,11 @@ std::vector<bool> MeshInstances::evaluate(const std::vector<NodeTransform>& node
                    is_skinned ? std::span<const dmat4>(joints.at(instanced.skin)) : std::span<const dmat4>{},
                    scene.meshes[static_cast<std::size_t>(instanced.mesh)]);
         if (is_skinned)
-            scene.instances.push_back(
-                {instanced.mesh, world_from_skinned.at(instanced.skin), text_in(source, "name")});
+            scene.instances.push_back({instanced.mesh,
+                                       world_from_skinned.at(instanced.skin),
+                                       text_in(source, "name"),
+                                       {},
+                                       node.node});
         else
             append_instances(instanced, node, scene);
         is_visible.resize(scene.instances.size(), node.is_visible);

@@ -227,7 +227,7 @@ void GpuScene::list_draws(const scene::Scene& scene, std::span<const scene::Ligh
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {
         const scene::Instance& instance = scene.instances[i];
         const scene::Mesh& mesh = scene.meshes[instance.mesh];
-        if (mesh.is_empty()) continue;
+        if (mesh.is_empty() || instance.is_hidden) continue;
         Draw draw;
         draw.mesh = instance.mesh;
         draw.instance = static_cast<int>(i);

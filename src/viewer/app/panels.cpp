@@ -12,7 +12,7 @@
 
 namespace sr::viewer {
 
-Panels::Panels(Workspace& workspace) : ws_(workspace) {
+Panels::Panels(Workspace& workspace) : ws_(workspace), first_page_(workspace.options.samples) {
     const auto remembered = remembered_panels();
     are_shown_ = remembered.are_shown;
     if (remembered.column > 0.0f) ws_.layout.set_column(remembered.column);
@@ -27,6 +27,9 @@ bool Panels::execute(Command command) {
     case Command::messages: has_history_ = !has_history_; return true;
     case Command::panels: toggle(); return true;
     case Command::find_command: palette_.open(); return true;
+    case Command::open_file:
+        if (has_first_page()) first_page_.request_focus();
+        return has_first_page();
     default: return false;
     }
 }
@@ -60,7 +63,9 @@ Changes Panels::draw(const Tools& tools) {
         changes |= Change::redraw;
     }
     if (palette_.wants_frame()) changes |= Change::redraw;
-    if (!ws_.scene) {
+    if (has_first_page()) {
+        changes |= draw_first_page();
+    } else if (!ws_.scene) {
         message_area({fmt::format("loading {} ...", ws_.options.scene), {}, {}}, ws_.layout);
     } else if (are_shown_) {
         message_area({progress_of(ws_.scene->render()), under_pointer(), ws_.messages.status()}, ws_.layout);
@@ -75,6 +80,15 @@ Changes Panels::draw(const Tools& tools) {
     }
     ws_.layout.end();
     return changes;
+}
+
+Changes Panels::draw_first_page() {
+    message_area({{}, {}, ws_.messages.status()}, ws_.layout);
+    const bool is_covered = palette_.is_open() || has_help_ || has_history_ || ws_.question;
+    if (!is_covered && !ImGui::IsAnyItemActive()) first_page_.request_focus();
+    const auto file = first_page_.draw(ws_.layout.rest(), ws_.ui);
+    if (file) ws_.open(*file);
+    return file || first_page_.wants_focus() ? Changes(Change::redraw) : Changes();
 }
 
 void Panels::draw_over_picture() {

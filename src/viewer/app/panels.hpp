@@ -1,6 +1,7 @@
 #pragma once
 // Panels of the window: the column of sections, the message area, help, history, questions, errors.
 #include "viewer/panels/command_palette.hpp"
+#include "viewer/panels/first_page.hpp"
 #include "viewer/tools/tool.hpp"
 
 namespace sr::viewer {
@@ -25,11 +26,13 @@ public:
     /// Closes the innermost of what is over the picture. @return false if nothing is
     bool close_one();
     /// True while keys are typed into the palette.
-    bool holds_keyboard() const { return palette_.is_open(); }
+    bool holds_keyboard() const { return palette_.is_open() || has_first_page(); }
     /// Takes the keys that go through the rows of the palette. @return false for any other
     bool take(const KeyEvent& key);
 
 private:
+    bool has_first_page() const { return !ws_.scene && ws_.has_first_page && !ws_.loading; }
+    Changes draw_first_page();
     void toggle();
     void draw_over_picture();
     void draw_menu();
@@ -40,6 +43,7 @@ private:
     Workspace& ws_;
     bool are_shown_ = true;
     CommandPalette palette_;
+    FirstPage first_page_;
     bool has_help_ = false;
     bool has_history_ = false; // of messages
 };

@@ -110,6 +110,10 @@ json json_of(const LightEdit& edit) {
     entry["motion"] = motion;
     if (edit.is_added()) entry["added"] = shape_json(edit.light);
     if (edit.overrides_name) entry["name"] = name_of(edit.light);
+    const MaterialFactors& factors = edit.factors;
+    if (const auto& c = factors.base_color) entry["base_color"] = {c->x, c->y, c->z, c->w};
+    if (factors.metallic) entry["metallic"] = *factors.metallic;
+    if (factors.roughness) entry["roughness"] = *factors.roughness;
     return entry;
 }
 
@@ -131,6 +135,12 @@ void recover(LightEdit& edit, const json& entry) {
         scene::set_name(edit.light, entry.at("name").get<std::string>());
         edit.overrides_name = true;
     }
+    if (entry.contains("base_color")) {
+        const auto c = entry.at("base_color").get<std::array<float, 4>>();
+        edit.factors.base_color = vec4(c[0], c[1], c[2], c[3]);
+    }
+    if (entry.contains("metallic")) edit.factors.metallic = entry.at("metallic").get<float>();
+    if (entry.contains("roughness")) edit.factors.roughness = entry.at("roughness").get<float>();
     if (!entry.contains("quantity")) return;
     const vec3 quantity = vec3_in(entry.at("quantity"));
     edit.overrides_quantity = true;

@@ -109,6 +109,20 @@ std::optional<gltf::NodeLightEdit> node_edit(const LightEdit& edit, const scene:
     return written;
 }
 
+/// Edits to a material of the file; absent if there are none.
+std::optional<gltf::MaterialEdit> material_edit(const LightEdit& edit, const scene::Scene& scene) {
+    const bool is_stated = edit.overrides_quantity || !edit.is_enabled;
+    if (edit.source < 0 || !(is_stated || edit.factors.any())) return std::nullopt;
+    gltf::MaterialEdit written;
+    written.material = edit.source;
+    if (is_stated) written.emission = emission_of(edit, scene);
+    written.is_specular_glossiness = edit.is_present && scene.materials[edit.material].is_specular_glossiness;
+    written.base_color = edit.factors.base_color;
+    written.metallic = edit.factors.metallic;
+    written.roughness = edit.factors.roughness;
+    return written;
+}
+
 } // namespace
 
 bool are_at_same_places(const std::vector<LightEdit>& a, const std::vector<LightEdit>& b) {
@@ -119,7 +133,7 @@ bool are_at_same_places(const std::vector<LightEdit>& a, const std::vector<Light
     };
     return std::ranges::equal(a, b, [&](const LightEdit& x, const LightEdit& y) {
         return x.kind == y.kind && x.source == y.source && x.is_shown() == y.is_shown()
-               && x.motion == y.motion && sizes(x) == sizes(y);
+               && x.motion == y.motion && x.factors == y.factors && sizes(x) == sizes(y);
     });
 }
 
@@ -136,8 +150,8 @@ void FileLights::read(const LoadedScene& loaded) {
     }
     materials.clear();
     for (std::size_t m = 0; m < loaded.emission.size(); ++m)
-        materials.push_back(
-            {loaded.contents.material_numbers[m], loaded.emission[m], loaded.stage.scene.materials[m].name});
+        materials.push_back({loaded.contents.material_numbers[m], loaded.emission[m],
+                             loaded.stage.scene.materials[m].name, loaded.stage.scene.materials[m]});
 }
 
 bool FileLights::shares_its_node(int number) const { return std::ranges::count(nodes_, node_of(number)) > 1; }
@@ -283,6 +297,23 @@ void LightEditor::set_size(std::size_t entry, std::size_t extent, float size) {
     edit.overrides_size = true;
 }
 
+std::size_t LightEditor::edit_of_material(std::size_t material) const {
+    const auto known = std::ranges::find_if(edits_, [&](const LightEdit& e) {
+        return e.kind == Kind::material && e.is_present && e.material == material;
+    });
+    require(known != edits_.end(), "each material of the file has an edit");
+    return static_cast<std::size_t>(known - edits_.begin());
+}
+
+const MaterialFactors& LightEditor::factors_of(std::size_t material) const {
+    return edits_[edit_of_material(material)].factors;
+}
+
+void LightEditor::set_factors(std::size_t material, const MaterialFactors& factors) {
+    remember("material " + stated(material).name);
+    edits_[edit_of_material(material)].factors = factors;
+}
+
 bool LightEditor::rename(std::size_t entry, const std::string& name) {
     if (!can_move(entry)) return false;
     remember(of("name of", entry));
@@ -347,17 +378,28 @@ void LightEditor::rebase(const LoadedScene& loaded) {
     rebase_edits(edits_, file_);
 }
 
+/// Gives a material of the scene the values of its edit.
+void LightEditor::change(scene::Material& material, const LightEdit& edit) const {
+    const scene::Material& file = stated(edit.material);
+    material.emission = edit.emission;
+    material.base_color = edit.factors.base_color.value_or(file.base_color);
+    material.metallic = edit.factors.metallic.value_or(file.metallic);
+    material.roughness = edit.factors.roughness.value_or(file.roughness);
+}
+
 void LightEditor::apply(LoadedScene& loaded) {
     scene::Scene& scene = loaded.stage.scene;
     scene.instances.resize(loaded.base.instances);
     scene.materials.resize(loaded.base.materials);
     scene.meshes.resize(loaded.base.meshes);
+    for (scene::Instance& instance : scene.instances)
+        instance.is_hidden = loaded.hidden.contains({instance.node, instance.mesh});
     scene.lights.clear();
     std::vector<scene::Light> softboxes;
     for (const LightEdit& edit : edits_) {
         if (!edit.is_shown()) continue;
         if (edit.kind == Kind::light) scene.lights.push_back(edit.light);
-        if (edit.kind == Kind::material) scene.materials[edit.material].emission = edit.emission;
+        if (edit.kind == Kind::material) change(scene.materials[edit.material], edit);
         if (edit.kind == Kind::softbox) softboxes.push_back(edit.light);
     }
     std::vector<scene::Light>& lights = loaded.stage.lights;
@@ -397,9 +439,7 @@ void LightEditor::save(const LoadedScene& loaded, const scene::Camera* view,
     std::ranges::stable_sort(ordered, {}, [](const LightEdit& edit) { return edit.kind == Kind::softbox; });
     for (const LightEdit& edit : ordered) {
         if (edit.kind == Kind::material) {
-            const bool is_stated = edit.overrides_quantity || !edit.is_enabled;
-            if (edit.source >= 0 && is_stated)
-                written.materials.push_back({edit.source, emission_of(edit, scene)});
+            if (auto edited = material_edit(edit, scene)) written.materials.push_back(*std::move(edited));
         } else if (edit.kind == Kind::softbox || edit.is_added()) {
             // The environment of the studio comes by itself.
             const bool is_written = !edit.is_removed && (edit.is_added() || has_softboxes)

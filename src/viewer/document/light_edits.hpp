@@ -6,11 +6,21 @@
 
 namespace sr::viewer {
 
-/// A light or an emission as a person edits it.
+/// Factors of a material that a person sets. What is absent is as the file states it.
+struct MaterialFactors {
+    std::optional<vec4> base_color{}; // linear, alpha in w
+    std::optional<float> metallic{};
+    std::optional<float> roughness{};
+
+    bool any() const { return base_color || metallic || roughness; }
+    bool operator==(const MaterialFactors&) const = default;
+};
+
+/// A light, or an emission and other factors of a material, as a person edits it.
 struct LightEdit {
     enum class Kind {
         light,    // a light of the file, or an added one
-        material, // the emission of a material of the file, on all its surfaces
+        material, // a material of the file, on all its surfaces
         softbox,  // a light of the studio rig
     };
     Kind kind = Kind::light;
@@ -19,6 +29,7 @@ struct LightEdit {
     int source = 0;
     scene::Light light;              // current value, of lights and softboxes
     vec3 emission{0.0f};             // current value, of materials
+    MaterialFactors factors{};       // of materials
     std::size_t material = 0;        // index in the scene, of materials
     std::string name{};              // of materials
     bool is_enabled = true;          // a disabled light emits nothing and stays where it is
@@ -32,13 +43,15 @@ struct LightEdit {
     bool is_added() const { return kind == Kind::light && source < 0; }
     bool is_shown() const { return is_present && !is_removed; }
     bool is_edited() const {
-        return is_removed || overrides_quantity || overrides_size || overrides_name || motion != mat4(1.0f);
+        return is_removed || overrides_quantity || overrides_size || overrides_name || factors.any()
+               || motion != mat4(1.0f);
     }
     /// True if the file does not say it.
     bool is_news() const { return is_added() ? !is_removed : is_edited() || !is_enabled; }
 };
 
-/// True if the same lights are there, at the same places and of the same sizes: at most quantities differ.
+/// True if the same lights are there, at the same places and of the same sizes, and materials have the same
+/// factors: at most quantities differ.
 bool are_at_same_places(const std::vector<LightEdit>& a, const std::vector<LightEdit>& b);
 
 /// The lights of a file at one time, in one variant, before any edit.
@@ -52,6 +65,7 @@ public:
         int number = 0; // in the file; negative for the default material of glTF
         vec3 emission{0.0f};
         std::string name{};
+        scene::Material stated{}; // as the file states it
     };
     std::vector<Light> lights; // the visible ones
     std::vector<Material> materials;
@@ -101,6 +115,12 @@ public:
     /// Sets the size of a light or a softbox along one of its extents (scene::sizes_of) [m].
     void set_size(std::size_t entry, std::size_t extent, float size);
     bool can_move(std::size_t entry) const { return entries_[entry].kind != LightEdit::Kind::material; }
+    /// Sets factors of a material of the scene. Those that are absent are the file's again.
+    void set_factors(std::size_t material, const MaterialFactors& factors);
+    const MaterialFactors& factors_of(std::size_t material) const;
+    /// The material as the file states it.
+    const scene::Material& stated(std::size_t material) const { return file_.materials[material].stated; }
+    std::size_t material_count() const { return file_.materials.size(); }
     /// Gives a light or a softbox another name. @return false for a material, whose name stays
     bool rename(std::size_t entry, const std::string& name);
     /// `light`: gltf::is_addable(). @return the index of its entry once apply() has run
@@ -150,6 +170,8 @@ private:
     std::optional<std::string> step(std::vector<Step>& from, std::vector<Step>& to);
     void remember(std::string what);
     std::string of(const char* what, std::size_t entry) const;
+    std::size_t edit_of_material(std::size_t material) const;
+    void change(scene::Material& material, const LightEdit& edit) const;
     LightEdit& edit_of(std::size_t entry) { return edits_[entries_[entry].edit]; }
     std::optional<LightEntry> entry_of(const LightEdit& edit, const scene::RenderScene& stage, int& staged,
                                        int first_softbox) const;

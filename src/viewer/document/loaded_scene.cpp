@@ -53,6 +53,16 @@ void choose_moment(LoadedScene& loaded, const gltf::Asset& asset, const Options&
 
 } // namespace
 
+scene::Bounds bounds_of(const scene::Scene& scene, ObjectId object) {
+    scene::Bounds bounds;
+    for (const scene::Instance& instance : scene.instances) {
+        if (!object.is_of(instance)) continue;
+        for (const vec3 position : scene.meshes[static_cast<std::size_t>(instance.mesh)].positions)
+            bounds.extend(vec3(instance.world_from_object * vec4(position, 1.0f)));
+    }
+    return bounds;
+}
+
 LoadedScene load_scene(const std::string& file, const Options& options, float aspect_ratio) {
     const auto begin = std::chrono::steady_clock::now();
     LoadedScene result;

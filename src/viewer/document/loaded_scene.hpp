@@ -4,7 +4,9 @@
 #include "viewer/options.hpp"
 #include "viewer/view/camera_controller.hpp"
 
+#include <compare>
 #include <filesystem>
+#include <set>
 
 namespace sr::viewer {
 
@@ -13,6 +15,17 @@ struct BaseCounts {
     std::size_t meshes = 0;
     std::size_t materials = 0;
     std::size_t instances = 0;
+};
+
+/// The instances of a mesh at a node, which are hidden and selected as one.
+struct ObjectId {
+    int node = -1;
+    int mesh = -1;
+
+    bool is_of(const scene::Instance& instance) const {
+        return instance.node == node && instance.mesh == mesh;
+    }
+    auto operator<=>(const ObjectId&) const = default;
 };
 
 struct LoadedScene {
@@ -27,10 +40,14 @@ struct LoadedScene {
     std::vector<int> animations;      // that Options::animation names
     std::string variant;              // current material variant; empty: none
     std::vector<int> light_nodes;     // of the file's lights at the current time
+    std::set<ObjectId> hidden;        // by a person
     std::vector<vec3> emission;       // of each of the file's materials, even where emitters are hidden
     std::vector<std::string> remarks; // one line each: warnings, and defaults that were chosen
     double seconds = 0.0;             // of loading
 };
+
+/// The box around the instances of an object; empty if there are none.
+scene::Bounds bounds_of(const scene::Scene& scene, ObjectId object);
 
 /// Loads a file. @throws Error; but while reloading, an animation, a time or a variant that the file has lost
 /// is a remark

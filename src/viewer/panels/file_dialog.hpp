@@ -1,8 +1,7 @@
 #pragma once
 // File dialog: a path is typed, chosen from a folder, or from recent files.
-#include "viewer/ui.hpp"
+#include "viewer/panels/file_browser.hpp"
 
-#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,24 +21,21 @@ public:
     /// Gives the keyboard back to the typed path, because the chosen file is of no use.
     void retry() {
         is_waiting_ = false;
-        focus_.begin();
+        browser_.request_focus();
     }
-    bool wants_focus() const { return focus_.is_pending(); }
+    bool wants_focus() const { return browser_.wants_focus(); }
     Purpose purpose() const { return purpose_; }
 
     /// Draws the dialog, if it is open. It stays open until close(). @return the chosen file, once
     std::optional<std::string> draw();
 
 private:
-    void type(const std::string& path);
-    std::optional<std::string> draw_lists();
+    std::optional<std::string> draw_recent();
 
     bool is_open_ = false;
     bool is_waiting_ = false;
-    FocusRequest focus_;
     Purpose purpose_ = Purpose::open;
-    std::array<char, 1024> typed_{};
-    std::vector<std::string> here_;   // in the folder of the current file
+    FileBrowser browser_;
     std::vector<std::string> recent_; // recently opened
 };
 

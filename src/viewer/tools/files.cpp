@@ -8,8 +8,10 @@
 #include "viewer/panels/file_dialog.hpp"
 #include "viewer/tools/tool.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
+#include <iterator>
 
 namespace sr::viewer {
 class Files : public Tool {
@@ -25,6 +27,7 @@ public:
 
 private:
     Changes reload();
+    Changes open_neighbour(int step);
     Changes shoot(const std::string& extension);
     Changes write(std::string extension);
 
@@ -54,6 +57,8 @@ std::optional<Changes> Files::handle(const Event& event) {
         return Change::redraw;
     case Command::save_as: dialog_.show(FileDialog::Purpose::save, ws_.name_to_save()); return Change::redraw;
     case Command::reload: return reload();
+    case Command::next_file: return open_neighbour(1);
+    case Command::previous_file: return open_neighbour(-1);
     case Command::screenshot_png: return shoot(".png");
     case Command::screenshot_exr: return shoot(".exr");
     case Command::screenshot_seen:
@@ -72,6 +77,24 @@ std::optional<Changes> Files::handle(const Event& event) {
 Changes Files::reload() {
     ++ws_.statistics.reloads;
     ws_.leave(Departure::reload);
+    return Change::redraw;
+}
+
+/// Opens another glTF file of the folder, by name; after the last one the first.
+Changes Files::open_neighbour(int step) {
+    const std::string& open_file = ws_.scene->loaded().file;
+    const std::vector<std::string> files = scenes_beside(open_file);
+    const auto at =
+        std::ranges::find(files, std::filesystem::path(open_file).filename(),
+                          [](const std::string& f) { return std::filesystem::path(f).filename(); });
+    if (files.size() < 2 || at == files.end()) {
+        ws_.messages.notify("The folder has no other .gltf or .glb file.");
+        return Change::redraw;
+    }
+    const std::ptrdiff_t count = std::ssize(files);
+    const std::string& file = files[static_cast<std::size_t>((at - files.begin() + count + step) % count)];
+    ws_.messages.notify(fmt::format("Opening {}.", file));
+    ws_.leave(Departure::open, file);
     return Change::redraw;
 }
 

@@ -206,10 +206,8 @@ Changes Navigate::paste_view() {
     std::string text = ws_.input.clipboard();
     if (const auto quote = text.find('\''); quote != std::string::npos)
         text = text.substr(quote + 1, text.find('\'', quote + 1) - quote - 1);
-    CameraController& camera = *ws_.camera;
     try {
-        const scene::LookAt view = scene::parse_look_at(text, camera.origin());
-        camera.use({scene::camera_at(view, camera.bounds(), camera.aspect_ratio()), scene::text_of(view)});
+        ws_.camera->go_to(text);
         return Change::camera;
     } catch (const Error& error) {
         ws_.messages.notify(error.what());
@@ -217,9 +215,10 @@ Changes Navigate::paste_view() {
     }
 }
 
-/// The bounds of the selected light; empty if none is selected.
+/// The bounds of the selected light or object; empty if none is selected.
 scene::Bounds Navigate::selection() const {
     scene::Bounds bounds;
+    if (!ws_.selected && ws_.object) return bounds_of(ws_.scene->stage().scene, *ws_.object);
     if (!ws_.selected) return bounds;
     const scene::Bounds& all = ws_.camera->bounds();
     const float min_size = all.is_empty() ? 0.1f : 0.02f * all.radius();

@@ -73,8 +73,10 @@ std::unique_ptr<Tool> make_compare(Workspace& workspace);
 std::unique_ptr<Tool> make_edit_lights(Workspace& workspace);
 std::unique_ptr<Tool> make_explain(Workspace& workspace);
 std::unique_ptr<Tool> make_files(Workspace& workspace);
+std::unique_ptr<Tool> make_inspect(Workspace& workspace);
 std::unique_ptr<Tool> make_keep_edits(Workspace& workspace);
 std::unique_ptr<Tool> make_mix_lights(Workspace& workspace);
+std::unique_ptr<Tool> make_place_camera(Workspace& workspace);
 std::unique_ptr<Tool> make_probe(Workspace& workspace);
 std::unique_ptr<Tool> make_turntable(Workspace& workspace);
 

@@ -109,6 +109,18 @@ void CameraController::move_to(const Viewpoint& view) {
     camera_ = {scene::camera_at(description, bounds_, aspect_ratio_), scene::text_of(description)};
 }
 
+std::string CameraController::look_at_text() const {
+    if (scene::is_look_at(camera_.argument)) return camera_.argument;
+    scene::LookAt description = look_at(view_);
+    description.origin = origin_;
+    return scene::text_of(description);
+}
+
+void CameraController::go_to(const std::string& look_at) {
+    const scene::LookAt view = scene::parse_look_at(look_at, origin_);
+    use({scene::camera_at(view, bounds_, aspect_ratio_), scene::text_of(view)});
+}
+
 bool CameraController::execute(Command command, const scene::Bounds& selection) {
     Viewpoint view = view_;
     switch (command) {

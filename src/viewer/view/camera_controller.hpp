@@ -42,6 +42,11 @@ public:
     /// Makes the camera a free one, at `view`.
     void move_to(const Viewpoint& view);
 
+    /// The view in words, as scene::parse_look_at() reads it, whatever camera is in use.
+    std::string look_at_text() const;
+    /// Goes to such a view. @throws Error that says which part of the text is wrong
+    void go_to(const std::string& look_at);
+
     /// Executes a command that moves the camera. `selection`: the bounds that frame_selection frames.
     /// @return false if it is no such command
     bool execute(Command command, const scene::Bounds& selection);

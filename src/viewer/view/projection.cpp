@@ -97,6 +97,7 @@ std::optional<Hit> first_hit(const scene::Scene& scene, const PickRay& ray) {
     std::optional<Hit> hit;
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {
         const scene::Instance& instance = scene.instances[i];
+        if (instance.is_hidden) continue;
         const scene::Mesh& mesh = scene.meshes[static_cast<std::size_t>(instance.mesh)];
         // In object space with the direction's length kept, distances are the world's.
         const mat4 to_object = glm::inverse(instance.world_from_object);

@@ -4,6 +4,8 @@
 #include "viewer/view/progressive_render.hpp"
 
 #include <memory>
+#include <set>
+#include <utility>
 
 namespace sr::viewer {
 
@@ -50,6 +52,10 @@ public:
     /// Changes the visibility method and restarts. @throws Error, ShaderError; then nothing has changed
     void set_visibility(Options& options, render::Visibility visibility, const scene::Camera& camera,
                         int width, int height);
+
+    /// Hides these objects from the picture, from shadows and from the lights, and shows all others, once
+    /// relight() runs.
+    void hide(std::set<ObjectId> objects) { loaded_.hidden = std::move(objects); }
 
     LightEditor& lights() { return lights_; }
     const LightEditor& lights() const { return lights_; }

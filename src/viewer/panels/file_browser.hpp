@@ -1,0 +1,55 @@
+#pragma once
+// File browser: a field for a path, and below it the folders and files that go on from what is typed.
+#include "viewer/ui.hpp"
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+struct ImGuiInputTextCallbackData;
+
+namespace sr::viewer {
+
+class FileBrowser {
+public:
+    /// Lists folders, and files with one of these extensions. `typed`: in the field at first.
+    void show(std::vector<std::string> extensions, const std::string& typed);
+    /// Gives the keyboard to the field.
+    void request_focus() { focus_.begin(); }
+    bool wants_focus() const { return focus_.is_pending(); }
+    /// Puts a path into the field.
+    void type(const std::string& path);
+
+    /// Draws field and list. Tab completes a path, Enter chooses what is typed, or enters a folder.
+    /// @return the chosen path, once
+    std::optional<std::string> draw(const char* hint, float width, float list_height);
+
+private:
+    struct Entry {
+        std::string name; // folders end in '/'
+        bool is_folder = false;
+    };
+
+    static int call_back(ImGuiInputTextCallbackData* data);
+    void complete(ImGuiInputTextCallbackData& data) const;
+    void list();
+    std::optional<std::string> draw_list(float width, float height);
+    /// The path itself, unless it is a folder; then that is listed.
+    std::optional<std::string> chosen_or_entered(const std::string& path);
+
+    std::vector<std::string> extensions_;
+    std::array<char, 1024> typed_{};
+    FocusRequest focus_;
+    int ends_left_ = 0;  // frames in which the cursor goes to the end: the field may select all twice
+    std::string listed_; // the text that `entries_` go on from
+    std::string folder_; // of `entries_`, as it was typed, with its last '/'
+    std::vector<Entry> entries_;
+    bool has_more_ = false; // entries than are listed
+};
+
+/// Replaces a leading "~/" by the home folder.
+std::filesystem::path expanded(const std::string& path);
+
+} // namespace sr::viewer

@@ -1,0 +1,93 @@
+// Factors of materials that a person sets: in the scene, undone, in the journal, and in a saved file.
+#include "shadow/casters.hpp"
+#include "support/address.hpp"
+#include "viewer/document/journal.hpp"
+
+#include <array>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <unistd.h>
+
+using namespace sr;
+using namespace sr::viewer;
+using sr::testing::Test;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string scene_file = STERADIAN_SCENES "/spheres.gltf";
+
+const Test edited("unit.viewer.materials.factors_are_set_undone_and_saved", [] {
+    LoadedScene loaded = load_scene(scene_file, Options(), 1.0f);
+    LightEditor editor(loaded, false);
+    const std::size_t last = loaded.base.materials - 1;
+    const auto& materials = loaded.stage.scene.materials;
+    const scene::Material file = materials[last];
+    editor.set_factors(last, {vec4(0.25f, 0.5f, 0.75f, 1.0f), 0.5f, 0.125f});
+    editor.begin_step();
+    editor.apply(loaded);
+    EXPECT_EQ(materials[last].base_color, vec4(0.25f, 0.5f, 0.75f, 1.0f));
+    EXPECT_EQ(materials[last].metallic, 0.5f);
+    EXPECT_EQ(materials[last].roughness, 0.125f);
+    EXPECT_TRUE(editor.is_unsaved());
+    const fs::path target =
+        fs::temp_directory_path() / ("steradian_materials_" + std::to_string(getpid()) + ".gltf");
+    editor.save(loaded, nullptr, target.string());
+    const LoadedScene saved = load_scene(target.string(), Options(), 1.0f);
+    fs::remove(target);
+    for (std::size_t m = 0; m < loaded.base.materials; ++m) {
+        EXPECT_EQ(saved.stage.scene.materials[m].base_color, materials[m].base_color) << m;
+        EXPECT_EQ(saved.stage.scene.materials[m].metallic, materials[m].metallic) << m;
+        EXPECT_EQ(saved.stage.scene.materials[m].roughness, materials[m].roughness) << m;
+    }
+    EXPECT_EQ(editor.undo(), "material " + file.name);
+    editor.apply(loaded);
+    EXPECT_EQ(materials[last].base_color, file.base_color);
+    EXPECT_EQ(materials[last].roughness, file.roughness);
+});
+
+const Test recovered("unit.viewer.materials.a_journal_has_the_factors", [] {
+    const fs::path folder =
+        fs::temp_directory_path() / ("steradian_material_journal_" + std::to_string(getpid()));
+    fs::create_directories(folder);
+    setenv("XDG_STATE_HOME", folder.c_str(), 1);
+    const LoadedScene loaded = load_scene(scene_file, Options(), 1.0f);
+    LightEditor editor(loaded, false), fresh(loaded, false);
+    editor.set_factors(1, {.metallic = 0.25f});
+    Journal(scene_file).write(editor);
+    const auto lost = Journal(scene_file).find(fresh.edits());
+    ASSERT_TRUE(lost.has_value());
+    fresh.recover(lost->edits);
+    EXPECT_EQ(fresh.factors_of(1), editor.factors_of(1));
+    EXPECT_EQ(fresh.factors_of(0), MaterialFactors());
+    fs::remove_all(folder);
+});
+
+const Test hidden("unit.viewer.materials.hidden_objects_emit_nothing_and_cast_no_shadow", [] {
+    LoadedScene loaded = load_scene(STERADIAN_SCENES "/cornell.gltf", Options(), 1.0f);
+    LightEditor editor(loaded, false);
+    const std::size_t lights = loaded.stage.lights.size();
+    std::size_t emitters = 0;
+    for (const scene::Instance& instance : loaded.stage.scene.instances) {
+        if (instance.emits_as.is_empty() || instance.node < 0) continue;
+        ++emitters;
+        loaded.hidden.insert({instance.node, instance.mesh});
+    }
+    ASSERT_GT(emitters, 0u);
+    editor.apply(loaded);
+    EXPECT_LT(loaded.stage.lights.size(), lights);
+    const shadow::Casters casters = shadow::collect_casters(loaded.stage.scene, loaded.stage.lights);
+    EXPECT_EQ(casters.triangle_count(), scene::triangle_count(loaded.stage.scene)) << "triangles are counted";
+    for (std::size_t t = 0; t < casters.triangle_count(); ++t) {
+        const auto [a, b, c] = std::to_array({casters.triangle(t)[0], casters.triangle(t)[1], casters.triangle(t)[2]});
+        if (!loaded.stage.scene.instances[casters.caster_of[t]].is_hidden) continue;
+        EXPECT_TRUE(a == b && b == c) << "a hidden triangle casts a shadow";
+    }
+    loaded.hidden.clear();
+    editor.apply(loaded);
+    EXPECT_EQ(loaded.stage.lights.size(), lights);
+});
+
+} // namespace

@@ -1,0 +1,111 @@
+#!/usr/bin/env python3
+"""The viewer without a scene: its first page, and what leads from one file and one view to the next. Exit status 77: there is no Xvfb or
+xdotool.
+
+usage: start_test.py STERADIAN SCENES_FOLDER SCRATCH_FOLDER
+"""
+import re
+import shutil
+import sys
+from pathlib import Path
+
+from driver import Display, Viewer, skip_without
+
+STERADIAN, SCENES, SCRATCH = (Path(argument).resolve() for argument in sys.argv[1:])
+OPTIONS = "--size", "640x400", "--samples", "1", "--visibility", "none", "--exposure", "8", "--gl-debug"
+
+
+def camera_of(viewer: Viewer) -> dict[str, list[float]]:
+    """The numbers of the last camera that was shown."""
+    text = re.findall(r"--camera '([^']*)'", viewer.errors())[-1]
+    return {key: [float(n) for n in value.split(",")] for key, value in (part.split("=") for part in text.split(";"))}
+
+
+def first_page(viewer: Viewer, folder: Path):
+    """A path that leads nowhere leaves the page as it is. Tab completes a path; a folder is entered."""
+    viewer.type("nowhere.glb")
+    viewer.said("nowhere.glb: ")
+    viewer.said("text field focused", 2)
+    viewer.key("Escape")
+    viewer.said("text field focused", 3)
+    viewer.fields = 2
+    viewer.type(str(folder.parent))
+    viewer.wait(lambda: viewer.title() == "Steradian", "no scene")
+    viewer.pause()
+    viewer.display.do("type", "--delay", "20", "fold")
+    viewer.pause()
+    viewer.key("Tab")
+    viewer.pause()
+    viewer.display.do("type", "--delay", "20", "b")
+    viewer.pause()
+    viewer.key("Tab", "Return")
+    viewer.done()
+    assert viewer.title().startswith("b.gltf"), viewer.title()
+
+
+def neighbours(viewer: Viewer):
+    """Ctrl PgDn and Ctrl PgUp go through the files of the folder, and around its end."""
+    for key, name in ("Next", "c.gltf"), ("Next", "a.gltf"), ("Prior", "c.gltf"), ("Prior", "b.gltf"):
+        viewer.changed_by(lambda: viewer.key("ctrl+" + key))
+        viewer.wait(lambda: viewer.title().startswith(name), name)
+
+
+def placing(viewer: Viewer):
+    """Position, target and field of view are typed with units; what makes no sense changes nothing."""
+    viewer.key("shift+c")
+    viewer.changed_by(lambda: viewer.type("0.5, 120 cm, 4"))
+    viewer.key("shift+c")
+    viewer.type("1, 2")
+    viewer.said("'1, 2' is no point")
+    viewer.key("shift+c")
+    viewer.wait(lambda: viewer.errors().count("text field focused") > viewer.fields, "the first field")
+    viewer.fields += 1
+    viewer.key("Tab", "Tab")
+    viewer.display.do("type", "--delay", "20", "50 mm")
+    viewer.changed_by(lambda: viewer.key("Return"))
+    camera = camera_of(viewer)
+    assert all(abs(a - b) < 1e-6 for a, b in zip(camera["eye"], (0.5, 1.2, 4))), camera
+    assert abs(camera["yfov"][0] - 0.4710899) < 1e-6, camera  # 2 atan(12 mm / 50 mm)
+
+
+def bookmarks(viewer: Viewer):
+    """A view that was kept comes back after another one."""
+    kept = camera_of(viewer)
+    viewer.key("ctrl+b")
+    viewer.said("Kept as view 1.")
+    viewer.changed_by(lambda: viewer.key("Left"))
+    assert camera_of(viewer) != kept
+    viewer.changed_by(lambda: viewer.key("shift+b"))
+    assert camera_of(viewer) == kept, (camera_of(viewer), kept)
+    return kept
+
+
+def main() -> int:
+    skip_without()
+    shutil.rmtree(SCRATCH, ignore_errors=True)
+    folder = SCRATCH / "some" / "folder"
+    folder.mkdir(parents=True)
+    for name in "abc":  # a scene of one file
+        (folder / f"{name}.gltf").write_text((SCENES / "cornell.gltf").read_text())
+    for buffer in SCENES.glob("cornell*.bin"):
+        shutil.copy(buffer, folder)
+    with Display(SCRATCH / "display", 640, 400) as display:
+        viewer = Viewer(display, STERADIAN, SCRATCH / "run", *OPTIONS)
+        first_page(viewer, folder)
+        neighbours(viewer)
+        placing(viewer)
+        kept = bookmarks(viewer)
+        viewer.close()
+        viewer = Viewer(display, STERADIAN, SCRATCH / "run", *OPTIONS)
+        viewer.said("text field focused")
+        viewer.click(44, 224)  # the first of the recent files
+        viewer.done()
+        assert viewer.title().startswith("b.gltf"), viewer.title()
+        viewer.changed_by(lambda: viewer.key("shift+b"))
+        assert camera_of(viewer) == kept, "the bookmark is lost"
+        viewer.close()
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
