@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any, Callable, Iterable, Sequence, TypeVar
 if TYPE_CHECKING:  # on a worker there is no such module
     from .files import Bundle, Entry
 
-Result = TypeVar("Result")
+Answer = TypeVar("Answer")
 Files = dict[str, bytes]  # by their paths in a folder
 Run = subprocess.CompletedProcess[str]
 
@@ -104,7 +104,7 @@ def files_in(folder: Path) -> Files:
     return {str(file.relative_to(folder)): file.read_bytes() for file in sorted(folder.rglob("*")) if file.is_file()}
 
 
-def in_scratch(task: Callable[[Path], Result]) -> Result:
+def in_scratch(task: Callable[[Path], Answer]) -> Answer:
     """Calls task(folder) with a folder that goes when it returns."""
     folder = Path(tempfile.mkdtemp(dir=worker_place()[0]))
     try:
