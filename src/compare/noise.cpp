@@ -1,5 +1,6 @@
 #include "compare/noise.hpp"
 
+#include "compare/moderated.hpp"
 #include "compare/rare_events.hpp"
 #include "compare/winsorised.hpp"
 #include "core/error.hpp"
@@ -184,7 +185,7 @@ bool all_know(const std::vector<Noise>& noise, std::optional<Image> Noise::*laye
 }
 
 /// Returns how many times the variance of independent pixels the sum over a block (or the image) has, of
-/// whose mean the layer holds the standard error; no less than 1.
+/// whose mean the layer holds the standard error.
 double likeness(const Deviation& whole, const std::vector<Noise>& noise, std::optional<Image> Noise::*layer,
                 std::size_t pixel, std::size_t color) {
     double variance = 0.0;
@@ -192,20 +193,26 @@ double likeness(const Deviation& whole, const std::vector<Noise>& noise, std::op
         const double error = n.is_number() ? 0.0 : n.error(*(n.*layer), pixel, color);
         variance += error * error * whole.count * whole.count;
     }
-    return whole.variance > 0.0 ? std::max(1.0, variance / whole.variance) : 1.0;
+    return whole.variance > 0.0 ? variance / whole.variance : 0.0;
 }
 
-/// Replaces the variances of blocks, which add those of pixels as if these were independent, by known ones.
-void correct_blocks(DeviationSums& sums, const std::vector<Noise>& noise, const NoiseBlocks& blocks,
-                    std::size_t colors, const std::vector<std::size_t>& compared) {
-    std::vector<bool> is_done(sums.blocks.size(), false);
-    for (const std::size_t i : compared) // all pixels of a block say the same
-        for (std::size_t c = 0; c < colors; ++c) {
-            if (is_done[blocks.of(i) * colors + c]) continue;
-            is_done[blocks.of(i) * colors + c] = true;
-            sums.blocks[blocks.of(i) * colors + c].variance *=
-                likeness(sums.whole_blocks[blocks.of(i) * colors + c], noise, &Noise::blocks, i, c);
-        }
+/// z of the sum over the block of one colour that is furthest from 0. The variances of blocks add those of
+/// pixels as if these were independent; how many times larger they are is known of each block, from few
+/// seeds, and of all blocks together.
+double largest_block_z(const DeviationSums& sums, const std::vector<Noise>& noise, const NoiseBlocks& blocks,
+                       std::size_t colors, std::size_t c, double degrees_of_freedom) {
+    std::vector<double> likenesses(blocks.count, 0.0);
+    for (std::size_t b = 0; b < blocks.count; ++b)
+        likenesses[b] =
+            likeness(sums.whole_blocks[b * colors + c], noise, &Noise::blocks, blocks.first_of(b), c);
+    const VariancePrior prior = prior_of(likenesses, degrees_of_freedom);
+    double largest = 0.0;
+    for (std::size_t b = 0; b < blocks.count; ++b) {
+        Deviation block = sums.blocks[b * colors + c];
+        block.variance *= std::max(1.0, prior.moderated(likenesses[b], degrees_of_freedom));
+        largest = std::max(largest, z_of_t(block.t(), degrees_of_freedom + prior.degrees_of_freedom));
+    }
+    return largest;
 }
 
 /// z of the sum of one colour over the image.
@@ -214,7 +221,7 @@ double total_z(const DeviationSums& sums, const std::vector<Noise>& noise, std::
     Deviation total = sums.totals[c];
     if (std::ranges::all_of(noise, &Noise::is_number)) return total.t();
     if (all_know(noise, &Noise::whole)) {
-        total.variance *= likeness(sums.whole_totals[c], noise, &Noise::whole, 0, c);
+        total.variance *= std::max(1.0, likeness(sums.whole_totals[c], noise, &Noise::whole, 0, c));
         return z_of_t(total.t(), degrees_of_freedom);
     }
     // Batch means: the blocks' own scatter tells how much a sum of pixels that err alike may scatter.
@@ -421,11 +428,11 @@ NoiseScores score_noise(const AlignedImages& images, const std::vector<Image>& g
             scores.pixels[k] = 0.0f;
         }
     DeviationSums sums = sums_of(images, deviations, is_rare, blocks, most_unseen_events(noise));
-    if (scores.judges_blocks) correct_blocks(sums, noise, blocks, colors, images.compared);
-    for (const Deviation& block : sums.blocks)
-        scores.max_block = std::max(scores.max_block, z_of_t(block.t(), n));
-    for (std::size_t c = 0; c < colors; ++c)
+    for (std::size_t c = 0; c < colors; ++c) {
+        if (scores.judges_blocks)
+            scores.max_block = std::max(scores.max_block, largest_block_z(sums, noise, blocks, colors, c, n));
         scores.total = std::max(scores.total, total_z(sums, noise, colors, c, n));
+    }
     return scores;
 }
 

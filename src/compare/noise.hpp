@@ -20,6 +20,10 @@ struct NoiseBlocks {
     std::size_t of(std::size_t pixel) const {
         return pixel / width / noise_block * columns + pixel % width / noise_block;
     }
+    /// The upper left pixel of a block.
+    std::size_t first_of(std::size_t block) const {
+        return block / columns * noise_block * width + block % columns * noise_block;
+    }
 };
 
 /// The largest |z| that equal images exceed once in a thousand comparisons, at each of three scales that
@@ -73,6 +77,9 @@ std::vector<image::Image> noise_of(const std::vector<image::Image>& noise,
 /// compare/winsorised.hpp): rare events may stay below the limit of a pixel and yet decide a sum. Their
 /// number is the largest that Poisson's law allows, where 1 / (n + 2) are expected of an image whose noise is
 /// that of n seeds: 3 of two images with 12 seeds, and none where the noise is known.
+///
+/// The sums over blocks have variances of their own, which few seeds measure. Where those of all blocks are
+/// alike, they tell each other's, and a block is judged with more degrees of freedom (compare/moderated.hpp).
 ///
 /// Where a region or a mask leaves a part of a block, the pixels left err alike as much as those of the whole
 /// block do: their sum's variance is as many times that of independent pixels.

@@ -30,7 +30,7 @@ from pathlib import Path
 HOME = Path.home() / ".cache" / "steradian-others"
 LIMITS = {"idiff": (0, 1e-5, 1e-4, 1e-3), "pixelmatch": (0, 1e-5, 1e-4, 1e-3), "odiff": (0, 1e-5, 1e-4, 1e-3),
           "FLIP": (1e-6, 1e-5, 1e-4, 1e-3, 3e-3, 1e-2)}
-NEEDS_AN_OPTION = re.compile(r"(.*\.)?(noise_(a|in_both|hides)|wrong_(out|in)side_region|wrong_behind_mask|scattered|clustered"
+NEEDS_AN_OPTION = re.compile(r"(.*\.)?(noise_(a|in_both|hides|of_seeds)|wrong_(out|in)side_region|wrong_behind_mask|scattered|clustered"
                              r"|nan_in_both_allowed|all_nan_allowed|hole_beside_a_mask|layer_square_of_a_share)")
 BATCH = 16  # mutants whose files lie on the disk at a time
 PIXELMATCH = """

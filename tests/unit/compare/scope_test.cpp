@@ -1,6 +1,7 @@
 // The pixels and channels that are compared, and the messages for images that cannot be.
 #include "compare/align.hpp"
 #include "compare/compare.hpp"
+#include "compare/moderated.hpp"
 #include "compare/noise.hpp"
 #include "compare/noise_of_seeds.hpp"
 #include "compare/pictures.hpp"
@@ -346,6 +347,27 @@ const Test poisson("unit.golden.noise.most_events", [] {
     EXPECT_EQ(most_events(2.0 / 14.0, 1e-3 / 3.0), 3u); // P(more than 2) is 4.4e-4, P(more than 3) 1.6e-5
     EXPECT_EQ(most_events(1.0, 0.02), 3u);              // 0.080, 0.019
     EXPECT_NEAR(t_of_z(z_of_t(7.0, 11.0), 11.0), 7.0, 1e-9);
+});
+
+// Variances of chi-squared laws with 11 degrees of freedom: of one true variance, and of true ones that
+// scatter.
+const Test moderated("unit.golden.noise.variances_of_blocks_tell_each_other", [] {
+    std::mt19937 random(11);
+    const auto measured = [&](double spread) {
+        std::chi_squared_distribution<double> chi(11.0);
+        std::normal_distribution<double> normal(0.0, spread);
+        std::vector<double> variances(20000);
+        std::ranges::generate(variances, [&] { return 3.0 * std::exp(normal(random)) * chi(random) / 11.0; });
+        return prior_of(variances, 11.0);
+    };
+    const VariancePrior alike = measured(0.0), uneven = measured(2.0);
+    EXPECT_NEAR(alike.value, 3.0, 0.05);
+    EXPECT_GT(alike.degrees_of_freedom, 200.0); // trigamma(5.5) / 100, one standard error, has 1000
+    EXPECT_LT(uneven.degrees_of_freedom, 2.0);
+    EXPECT_NEAR(uneven.moderated(10.0, 11.0), 10.0, 1.5);
+    EXPECT_NEAR(alike.moderated(10.0, 11.0), 3.0, 0.4);
+    EXPECT_EQ(prior_of({1.0, 2.0, 0.0}, 11.0).degrees_of_freedom, 0.0); // too few
+    EXPECT_EQ(prior_of({}, 11.0).moderated(2.0, 11.0), 2.0);
 });
 
 // A line of uneven pixels is an edge; a single one is an event.
