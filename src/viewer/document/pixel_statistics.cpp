@@ -52,7 +52,8 @@ PixelStatistics statistics_of(const image::Image& film, const PixelRectangle& re
     result.deviation = std::sqrt(std::max(0.0, squares / count - result.mean.w * result.mean.w));
     if (darkest < infinity) {
         result.last = std::ceil(std::log10(most.w));
-        result.first = std::clamp(std::floor(std::log10(darkest)), result.last - most_decades, result.last - 1.0);
+        result.first =
+            std::clamp(std::floor(std::log10(darkest)), result.last - most_decades, result.last - 1.0);
     }
     for_each_finite(film, rectangle, [&](glm::dvec4 p) {
         const double place =

@@ -142,7 +142,8 @@ std::optional<std::size_t> draw_pinned(const ShownFilm& film, const std::vector<
 
 std::optional<glm::ivec2> ShownFilm::pixel_at(vec2 at) const {
     if (!shown.contains(at)) return std::nullopt;
-    const glm::ivec2 pixel = glm::floor((at - picture.from) / picture.size * vec2(numbers.width, numbers.height));
+    const glm::ivec2 pixel =
+        glm::floor((at - picture.from) / picture.size * vec2(numbers.width, numbers.height));
     return glm::clamp(pixel, glm::ivec2(0), glm::ivec2(numbers.width - 1, numbers.height - 1));
 }
 
@@ -168,7 +169,7 @@ PixelsOutcome draw_pixels_panel(const ShownFilm& film, const std::optional<Pixel
         draw_pointed(film, pointed);
         ImGui::Separator();
         const glm::ivec2 size = rectangle ? rectangle->end - rectangle->from
-                                     : glm::ivec2(film.numbers.width, film.numbers.height);
+                                          : glm::ivec2(film.numbers.width, film.numbers.height);
         ImGui::Text("%s, %d x %d pixels", rectangle ? "the rectangle" : "the picture", size.x, size.y);
         tooltip("a Shift drag over the picture chooses a rectangle");
         if (rectangle) {
@@ -208,7 +209,8 @@ void draw_pixel_numbers(const ShownFilm& film) {
             for (std::size_t i = 0; i < 3; ++i) {
                 const std::string text = short_text(p[i]);
                 const float width = ImGui::CalcTextSize(text.c_str()).x * font / ImGui::GetFontSize();
-                const vec2 at = area.from + vec2(0.5f * (side - width), (0.08f + 0.29f * static_cast<float>(i)) * side);
+                const vec2 at =
+                    area.from + vec2(0.5f * (side - width), (0.08f + 0.29f * static_cast<float>(i)) * side);
                 list.AddText(ImGui::GetFont(), font, point(at + 1.0f), IM_COL32(0, 0, 0, 220), text.c_str());
                 list.AddText(ImGui::GetFont(), font, point(at), channel_colors[i], text.c_str());
             }
@@ -226,7 +228,8 @@ void draw_pixel_marks(const ShownFilm& film, const std::optional<PixelRectangle>
         const Area area = film.area_of(pinned[i]);
         const vec2 middle = area.from + 0.5f * area.size;
         const float reach = std::max(5.0f * film.scale, 0.5f * area.size.x);
-        list.AddRect(point(middle - reach), point(middle + reach), palette::orange, 0.0f, 0, 1.5f * film.scale);
+        list.AddRect(point(middle - reach), point(middle + reach), palette::orange, 0.0f, 0,
+                     1.5f * film.scale);
         const std::string label = std::to_string(i + 1);
         list.AddText({middle.x + reach + 2.0f, middle.y - reach}, palette::orange, label.c_str());
     }

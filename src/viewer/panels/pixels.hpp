@@ -15,8 +15,8 @@ struct ShownFilm {
     image::Image numbers; // of the view that is shown, or radiance
     std::string unit;     // of `numbers`
     const DisplaySettings& display;
-    Area shown;   // area of the window that shows it or a part of it
-    Area picture; // area that the whole film has
+    Area shown;         // area of the window that shows it or a part of it
+    Area picture;       // area that the whole film has
     float scale = 1.0f; // of a HiDPI screen
 
     /// The pixel at a place of the window; absent if none is shown there.
@@ -25,7 +25,7 @@ struct ShownFilm {
     Area area_of(glm::ivec2 pixel) const;
 };
 
-/// What a person chose in the panel.
+/// Choices of a person in the panel.
 struct PixelsOutcome {
     std::optional<std::size_t> unpinned; // index of a pinned pixel
     bool drops_rectangle = false;

@@ -42,7 +42,7 @@ private:
     vec2 at_{0.0f};         // of the last motion: events of a whole drag may come at once
     vec2 pressed_at_{0.0f};
     vec2 from_at_press_{0.0f}; // PixelZoom::from
-    glm::ivec2 first_{0};           // corner of the rectangle
+    glm::ivec2 first_{0};      // corner of the rectangle
     std::optional<PixelRectangle> rectangle_;
     std::vector<glm::ivec2> pinned_;
     image::Image numbers_; // of the render, as they were read last
@@ -199,12 +199,9 @@ Changes LookAtPixels::draw(const Overlay& overlay) {
         samples_ = -1; // another picture follows
     else
         read_film();
-    const ShownFilm film{numbers_,
-                         output::unit_of(ws_.display.view, ws_.scene->stage().scene.units),
-                         ws_.display,
-                         ws_.shown_area(),
-                         ws_.picture(),
-                         overlay.scale};
+    const ShownFilm film{numbers_,      output::unit_of(ws_.display.view, ws_.scene->stage().scene.units),
+                         ws_.display,   ws_.shown_area(),
+                         ws_.picture(), overlay.scale};
     if (!is_coarse) draw_pixel_numbers(film);
     draw_pixel_marks(film, rectangle_, pinned_);
     if (!is_open_) return {};
