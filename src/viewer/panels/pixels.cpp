@@ -43,7 +43,9 @@ std::string short_text(float value) {
 
 void draw_loupe(const ShownFilm& film, const std::optional<glm::ivec2>& pointed) {
     constexpr int reach = 5; // pixels on each side of the middle
-    const float side = std::floor(12.0f * film.scale), all = side * (2 * reach + 1);
+    const float room = 0.55f * ImGui::GetContentRegionAvail().x;
+    const float side = std::floor(std::min(12.0f * film.scale, room / (2 * reach + 1)));
+    const float all = side * (2 * reach + 1);
     const ImVec2 from = ImGui::GetCursorScreenPos();
     ImGui::Dummy({all, all});
     tooltip("the pixels around the pointer");
@@ -76,7 +78,9 @@ void draw_pointed(const ShownFilm& film, const std::optional<glm::ivec2>& pointe
         ImGui::Text("Y %.6g", static_cast<double>(luminance(p[0], p[1], p[2])));
         ImGui::TextDisabled("%s", film.unit.c_str());
     } else {
+        ImGui::PushTextWrapPos();
         ImGui::TextDisabled("point at the picture");
+        ImGui::PopTextWrapPos();
     }
     ImGui::EndGroup();
 }

@@ -125,7 +125,10 @@ void ScenePanel::draw_objects(Frame& frame) {
           {"isolate", Command::isolate_object, "hide all others, or show all again (/)"},
           {"frame", Command::frame_selection, "show it in the middle of the picture (F)"},
           {"show all", Command::show_objects, "show all hidden objects (Alt H)"}}) {
-        if (!std::exchange(is_first, false)) ImGui::SameLine();
+        const float width = ImGui::CalcTextSize(label).x + 3.0f * ImGui::GetStyle().FramePadding.x;
+        const float right = ImGui::GetWindowPos().x + ImGui::GetContentRegionMax().x;
+        const bool has_room = ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + width < right;
+        if (!std::exchange(is_first, false) && has_room) ImGui::SameLine();
         if (ImGui::SmallButton(label)) frame.outcome.command = command;
         if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", tip);
     }
