@@ -38,9 +38,9 @@ gl::WindowOptions window_options(const Options& options) {
 Tools make_tools(Workspace& workspace) {
     Tools tools;
     for (const auto make :
-         {make_transform, make_mix_lights, make_navigate, make_place_camera, make_edit_lights, make_inspect,
-          make_animate, make_adjust_display, make_compare, make_assignment, make_tick, make_probe,
-          make_explain, make_files, make_turntable, make_keep_edits})
+         {make_transform, make_mix_lights, make_look_at_pixels, make_navigate, make_place_camera,
+          make_edit_lights, make_inspect, make_animate, make_adjust_display, make_compare, make_assignment,
+          make_tick, make_probe, make_explain, make_files, make_turntable, make_keep_edits})
         if (auto tool = make(workspace)) tools.push_back(std::move(tool));
     return tools;
 }
@@ -105,6 +105,7 @@ void App::run(const std::stop_token& stop) {
         advance(seconds);
         present();
         drawn = panels_.draw(tools_);
+        glBindFramebuffer(GL_FRAMEBUFFER, 0); // a panel may have read a film
         ui_.end();
         glfwSwapBuffers(window_.handle());
         workspace_.statistics.presented(workspace_.scene != nullptr);
@@ -330,7 +331,7 @@ void App::present() {
     }
     if (!film.sum) film = workspace_.scene->render().shown();
     workspace_.display.ev100 = workspace_.exposure.ev100();
-    const Area area = workspace_.picture();
+    const Area area = workspace_.shown_area();
     const vec2 dense = vec2(width, height) / input_.window_size();
     const vec2 from = glm::round(dense * area.from), size = glm::round(dense * area.size);
     const ScreenRectangle place{static_cast<int>(from.x), height - static_cast<int>(from.y + size.y),

@@ -124,6 +124,10 @@ bool Ui::needs_frame() {
 
 bool Ui::took_keyboard() { return !std::exchange(had_keyboard_, has_keyboard()) && had_keyboard_; }
 
+void tooltip(const char* text) {
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", in_plain_letters(text).c_str());
+}
+
 void heading(const char* text, const Ui& ui) {
     ImGui::PushFont(ui.fonts().heading);
     ImGui::TextUnformatted(text);

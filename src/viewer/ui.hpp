@@ -29,6 +29,9 @@ void place_next_window(const Area& area);
 /// Moves the current ImGui window back into the viewport, between its Begin() and End().
 void keep_in_viewport();
 
+/// Explains the last item while the pointer is over it.
+void tooltip(const char* text);
+
 class Ui;
 /// Puts a line in the larger font into the current window.
 void heading(const char* text, const Ui& ui);

@@ -84,8 +84,15 @@ struct Workspace {
     /// Size of the window, in the unit of the pointer.
     vec2 window_size() const { return input.window_size(); }
     float aspect_ratio() const { return static_cast<float>(width) / static_cast<float>(height); }
-    /// Area of the window that shows the film.
-    Area picture() const { return fitted_into(layout.picture(), aspect_ratio()); }
+    /// Area of the window that shows the film, or a part of it.
+    Area shown_area() const { return fitted_into(layout.picture(), aspect_ratio()); }
+    /// Area that the whole film has: larger than what is shown where pixels are enlarged.
+    Area picture() const {
+        const Area shown = shown_area();
+        const auto factor = static_cast<float>(display.zoom.factor);
+        return {shown.from - factor * shown.size * vec2(display.zoom.from) / vec2(width, height),
+                factor * shown.size};
+    }
     /// Place of a point of the window in the picture, from 0 at its upper left to 1.
     vec2 place_in_picture(vec2 at) const { return (at - picture().from) / picture().size; }
     Projection projection() const { return {camera->camera(), camera->aspect_ratio(), picture()}; }

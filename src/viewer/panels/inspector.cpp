@@ -3,6 +3,7 @@
 #include "image/display.hpp"
 #include "scene/transform.hpp"
 #include "viewer/app/fonts.hpp"
+#include "viewer/ui.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -12,10 +13,6 @@
 
 namespace sr::viewer {
 namespace {
-
-void tip(const char* text) {
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", text);
-}
 
 void fact(const char* name, const std::string& value) {
     ImGui::TextDisabled("%s", name);
@@ -38,9 +35,10 @@ std::optional<int> draw_texture_rows(const LoadedScene& loaded, const scene::Mat
         const scene::TextureSlot& slot = material.*input.member;
         if (!slot.is_present()) continue;
         const scene::TextureImage& image = image_of(loaded, slot.texture);
-        const std::string row = fmt::format("{}: {} x {}##{}", input.name, image.width, image.height, input.name);
+        const std::string row =
+            fmt::format("{}: {} x {}##{}", input.name, image.width, image.height, input.name);
         if (ImGui::Selectable(row.c_str())) chosen = slot.texture;
-        tip("multiplied by the factor above; a click shows the image");
+        tooltip("multiplied by the factor above; a click shows the image");
     }
     return chosen;
 }
@@ -54,26 +52,29 @@ bool draw_factors(LightEditor& edits, MaterialFactors& factors, const scene::Mat
         return is_changed;
     };
     vec4 color = material.base_color;
-    const vec3 shown(image::srgb_encoded(color.x), image::srgb_encoded(color.y), image::srgb_encoded(color.z));
+    const vec3 shown(image::srgb_encoded(color.x), image::srgb_encoded(color.y),
+                     image::srgb_encoded(color.z));
     ImGui::ColorButton("##swatch", {shown.x, shown.y, shown.z, 1.0f}, ImGuiColorEditFlags_NoTooltip);
-    tip("the base colour as a screen shows it");
+    tooltip("the base colour as a screen shows it");
     ImGui::SameLine();
     const bool has_alpha = material.alpha_mode != scene::AlphaMode::opaque;
     constexpr int flags = ImGuiColorEditFlags_Float | ImGuiColorEditFlags_NoSmallPreview;
     if (changed(has_alpha ? ImGui::ColorEdit4("base colour", &color.x, flags)
                           : ImGui::ColorEdit3("base colour", &color.x, flags)))
         factors.base_color = glm::clamp(color, vec4(0.0f), vec4(1.0f));
-    tip("linear reflectance 0 to 1 of red, green, blue (and alpha), times its texture");
+    tooltip("linear reflectance 0 to 1 of red, green, blue (and alpha), times its texture");
     float metallic = material.metallic, roughness = material.roughness;
     const bool has_metallic =
         material.model == scene::Model::metallic_roughness && !material.is_specular_glossiness;
     if (has_metallic
-        && changed(ImGui::SliderFloat("metallic", &metallic, 0.0f, 1.0f, "%.3f", ImGuiSliderFlags_AlwaysClamp)))
+        && changed(
+            ImGui::SliderFloat("metallic", &metallic, 0.0f, 1.0f, "%.3f", ImGuiSliderFlags_AlwaysClamp)))
         factors.metallic = metallic;
-    if (has_metallic) tip("0: a dielectric, 1: a metal; times the blue channel of its texture");
-    if (changed(ImGui::SliderFloat("roughness", &roughness, 0.0f, 1.0f, "%.3f", ImGuiSliderFlags_AlwaysClamp)))
+    if (has_metallic) tooltip("0: a dielectric, 1: a metal; times the blue channel of its texture");
+    if (changed(
+            ImGui::SliderFloat("roughness", &roughness, 0.0f, 1.0f, "%.3f", ImGuiSliderFlags_AlwaysClamp)))
         factors.roughness = roughness;
-    tip("GGX has the width alpha = roughness^2; times the green channel of its texture");
+    tooltip("GGX has the width alpha = roughness^2; times the green channel of its texture");
     return has_changed;
 }
 
@@ -121,7 +122,7 @@ Changes draw_material(LightEditor& edits, const LoadedScene& loaded, std::size_t
                 factors = {};
                 has_changed = true;
             }
-            tip("take the file's values again");
+            tooltip("take the file's values again");
         }
         if (has_changed) edits.set_factors(material, factors);
         // Alpha and glass change shadows, and the mixer's pictures have the old material.
@@ -169,7 +170,8 @@ void draw_file_facts(const LoadedScene& loaded) {
                                       animation.channels));
     fact("warnings", loaded.remarks.empty() ? "none" : "");
     ImGui::PushTextWrapPos();
-    for (const std::string& remark : loaded.remarks) ImGui::BulletText("%s", in_plain_letters(remark).c_str());
+    for (const std::string& remark : loaded.remarks)
+        ImGui::BulletText("%s", in_plain_letters(remark).c_str());
     ImGui::PopTextWrapPos();
 }
 

@@ -1,5 +1,6 @@
 #pragma once
-// Inspector: what an object, a material and a texture of the scene are, and the factors of a material to edit.
+// Inspector: what an object, a material and a texture of the scene are, and the factors of a material to
+// edit.
 #include "viewer/changes.hpp"
 #include "viewer/document/light_edits.hpp"
 #include "viewer/panels/texture_preview.hpp"

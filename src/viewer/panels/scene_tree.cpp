@@ -53,7 +53,8 @@ void ScenePanel::list_nodes(const LoadedScene& loaded) {
     }
     std::vector<int> parents(nodes.size(), -1);
     for (std::size_t n = 0; n < nodes.size(); ++n)
-        for (const int child : nodes[n].children) parents[static_cast<std::size_t>(child)] = static_cast<int>(n);
+        for (const int child : nodes[n].children)
+            parents[static_cast<std::size_t>(child)] = static_cast<int>(n);
     leads_to_object_.assign(nodes.size(), false);
     roots_.clear();
     for (std::size_t n = 0; n < nodes.size(); ++n) {
@@ -77,7 +78,8 @@ void ScenePanel::draw_object(ObjectId id, const std::string& name, Frame& frame)
         else
             frame.outcome.hidden->insert(id);
     }
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("shown; without the tick it casts no shadow and emits nothing");
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip("shown; without the tick it casts no shadow and emits nothing");
     ImGui::SameLine();
     if (ImGui::Selectable(name.c_str(), frame.object == id)) frame.object = id;
     if (frame.object == id && frame.is_revealing) ImGui::SetScrollHereY();
@@ -123,7 +125,10 @@ void ScenePanel::draw_objects(Frame& frame) {
           {"isolate", Command::isolate_object, "hide all others, or show all again (/)"},
           {"frame", Command::frame_selection, "show it in the middle of the picture (F)"},
           {"show all", Command::show_objects, "show all hidden objects (Alt H)"}}) {
-        if (!std::exchange(is_first, false)) ImGui::SameLine();
+        const float width = ImGui::CalcTextSize(label).x + 3.0f * ImGui::GetStyle().FramePadding.x;
+        const float right = ImGui::GetWindowPos().x + ImGui::GetContentRegionMax().x;
+        const bool has_room = ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + width < right;
+        if (!std::exchange(is_first, false) && has_room) ImGui::SameLine();
         if (ImGui::SmallButton(label)) frame.outcome.command = command;
         if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", tip);
     }
@@ -145,7 +150,8 @@ void ScenePanel::draw_materials(Frame& frame) {
     for (std::size_t m = 0; m < frame.loaded.base.materials; ++m) {
         ImGui::PushID(static_cast<int>(m));
         const vec4 c = materials[m].base_color;
-        const ImVec4 shown{image::srgb_encoded(c.x), image::srgb_encoded(c.y), image::srgb_encoded(c.z), 1.0f};
+        const ImVec4 shown{image::srgb_encoded(c.x), image::srgb_encoded(c.y), image::srgb_encoded(c.z),
+                           1.0f};
         const float side = ImGui::GetTextLineHeight();
         ImGui::ColorButton("##color", shown, ImGuiColorEditFlags_NoTooltip, {side, side});
         if (ImGui::IsItemHovered()) ImGui::SetTooltip("its base colour, without its texture");

@@ -1,6 +1,6 @@
 #pragma once
-// Scene panel: lists of objects by node, of materials, of textures and of what the file has, with an inspector
-// of what is selected below.
+// Scene panel: lists of objects by node, of materials, of textures and of what the file has, with an
+// inspector of what is selected below.
 #include "viewer/panels/inspector.hpp"
 #include "viewer/ui.hpp"
 
@@ -52,9 +52,9 @@ private:
     std::optional<std::size_t> material_;
     std::optional<int> texture_;
     TexturePreview preview_;
-    const LoadedScene* listed_ = nullptr;       // of the three below
-    std::vector<std::vector<ObjectId>> shown_;  // of each node
-    std::vector<bool> leads_to_object_;         // of each node
+    const LoadedScene* listed_ = nullptr;      // of the three below
+    std::vector<std::vector<ObjectId>> shown_; // of each node
+    std::vector<bool> leads_to_object_;        // of each node
     std::vector<int> roots_;
 };
 

@@ -33,9 +33,9 @@ void TexturePreview::choose(Channel channel) {
     if (!texture_) return;
     constexpr std::array<GLint, 5> sources{GL_RED, GL_RED, GL_GREEN, GL_BLUE, GL_ALPHA};
     const GLint source = sources[static_cast<std::size_t>(channel)];
-    const std::array<GLint, 4> swizzle =
-        channel == Channel::all ? std::array<GLint, 4>{GL_RED, GL_GREEN, GL_BLUE, GL_ONE}
-                                : std::array<GLint, 4>{source, source, source, GL_ONE};
+    const std::array<GLint, 4> swizzle = channel == Channel::all
+                                             ? std::array<GLint, 4>{GL_RED, GL_GREEN, GL_BLUE, GL_ONE}
+                                             : std::array<GLint, 4>{source, source, source, GL_ONE};
     texture_->bind(0);
     glTexParameteriv(GL_TEXTURE_2D, GL_TEXTURE_SWIZZLE_RGBA, swizzle.data());
 }

@@ -97,7 +97,7 @@ Changes AdjustDisplay::draw_section() {
 Changes AdjustDisplay::draw(const Overlay& overlay) {
     const output::Variable* const view = ws_.display.view;
     if (view)
-        draw_legend(overlay.projection.picture, *view, ws_.display,
+        draw_legend(ws_.shown_area(), *view, ws_.display,
                     output::unit_of(view, ws_.scene->stage().scene.units), overlay.scale);
     return {};
 }

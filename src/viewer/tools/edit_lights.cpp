@@ -199,7 +199,7 @@ void EditLights::scale_quantity(float by) {
 Changes EditLights::draw(const Overlay& overlay) {
     const LightEditor& lights = ws_.scene->lights();
     const vec2 pointer = ws_.input.pointer();
-    const bool is_pointed = ws_.picture().contains(pointer) && !ws_.ui.has_pointer();
+    const bool is_pointed = ws_.shown_area().contains(pointer) && !ws_.ui.has_pointer();
     const auto hovered = is_pointed ? outline_under(lights, overlay.projection, pointer) : std::nullopt;
     draw_light_shapes(lights, ws_.selected, hovered, overlay.projection, suitable_length(),
                       ws_.camera->view().pivot, overlay.scale);

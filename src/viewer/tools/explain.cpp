@@ -41,7 +41,7 @@ private:
     void leave_pixel();
     void follow_size();
     std::string left_out_name() const;
-    void draw_sides(const Overlay& overlay) const;
+    void draw_sides() const;
 
     ExplainPanel panel_;
     Explanation explanation_;
@@ -73,7 +73,7 @@ std::optional<Changes> Explain::handle(const Event& event) {
 /// Explains the probed pixel, or else the one under the pointer; hides the explanation if it is there.
 Changes Explain::toggle() {
     if (is_shown()) return close();
-    if (!ws_.probed && !ws_.picture().contains(ws_.input.pointer())) {
+    if (!ws_.probed && !ws_.shown_area().contains(ws_.input.pointer())) {
         ws_.messages.notify("Point at the picture to explain a pixel.");
         return Change::redraw;
     }
@@ -261,9 +261,9 @@ std::string Explain::left_out_name() const {
 }
 
 /// Names the two sides of the picture.
-void Explain::draw_sides(const Overlay& overlay) const {
+void Explain::draw_sides() const {
     if (ws_.display.comparison != ComparisonMode::wipe) return;
-    const Area& picture = overlay.projection.picture;
+    const Area picture = ws_.picture();
     const float edge = picture.from.x + ws_.display.wipe * picture.size.x;
     const float margin = 0.6f * ImGui::GetFontSize();
     const std::string term = left_out_name();
@@ -271,7 +271,7 @@ void Explain::draw_sides(const Overlay& overlay) const {
     const auto label = [&](const std::string& text, bool is_left) {
         const ImVec2 size = ImGui::CalcTextSize(text.c_str());
         const float x = is_left ? edge - size.x - 2.0f * margin : edge + 2.0f * margin;
-        const float y = picture.from.y + 2.0f * margin;
+        const float y = ws_.shown_area().from.y + 2.0f * margin;
         list.AddRectFilled({x - margin, y - 0.5f * margin}, {x + size.x + margin, y + size.y + 0.5f * margin},
                            IM_COL32(0, 0, 0, 170), 3.0f);
         list.AddText({x, y}, palette::white, text.c_str());
@@ -284,11 +284,11 @@ FilmSum Explain::reference_film() const {
     return render_ && render_->sample_count() > 0 ? render_->shown() : FilmSum{};
 }
 
-Changes Explain::draw(const Overlay& overlay) {
+Changes Explain::draw(const Overlay& /*overlay*/) {
     if (!is_shown() || !has_begun_) return {};
     const ExplainPanel::Request request =
         panel_.draw(*ws_.probed, ws_.scene->stage(), explanation_, ws_.layout, ws_.ui);
-    if (render_) draw_sides(overlay);
+    if (render_) draw_sides();
     if (request.closes) return close();
     if (request.chosen) return choose(*request.chosen);
     return request.toggles_term ? toggle_term() : Changes();

@@ -59,8 +59,7 @@ std::optional<Changes> Inspect::handle(const Event& event) {
 
 /// Opens the panel, goes to its next list, or closes it after the last.
 Changes Inspect::toggle() {
-    if (!is_open_)
-        panel_.show(ScenePanel::Tab::objects);
+    if (!is_open_) panel_.show(ScenePanel::Tab::objects);
     is_open_ = !is_open_ || panel_.show_next();
     return Change::redraw;
 }
@@ -100,9 +99,10 @@ std::set<ObjectId> Inspect::all() const {
 }
 
 Changes Inspect::hide(std::set<ObjectId> objects) {
-    ws_.messages.notify(objects.empty() ? "All objects are shown."
-                                        : fmt::format("{} of {} objects are hidden. Alt H shows all. A saved file has all.",
-                                                      objects.size(), all().size()));
+    ws_.messages.notify(
+        objects.empty() ? "All objects are shown."
+                        : fmt::format("{} of {} objects are hidden. Alt H shows all. A saved file has all.",
+                                      objects.size(), all().size()));
     ws_.scene->hide(std::move(objects));
     return Change::lights | Change::shadows;
 }
@@ -124,8 +124,8 @@ void Inspect::draw_box(const Overlay& overlay) const {
     if (box.is_empty()) return;
     std::array<std::optional<vec2>, 8> corners;
     for (unsigned i = 0; i < corners.size(); ++i)
-        corners[i] = overlay.projection({(i & 1 ? box.max : box.min).x, (i & 2 ? box.max : box.min).y,
-                                         (i & 4 ? box.max : box.min).z});
+        corners[i] = overlay.projection(
+            {(i & 1 ? box.max : box.min).x, (i & 2 ? box.max : box.min).y, (i & 4 ? box.max : box.min).z});
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
     for (unsigned i = 0; i < corners.size(); ++i)
         for (const unsigned axis : {1u, 2u, 4u}) {

@@ -66,7 +66,7 @@ void Probe::stop() {
 Changes Probe::request(vec2 at) {
     constexpr int max_samples = 64;
     stop();
-    if (!ws_.picture().contains(at)) {
+    if (!ws_.shown_area().contains(at)) {
         ws_.messages.notify("Point at the picture to probe a pixel.");
         return Change::redraw;
     }

@@ -56,17 +56,47 @@ Presenter::Codes::Codes(int columns, int rows) : width(columns), height(rows) {
 void Presenter::draw(const FilmSum& film, const FilmSum& reference, const DisplaySettings& settings,
                      const ScreenRectangle& place) {
     const bool is_compared = reference.sum && settings.comparison != ComparisonMode::none;
+    if (settings.zoom.factor > 1) {
+        fill_codes(film, reference, settings);
+        return enlarge(film, settings.zoom, place);
+    }
     if (is_compared || (film.width == place.width && film.height == place.height)) {
         glBindFramebuffer(GL_FRAMEBUFFER, 0);
         return fill(film, reference, settings, place);
     }
-    if (!codes_ || codes_->width != film.width || codes_->height != film.height)
-        codes_.emplace(film.width, film.height);
-    glBindFramebuffer(GL_FRAMEBUFFER, codes_->framebuffer.id());
-    fill(film, {}, settings, {0, 0, film.width, film.height});
+    fill_codes(film, {}, settings);
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
     glBlitFramebuffer(0, 0, film.width, film.height, place.x, place.y, place.x + place.width,
                       place.y + place.height, GL_COLOR_BUFFER_BIT, GL_LINEAR);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
+void Presenter::fill_codes(const FilmSum& film, const FilmSum& reference, const DisplaySettings& settings) {
+    if (!codes_ || codes_->width != film.width || codes_->height != film.height)
+        codes_.emplace(film.width, film.height);
+    glBindFramebuffer(GL_FRAMEBUFFER, codes_->framebuffer.id());
+    fill(film, reference, settings, {0, 0, film.width, film.height});
+}
+
+/// Copies a part of the code values, each as a square. An interactive film has fewer pixels, which are
+/// larger.
+void Presenter::enlarge(const FilmSum& film, const PixelZoom& zoom, const ScreenRectangle& place) {
+    const vec2 picture(place.width, place.height), all(film.width, film.height), size(zoom.size);
+    const vec2 upper_left(place.x, place.y + place.height);
+    const vec2 scale = all / size, from(zoom.from);
+    const glm::ivec2 first = glm::floor(from * scale);
+    const glm::ivec2 end = glm::min(all, glm::ceil((from + size / static_cast<float>(zoom.factor)) * scale));
+    const auto in_window = [&](glm::ivec2 pixel) { // GL's first row is the lowest
+        const vec2 at = (vec2(pixel) / scale - from) * static_cast<float>(zoom.factor) * picture / size;
+        return glm::ivec2(glm::round(upper_left + vec2(at.x, -at.y)));
+    };
+    const glm::ivec2 upper = in_window(first), lower = in_window(end);
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(place.x, place.y, place.width, place.height);
+    glBlitFramebuffer(first.x, film.height - end.y, end.x, film.height - first.y, upper.x, lower.y, lower.x,
+                      upper.y, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    glDisable(GL_SCISSOR_TEST);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 

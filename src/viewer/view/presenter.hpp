@@ -16,6 +16,15 @@ namespace sr::viewer {
 
 enum class ComparisonMode { none, wipe, difference, flip };
 
+/// A part of the picture, enlarged.
+struct PixelZoom {
+    int factor = 1;     // side of a pixel of the film in the window [pixels]
+    glm::ivec2 from{0}; // the first pixel of the film that is seen, from its upper left
+    glm::ivec2 size{1}; // of the whole film
+
+    bool operator==(const PixelZoom&) const = default;
+};
+
 /// How a film is shown.
 struct DisplaySettings {
     float ev100 = 0.0f;
@@ -24,6 +33,7 @@ struct DisplaySettings {
     image::Decades decades;                 // of Display::false_color
     ComparisonMode comparison = ComparisonMode::none;
     float wipe = 0.5f; // where the reference begins, 0 to 1
+    PixelZoom zoom;
 };
 
 /// Returns the GLSL constants of a view for shaders/display/view.glsl. Null: radiance.
@@ -64,6 +74,10 @@ private:
     const gl::Program& program(const Choice& choice);
     void fill(const FilmSum& film, const FilmSum& reference, const DisplaySettings& settings,
               const ScreenRectangle& place);
+
+    /// Fills the framebuffer of code values.
+    void fill_codes(const FilmSum& film, const FilmSum& reference, const DisplaySettings& settings);
+    void enlarge(const FilmSum& film, const PixelZoom& zoom, const ScreenRectangle& place);
 
     /// Framebuffer of code values with the size of a film.
     struct Codes {

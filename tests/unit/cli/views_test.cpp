@@ -8,6 +8,8 @@
 
 #include <limits>
 #include <string>
+#include <utility>
+#include <vector>
 
 using namespace sr;
 using namespace sr::testing;
@@ -53,6 +55,22 @@ const Test terms("unit.cli.views.are_the_terms", [] {
     EXPECT_NEAR(middle_of("irradiance", plane, light)[0], 0.8f / 1.5625f, 1e-4f);
     EXPECT_NEAR(middle_of("luminance", plane, light)[1], 0.8f / 1.5625f / pi, 1e-4f);
     EXPECT_EQ(output::view_named("beauty"), nullptr);
+});
+
+const Test surfaces("unit.cli.views.are_the_values_of_the_material", [] {
+    scene::Scene plane = lambert_plane(2.0f);
+    plane.materials[0].roughness = 0.25f;
+    plane.materials[0].metallic = 0.5f;
+    plane.meshes[0].texcoords[0].assign(plane.meshes[0].positions.size(), vec2(0.25f, 1.75f));
+    const vec3 light(0.0f, 1.0f, 0.0f);
+    EXPECT_EQ(middle_of("roughness", plane, light), (std::vector<float>{0.25f, 0.25f, 0.25f, 1.0f}));
+    EXPECT_EQ(middle_of("metallic", plane, light), (std::vector<float>{0.5f, 0.5f, 0.5f, 1.0f}));
+    EXPECT_EQ(middle_of("uv", plane, light), (std::vector<float>{0.25f, 0.75f, 0.0f, 1.0f}));
+    const std::vector<float> one = middle_of("triangles", plane, light);
+    std::swap(plane.meshes[0].indices[0], plane.meshes[0].indices[3]);
+    std::swap(plane.meshes[0].indices[1], plane.meshes[0].indices[4]);
+    std::swap(plane.meshes[0].indices[2], plane.meshes[0].indices[5]);
+    EXPECT_NE(middle_of("triangles", plane, light), one) << "the other triangle is there now";
 });
 
 // The legend in src/image/README.md holds in every picture.

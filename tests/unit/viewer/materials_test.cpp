@@ -81,7 +81,8 @@ const Test hidden("unit.viewer.materials.hidden_objects_emit_nothing_and_cast_no
     const shadow::Casters casters = shadow::collect_casters(loaded.stage.scene, loaded.stage.lights);
     EXPECT_EQ(casters.triangle_count(), scene::triangle_count(loaded.stage.scene)) << "triangles are counted";
     for (std::size_t t = 0; t < casters.triangle_count(); ++t) {
-        const auto [a, b, c] = std::to_array({casters.triangle(t)[0], casters.triangle(t)[1], casters.triangle(t)[2]});
+        const auto [a, b, c] =
+            std::to_array({casters.triangle(t)[0], casters.triangle(t)[1], casters.triangle(t)[2]});
         if (!loaded.stage.scene.instances[casters.caster_of[t]].is_hidden) continue;
         EXPECT_TRUE(a == b && b == c) << "a hidden triangle casts a shadow";
     }
