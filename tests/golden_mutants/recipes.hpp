@@ -39,7 +39,7 @@ std::vector<Recipe> wrong_by_little();
 std::vector<Recipe> harmless_recipes();
 /// Both kinds, in all bases. Each verdict was written before the comparator first saw the mutant.
 std::vector<Recipe> fresh_recipes();
-/// Both kinds, in all bases, 60 of them: kinds that no rule was made in sight of. Their verdicts were written
+/// Both kinds, in all bases: of kinds that no rule was made in sight of. Their verdicts were written
 /// before the comparator first saw them, too.
 std::vector<Recipe> unforeseen_recipes();
 /// All of the above.
