@@ -224,8 +224,7 @@ Changes App::open_first(const Event& event) {
     if (command_in(event) && !workspace_.loading) workspace_.messages.notify("Open a scene first.");
     const auto* chosen = std::get_if<FileEvent>(&event);
     if (!chosen) return {};
-    const std::string extension = std::filesystem::path(chosen->file).extension().string();
-    if (extension == ".gltf" || extension == ".glb")
+    if (has_extension(chosen->file, scene_extensions))
         workspace_.open(chosen->file);
     else
         workspace_.messages.fail("Cannot open the file.",

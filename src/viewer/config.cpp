@@ -4,6 +4,7 @@
 #include "core/file.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cstdlib>
 #include <fmt/format.h>
 #include <fstream>
@@ -106,6 +107,12 @@ void remember_panels(const PanelSettings& panels) {
     write_lines(file_named("panels"), {fmt::format("{:.0f} {:d}", panels.column, panels.are_shown)});
 }
 
+bool has_extension(const fs::path& file, std::span<const std::string_view> extensions) {
+    std::string extension = file.extension().string();
+    std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
+    return std::ranges::find(extensions, extension) != extensions.end();
+}
+
 std::vector<std::string> scenes_beside(const std::string& file) {
     std::vector<std::string> files;
     const fs::path path(file);
@@ -113,8 +120,7 @@ std::vector<std::string> scenes_beside(const std::string& file) {
     std::error_code failure;
     for (fs::directory_iterator entry(folder, failure); !failure && entry != fs::directory_iterator();
          entry.increment(failure)) {
-        const std::string extension = entry->path().extension().string();
-        if (extension == ".gltf" || extension == ".glb") files.push_back(entry->path().string());
+        if (has_extension(entry->path(), scene_extensions)) files.push_back(entry->path().string());
     }
     std::ranges::sort(files);
     return files;

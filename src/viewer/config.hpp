@@ -1,7 +1,10 @@
 #pragma once
 // Files of the viewer: settings that it remembers between two runs, names of screenshots.
+#include <array>
 #include <filesystem>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace sr::viewer {
@@ -34,6 +37,11 @@ struct PanelSettings {
 };
 PanelSettings remembered_panels();
 void remember_panels(const PanelSettings& panels);
+
+/// Returns whether a file has one of the extensions (".glb"), in letters of any case.
+bool has_extension(const std::filesystem::path& file, std::span<const std::string_view> extensions);
+
+inline constexpr std::array<std::string_view, 2> scene_extensions{".gltf", ".glb"};
 
 /// The .gltf and .glb files in the folder of a file, sorted by name.
 std::vector<std::string> scenes_beside(const std::string& file);

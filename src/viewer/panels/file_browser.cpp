@@ -1,5 +1,7 @@
 #include "viewer/panels/file_browser.hpp"
 
+#include "viewer/config.hpp"
+
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
@@ -24,12 +26,6 @@ bool begins_with(const std::string& text, const std::string& part) {
                          [](char a, char b) { return same_letters(a, b); });
 }
 
-bool has_extension(const fs::path& file, const std::vector<std::string>& extensions) {
-    std::string extension = file.extension().string();
-    std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
-    return std::ranges::find(extensions, extension) != extensions.end();
-}
-
 } // namespace
 
 fs::path expanded(const std::string& path) {
@@ -37,7 +33,7 @@ fs::path expanded(const std::string& path) {
     return home && path.starts_with("~/") ? fs::path(home) / path.substr(2) : fs::path(path);
 }
 
-void FileBrowser::show(std::vector<std::string> extensions, const std::string& typed) {
+void FileBrowser::show(std::vector<std::string_view> extensions, const std::string& typed) {
     extensions_ = std::move(extensions);
     type(typed);
     list();

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 struct ImGuiInputTextCallbackData;
@@ -15,7 +16,7 @@ namespace sr::viewer {
 class FileBrowser {
 public:
     /// Lists folders, and files with one of these extensions. `typed`: in the field at first.
-    void show(std::vector<std::string> extensions, const std::string& typed);
+    void show(std::vector<std::string_view> extensions, const std::string& typed);
     /// Gives the keyboard to the field.
     void request_focus() { focus_.begin(); }
     bool wants_focus() const { return focus_.is_pending(); }
@@ -39,7 +40,7 @@ private:
     /// The path itself, unless it is a folder; then that is listed.
     std::optional<std::string> chosen_or_entered(const std::string& path);
 
-    std::vector<std::string> extensions_;
+    std::vector<std::string_view> extensions_;
     std::array<char, 1024> typed_{};
     FocusRequest focus_;
     int ends_left_ = 0;  // frames in which the cursor goes to the end: the field may select all twice

@@ -44,8 +44,7 @@ Files::Files(Workspace& workspace) : Tool(workspace) {
 
 std::optional<Changes> Files::handle(const Event& event) {
     if (const auto* dropped = std::get_if<FileEvent>(&event)) {
-        const std::string extension = std::filesystem::path(dropped->file).extension().string();
-        if (extension != ".gltf" && extension != ".glb") return std::nullopt;
+        if (!has_extension(dropped->file, scene_extensions)) return std::nullopt;
         ws_.leave(Departure::open, dropped->file);
         return Change::redraw;
     }

@@ -63,6 +63,15 @@ def measuring(viewer: Viewer) -> Path:
     return film
 
 
+def are_16_wide(viewer: Viewer, x: int, y: int, width: int) -> bool:
+    """Whether a row of the picture is drawn in steps of 16, or twice that where neighbours are alike."""
+    columns = [viewer.screen(x + i, y + 4) for i in range(width)]
+    edges = [i for i in range(1, width) if columns[i] != columns[i - 1]]
+    sides = [b - a for a, b in zip(edges, edges[1:])]
+    wide = sum(14 <= side <= 16 or 29 <= side <= 32 for side in sides)  # the others have a light's mark
+    return wide > 8 and wide > 0.7 * len(sides)
+
+
 def enlarging(viewer: Viewer, film: Path):
     """An enlarged pixel is a square of its colour. A drag moves the pixels, a click probes the one below it, Esc ends it."""
     x, y, width, height = picture_of(viewer)
@@ -72,12 +81,8 @@ def enlarging(viewer: Viewer, film: Path):
     viewer.key("z", "z", "z", "z")
     viewer.said("16 times as large")
     viewer.move(5, 497)  # the pointer has colours of its own
+    viewer.wait(lambda: are_16_wide(viewer, x, y, width), "pixels that are about 16 wide", 15)
     viewer.wait(lambda: viewer.screen(at[0], at[1]) == color, "the same pixel where the pointer was", 15)
-    columns = [viewer.screen(x + i, y + 4) for i in range(width)]
-    edges = [i for i in range(1, width) if columns[i] != columns[i - 1]]
-    sides = [b - a for a, b in zip(edges, edges[1:])]
-    wide = sum(14 <= side <= 16 or 29 <= side <= 32 for side in sides)  # the others have a light's mark
-    assert wide > 8 and wide > 0.7 * len(sides), f"pixels are not about 16 wide: {sides}"
     before = viewer.converged()
     viewer.drag((x + 100, y + 100), (x + 164, y + 100))
     viewer.wait(lambda: viewer.screen(at[0] + 64, at[1]) == color, "the pixels 64 further right", 15)
