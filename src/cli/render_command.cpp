@@ -136,7 +136,7 @@ ExitStatus render(const RenderCommand& command) {
     check(command);
     picture::OpenScene open = picture::open_scene(command, times);
     render::GpuScene gpu_scene = picture::upload(open, command);
-    if (!command.frames) picture::free_images(open);
+    if (open.frames.empty() || open.turn) picture::free_images(open); // no other moment is uploaded
     glFinish();
     times.end("upload");
     if (gpu_scene.visibility_backend())

@@ -1,6 +1,7 @@
 #include "viewer/panels/file_browser.hpp"
 
 #include "viewer/config.hpp"
+#include "viewer/palette.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -133,7 +134,7 @@ std::optional<std::string> FileBrowser::draw_list(float width, float height) {
     std::optional<std::string> chosen;
     ImGui::BeginChild("entries", {width, height}, true);
     for (const Entry& entry : entries_) {
-        if (!entry.is_folder) ImGui::PushStyleColor(ImGuiCol_Text, {0.337f, 0.706f, 0.914f, 1.0f});
+        if (!entry.is_folder) ImGui::PushStyleColor(ImGuiCol_Text, palette::blue);
         if (ImGui::Selectable(entry.name.c_str())) chosen = folder_ + entry.name;
         if (!entry.is_folder) ImGui::PopStyleColor();
     }

@@ -32,7 +32,8 @@ void FileDialog::show(Purpose purpose, const std::string& file) {
     purpose_ = purpose;
     recent_.clear();
     if (purpose == Purpose::compare) return browser_.show({".exr", ".hdr", ".png", ".jpg", ".jpeg"}, "");
-    browser_.show({".gltf", ".glb"}, purpose == Purpose::save ? file : folder_of(file));
+    browser_.show({scene_extensions.begin(), scene_extensions.end()},
+                  purpose == Purpose::save ? file : folder_of(file));
     if (purpose == Purpose::open) recent_ = recent_files();
 }
 

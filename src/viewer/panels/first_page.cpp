@@ -32,7 +32,7 @@ bool draw_row(const std::string& name, const std::string& what, float name_width
 
 FirstPage::FirstPage(std::vector<SampleScene> samples)
     : samples_(std::move(samples)), recent_(recent_files()) {
-    browser_.show({".gltf", ".glb"}, "");
+    browser_.show({scene_extensions.begin(), scene_extensions.end()}, "");
 }
 
 std::optional<std::string> FirstPage::draw(const Area& room, const Ui& ui) {
@@ -48,7 +48,7 @@ std::optional<std::string> FirstPage::draw(const Area& room, const Ui& ui) {
     const float width = has_two_columns ? 0.45f * (all.x - gap) : all.x;
     std::optional<std::string> chosen;
     ImGui::BeginChild("open", {width, has_two_columns ? 0.0f : 0.5f * all.y});
-    chosen = draw_browser(width, all.y, ui);
+    chosen = draw_browser(width, ui);
     ImGui::EndChild();
     if (has_two_columns) ImGui::SameLine(0.0f, gap);
     ImGui::BeginChild("lists");
@@ -58,7 +58,7 @@ std::optional<std::string> FirstPage::draw(const Area& room, const Ui& ui) {
     return chosen;
 }
 
-std::optional<std::string> FirstPage::draw_browser(float width, float /*height*/, const Ui& ui) {
+std::optional<std::string> FirstPage::draw_browser(float width, const Ui& ui) {
     heading("Open a scene", ui);
     ImGui::PushTextWrapPos();
     ImGui::TextDisabled("Drop a .gltf or .glb file on this window, or type its path.");

@@ -22,7 +22,7 @@ public:
     std::optional<std::string> draw(const Area& room, const Ui& ui);
 
 private:
-    std::optional<std::string> draw_browser(float width, float height, const Ui& ui);
+    std::optional<std::string> draw_browser(float width, const Ui& ui);
     std::optional<std::string> draw_lists(const Ui& ui);
 
     std::vector<SampleScene> samples_;

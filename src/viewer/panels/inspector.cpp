@@ -38,7 +38,7 @@ std::optional<int> draw_texture_rows(const LoadedScene& loaded, const scene::Mat
         const std::string row =
             fmt::format("{}: {} x {}##{}", input.name, image.width, image.height, input.name);
         if (ImGui::Selectable(row.c_str())) chosen = slot.texture;
-        tooltip("multiplied by the factor above; a click shows the image");
+        tooltip("a click shows the image");
     }
     return chosen;
 }

@@ -136,12 +136,18 @@ void ScenePanel::draw_objects(Frame& frame) {
         ImGui::TextDisabled("select an object, or press Shift O over one");
     } else if (const auto material = draw_object_facts(frame.loaded, *frame.object)) {
         material_ = material;
-        std::optional<int> texture;
-        frame.outcome.changes |= draw_material(frame.edits, frame.loaded, *material, texture);
-        if (texture) show(Tab::textures);
-        if (texture) texture_ = texture;
+        draw_factors_of(*material, frame);
     }
     ImGui::PopItemWidth();
+}
+
+/// Draws a material with its fields; a texture that is clicked is shown in its tab.
+void ScenePanel::draw_factors_of(std::size_t material, Frame& frame) {
+    std::optional<int> texture;
+    frame.outcome.changes |= draw_material(frame.edits, frame.loaded, material, texture);
+    if (!texture) return;
+    texture_ = texture;
+    show(Tab::textures);
 }
 
 void ScenePanel::draw_materials(Frame& frame) {
@@ -163,10 +169,7 @@ void ScenePanel::draw_materials(Frame& frame) {
     ImGui::EndChild();
     if (!material_ || *material_ >= materials.size()) return ImGui::TextDisabled("select a material");
     ImGui::PushItemWidth(0.55f * ImGui::GetContentRegionAvail().x);
-    std::optional<int> texture;
-    frame.outcome.changes |= draw_material(frame.edits, frame.loaded, *material_, texture);
-    if (texture) show(Tab::textures);
-    if (texture) texture_ = texture;
+    draw_factors_of(*material_, frame);
     ImGui::PopItemWidth();
 }
 

@@ -42,6 +42,7 @@ private:
     void draw_node(int node, Frame& frame);
     static void draw_object(ObjectId id, const std::string& name, Frame& frame);
     void draw_objects(Frame& frame);
+    void draw_factors_of(std::size_t material, Frame& frame);
     void draw_materials(Frame& frame);
     void draw_textures(Frame& frame);
     void draw_file(Frame& frame);
