@@ -1,5 +1,6 @@
 #include "compare/edges.hpp"
 
+#include "compare/arrangement.hpp"
 #include "compare/metrics.hpp"
 
 #include <algorithm>
@@ -7,7 +8,6 @@
 #include <cmath>
 #include <map>
 #include <optional>
-#include <set>
 #include <unordered_set>
 
 namespace sr::compare {
@@ -206,51 +206,6 @@ bool is_explained(const AlignedImages& images, std::size_t pixel,
                                    [](float change) { return max_lost_share * change; });
 }
 
-/// True if there are too many places in a line, or too many at equal distances, as no edge that fell to the
-/// other side has them: all of them, or a run of them further apart than chance packs them. The places are
-/// sorted.
-bool are_too_many(const std::vector<std::size_t>& places) {
-    constexpr std::size_t min_distance = 4; // [pixels] of a run
-    if (places.size() > max_in_line) return true;
-    std::size_t run = 1;
-    for (std::size_t k = 1; k < places.size(); ++k) {
-        const std::size_t distance = places[k] - places[k - 1];
-        run = k > 1 && distance == places[k - 1] - places[k - 2] ? run + 1 : 2;
-        const bool are_all = run == places.size() && distance > 1; // those of a cluster touch
-        if (run > max_in_rhythm && (are_all || distance >= min_distance)) return true;
-    }
-    return false;
-}
-
-bool are_in_line(const std::unordered_set<std::size_t>& pixels, std::size_t width) {
-    std::map<std::size_t, std::vector<std::size_t>> rows, columns;
-    for (const std::size_t i : std::set(pixels.begin(), pixels.end())) {
-        rows[i / width].push_back(i % width);
-        columns[i % width].push_back(i / width);
-    }
-    const auto fails = [](const auto& line) { return are_too_many(line.second); };
-    return std::ranges::any_of(rows, fails) || std::ranges::any_of(columns, fails);
-}
-
-/// True if four of the pixels are the corners of an upright rectangle, as where all corners of a button
-/// change. Those of a cluster do not count.
-bool are_in_rectangle(const std::unordered_set<std::size_t>& pixels, std::size_t width) {
-    constexpr std::size_t min_edge = 3; // [pixels]
-    std::map<std::size_t, std::vector<std::size_t>> rows;
-    for (const std::size_t i : pixels) rows[i / width].push_back(i % width);
-    std::map<std::pair<std::size_t, std::size_t>, std::size_t> row_of; // the first that has both columns
-    for (auto& [row, columns] : rows) {
-        std::ranges::sort(columns);
-        for (std::size_t a = 0; a < columns.size(); ++a)
-            for (std::size_t b = a + 1; b < columns.size(); ++b) {
-                if (columns[b] - columns[a] < min_edge) continue;
-                const auto [place, is_new] = row_of.try_emplace({columns[a], columns[b]}, row);
-                if (!is_new && row - place->second >= min_edge) return true;
-            }
-    }
-    return false;
-}
-
 /// The third quartile of the differences in a column, or in a row; 0 beside the image.
 float change_of_line(const AlignedImages& images, int line, bool is_column) {
     const int width = images.reference.width, height = images.reference.height;
@@ -301,8 +256,9 @@ EdgeJudgement judge_edges(const AlignedImages& images, const std::vector<bool>& 
     judgement.unexplained = static_cast<std::size_t>(std::ranges::count_if(
         failing, [&](std::size_t pixel) { return !is_explained(images, pixel, failing, slack); }));
     judgement.is_crowded = densest_window(images, fails, edge_window).most > max_at_edges_nearby;
-    judgement.is_in_line = are_in_line(failing, static_cast<std::size_t>(images.reference.width));
-    judgement.is_in_rectangle = are_in_rectangle(failing, static_cast<std::size_t>(images.reference.width));
+    const auto width = static_cast<std::size_t>(images.reference.width);
+    judgement.is_in_line = are_in_line(failing, width);
+    judgement.is_in_rectangle = are_in_rectangle(failing, width);
     judgement.is_line_wrong = is_a_line_wrong(images, failing);
     return judgement;
 }

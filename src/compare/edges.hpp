@@ -12,10 +12,8 @@ namespace sr::compare {
 inline constexpr std::size_t max_at_edges = 48;    // pixels of the image
 inline constexpr double max_share_at_edges = 1e-3; // of the pixels of a small image
 inline constexpr int edge_window = 64;             // [pixels] edge
-inline constexpr int max_at_edges_nearby = 12;     // in any such window
+inline constexpr int max_at_edges_nearby = 16;     // in any such window
 inline constexpr std::size_t max_edge_cluster = 4; // pixels that touch one another
-inline constexpr std::size_t max_in_line = 12;     // in one row or column
-inline constexpr std::size_t max_in_rhythm = 3;    // the same, where all distances are equal
 
 // A row or a column with failing pixels is wrong as a whole if the third quartile of its pixels' differences
 // is as many times that of the lines beside it.
@@ -26,7 +24,7 @@ inline constexpr int surface_window = 7;      // [pixels] edge, around the pixel
 inline constexpr std::size_t min_surface = 6; // pixels of one side in that window that hang together
 
 inline constexpr float max_grain = 3.0f;        // a change in it, over the median distance of adjacent pixels
-inline constexpr float max_grain_limits = 4.0f; // the same, over the limit
+inline constexpr float max_grain_limits = 6.0f; // the same, over the limit
 
 inline constexpr float max_slope_share = 1.0f / 64; // a change on a slope, over the range of the 3×3 pixels
 inline constexpr float max_slope_limits = 2.0f;     // the same, over the limit
@@ -47,8 +45,8 @@ struct EdgeJudgement {
     std::size_t unexplained = 0;  // fail the image
     std::size_t max_count = 0;    // the cap on all failing pixels
     bool is_crowded = false;      // more than max_at_edges_nearby in a window
-    bool is_in_line = false;      // more than max_in_line or max_in_rhythm in a row or a column
-    bool is_in_rectangle = false; // four at the corners of an upright rectangle
+    bool is_in_line = false;      // at even distances in a row or a column
+    bool is_in_rectangle = false; // most at the corners of rectangles
     bool is_line_wrong = false;   // the other pixels of a row or a column changed too
     bool passes() const {
         return unexplained == 0 && failing <= max_count && !is_crowded && !is_in_line && !is_in_rectangle

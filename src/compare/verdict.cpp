@@ -88,8 +88,8 @@ Verdict judge_with_edges(const Tolerance& tolerance, const AlignedImages& images
                         edges.is_crowded ? fmt::format(", more than {0} of them in a {1}x{1} window",
                                                        max_at_edges_nearby, edge_window)
                                          : "",
-                        edges.is_in_line        ? ", too many of them in one row or column"
-                        : edges.is_in_rectangle ? ", four of them at the corners of a rectangle"
+                        edges.is_in_line        ? ", at even distances in a row or column"
+                        : edges.is_in_rectangle ? ", most of them at the corners of rectangles"
                         : edges.is_line_wrong   ? ", in a row or column that changed as a whole"
                                                 : "");
     return verdict;

@@ -32,13 +32,20 @@ inline void flip_edges(image::Image& image, int count, std::uint32_t seed, float
     }
 }
 
-/// Rows as columns.
+/// Rows as columns, with the names of the channels.
 inline image::Image transposed(const image::Image& image) {
     image::Image result(image.height, image.width, image.channels);
     result.channel_names = image.channel_names;
     for (int y = 0; y < result.height; ++y)
         for (int x = 0; x < result.width; ++x) std::ranges::copy(image.at(y, x), result.at(x, y).begin());
     return result;
+}
+
+/// The same along rows: the edges are horizontal.
+inline void flip_edges_along_rows(image::Image& image, int count, std::uint32_t seed) {
+    image::Image turned = transposed(image);
+    flip_edges(turned, count, seed);
+    image = transposed(turned);
 }
 
 } // namespace sr::testing

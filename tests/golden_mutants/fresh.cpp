@@ -144,12 +144,7 @@ std::vector<Recipe> fresh_right_renders() {
                   [](Image& i) { i = render_base(extent(i), {.ball_offset = 1.0f / 256.0f}); }),
             right("shadow_moved_by_a_256th_of_a_pixel",
                   [](Image& i) { i = render_base(extent(i), {.shadow_offset = 1.0f / 256.0f}); }),
-            right("5_edge_pixels_along_rows",
-                  [](Image& i) {
-                      i = transposed(i);
-                      flip_edges(i, 5, 81);
-                      i = transposed(i);
-                  }),
+            right("5_edge_pixels_along_rows", [](Image& i) { flip_edges_along_rows(i, 5, 81); }),
             right("3_edge_pixels_at_the_border", [](Image& i) { flip_at_the_border(i, 3); }),
             right("0.2_percent_here_and_there",
                   [](Image& i) {
@@ -230,12 +225,7 @@ std::vector<Recipe> fresh_wrong_photos() {
 
 /// Harmless to any picture of codes.
 std::vector<Recipe> fresh_right_codes(Base base) {
-    return {right_image(base, "5_edge_pixels_along_rows",
-                        [](Image& i) {
-                            i = transposed(i);
-                            flip_edges(i, 5, 83);
-                            i = transposed(i);
-                        }),
+    return {right_image(base, "5_edge_pixels_along_rows", [](Image& i) { flip_edges_along_rows(i, 5, 83); }),
             right_image(base, "rounded_down",
                         [](Image& i) {
                             Random random(84);

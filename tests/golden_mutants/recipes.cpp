@@ -189,7 +189,7 @@ std::vector<Recipe> recipes() {
     for (const Base base : {Base::render, Base::photo, Base::interface})
         for (Recipe& recipe : damaged(base)) all.push_back(std::move(recipe));
     for (auto* family : {wrong_renders, wrong_photos, wrong_interfaces, wrong_details, wrong_by_little,
-                         harmless_recipes, fresh_recipes, unforeseen_recipes})
+                         harmless_recipes, fresh_recipes, unforeseen_recipes, single_pixels})
         for (Recipe& recipe : family()) all.push_back(std::move(recipe));
     return all;
 }

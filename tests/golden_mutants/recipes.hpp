@@ -42,6 +42,9 @@ std::vector<Recipe> fresh_recipes();
 /// Both kinds, in all bases: of kinds that no rule was made in sight of. Their verdicts were written
 /// before the comparator first saw them, too.
 std::vector<Recipe> unforeseen_recipes();
+/// Pixels at edges that fall to the other side, and single pixels that are damaged. Their verdicts were
+/// written before the comparator first saw them, too.
+std::vector<Recipe> single_pixels();
 /// All of the above.
 std::vector<Recipe> recipes();
 

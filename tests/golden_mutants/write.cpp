@@ -2,6 +2,7 @@
 #include "compare/align.hpp"
 #include "compare/planes.hpp"
 #include "core/error.hpp"
+#include "golden_mutants/flip_trials.hpp"
 #include "golden_mutants/recipes.hpp"
 #include "image/file.hpp"
 
@@ -23,6 +24,7 @@ struct Arguments {
     std::string folder; // empty: no files
     bool judges = false;
     bool diagnoses = false;
+    int flip_seeds = 0; // of harmless pictures, instead of the mutants
     std::vector<std::string> bases;
     std::vector<std::string> only;
 };
@@ -105,6 +107,13 @@ sr::testing::Extent extent_of(const std::string& text) {
     return size;
 }
 
+void run_flip_trials(const Arguments& arguments) {
+    nlohmann::ordered_json sizes;
+    for (const std::string& size : arguments.sizes)
+        sizes[size] = sr::testing::flip_trials(extent_of(size), arguments.flip_seeds);
+    std::printf("%s\n", sizes.dump(1).c_str());
+}
+
 void run(const Arguments& arguments) {
     if (!arguments.folder.empty()) std::filesystem::create_directories(arguments.folder);
     const std::set<std::string> only(arguments.only.begin(), arguments.only.end());
@@ -151,13 +160,17 @@ int main(int argc, char** argv) {
     app.add_option("--base", arguments.bases, "only of these bases")
         ->check(CLI::IsMember({"render", "photo", "interface"}));
     app.add_option("--only", arguments.only, "only these, by name")->delimiter(',');
+    app.add_option("--flips", arguments.flip_seeds,
+                   "instead: how many pictures fail of which chance moves edge pixels, with so many seeds")
+        ->check(CLI::PositiveNumber);
     app.footer("Examples:\n  build/golden_mutants --verdicts --diagnose\n"
                "  build/golden_mutants 1280x720 --base photo --verdicts\n"
-               "  build/golden_mutants 256x256 --only render.dead_pixel --write /tmp/mutants");
+               "  build/golden_mutants 256x256 --only render.dead_pixel --write /tmp/mutants\n"
+               "  build/golden_mutants 256x256 640x480 --flips 20");
     CLI11_PARSE(app, argc, argv);
     if (arguments.diagnoses) arguments.judges = true;
     try {
-        run(arguments);
+        (arguments.flip_seeds > 0 ? run_flip_trials(arguments) : run(arguments));
         return 0;
     } catch (const sr::Error& error) {
         std::fprintf(stderr, "%s\n", error.what());

@@ -1,3 +1,4 @@
+#include "golden_mutants/flip_trials.hpp"
 #include "golden_mutants/recipes.hpp"
 #include "support/address.hpp"
 
@@ -36,7 +37,7 @@ void expect_as_they_must_be(const std::vector<Mutant>& mutants) {
 /// Small enough for a test; `golden_mutants --verdicts` takes any size.
 void expect_of_base(sr::testing::Base base) {
     for (const sr::testing::Recipe& recipe : sr::testing::recipes())
-        if (recipe.base == base) expect_as_they_must_be({sr::testing::made(recipe, {224, 176})});
+        if (recipe.base == base) expect_as_they_must_be({sr::testing::made(recipe, {256, 256})});
 }
 
 const Test there_are_enough("unit.golden.mutants.there_are_enough",
@@ -54,5 +55,18 @@ const Test render_base("unit.golden.mutants.render", [] { expect_of_base(sr::tes
 const Test photo_base("unit.golden.mutants.photo", [] { expect_of_base(sr::testing::Base::photo); });
 const Test interface_base("unit.golden.mutants.interface",
                           [] { expect_of_base(sr::testing::Base::interface); });
+// Three to 24 pixels, in each base and direction. Chance puts those of one picture in a hundred into a
+// rhythm.
+const Test edge_pixels("unit.golden.mutants.edge_pixels_of_many_seeds", [] {
+    std::size_t pictures = 0, failed = 0;
+    std::string why;
+    for (const auto& row : sr::testing::flip_trials({256, 256}, 10)) {
+        pictures += row.at("pictures").get<std::size_t>();
+        failed += row.at("failures").size();
+        if (!row.at("failures").empty()) why += row.dump() + "\n";
+    }
+    EXPECT_EQ(pictures, 240u);
+    EXPECT_LE(failed, 2u) << why;
+});
 
 } // namespace
