@@ -73,6 +73,8 @@ enum class Command {
     pixels,
     pin_pixel,
     probe_pixel,
+    illuminance,
+    write_illuminance,
     explain,
     next_term,
     leave_out_term,

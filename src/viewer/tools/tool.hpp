@@ -76,6 +76,7 @@ std::unique_ptr<Tool> make_files(Workspace& workspace);
 std::unique_ptr<Tool> make_inspect(Workspace& workspace);
 std::unique_ptr<Tool> make_keep_edits(Workspace& workspace);
 std::unique_ptr<Tool> make_look_at_pixels(Workspace& workspace);
+std::unique_ptr<Tool> make_measure_illuminance(Workspace& workspace);
 std::unique_ptr<Tool> make_mix_lights(Workspace& workspace);
 std::unique_ptr<Tool> make_place_camera(Workspace& workspace);
 std::unique_ptr<Tool> make_probe(Workspace& workspace);
