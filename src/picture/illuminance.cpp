@@ -63,7 +63,8 @@ StatedPlane parse_plane(const std::string& text) {
     return plane;
 }
 
-scene::Receiver receiver_of(const ReceiverChoice& choice, const scene::Scene& scene, const std::string& file) {
+scene::Receiver receiver_of(const ReceiverChoice& choice, const scene::Scene& scene,
+                            const std::string& file) {
     scene::Receiver receiver;
     if (choice.plane) {
         receiver = {vec3(choice.plane->corner - scene.origin), choice.plane->u, choice.plane->v};

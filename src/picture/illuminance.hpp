@@ -1,6 +1,6 @@
 #pragma once
-// Illuminance on a receiver in a scene: the plane that a person states, its cells, and the samples that measure
-// them.
+// Illuminance on a receiver in a scene: the plane that a person states, its cells, and the samples that
+// measure them.
 #include "output/illuminance.hpp"
 #include "output/illuminance_plan.hpp"
 #include "render/renderer.hpp"
@@ -38,8 +38,8 @@ struct ReceiverChoice {
 /// The receiver in the coordinates of the scene. `file`: for messages. @throws Error if it has no area
 scene::Receiver receiver_of(const ReceiverChoice& choice, const scene::Scene& scene, const std::string& file);
 
-/// Columns and rows whose sides are at most `spacing` [m]; absent: default_cells along the longer edge. @throws
-/// Error if they are more than max_cells
+/// Columns and rows whose sides are at most `spacing` [m]; absent: default_cells along the longer edge.
+/// @throws Error if they are more than max_cells
 settings::Size cells_of(const scene::Receiver& receiver, std::optional<double> spacing);
 
 /// Lamps with a place, seen along the receiver's normal.

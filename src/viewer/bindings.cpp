@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -253,22 +254,12 @@ constexpr auto mouse = std::to_array<Gesture>({
 
 /// Names of keys without a letter, digit or sign of their own.
 constexpr auto names = std::to_array<std::pair<int, const char*>>({
-    {GLFW_KEY_LEFT, "Left"},
-    {GLFW_KEY_RIGHT, "Right"},
-    {GLFW_KEY_UP, "Up"},
-    {GLFW_KEY_DOWN, "Down"},
-    {GLFW_KEY_PAGE_UP, "PgUp"},
-    {GLFW_KEY_PAGE_DOWN, "PgDn"},
-    {GLFW_KEY_HOME, "Home"},
-    {GLFW_KEY_END, "End"},
-    {GLFW_KEY_TAB, "Tab"},
-    {GLFW_KEY_ENTER, "Enter"},
-    {GLFW_KEY_SPACE, "Space"},
-    {GLFW_KEY_DELETE, "Delete"},
-    {GLFW_KEY_ESCAPE, "Esc"},
-    {GLFW_KEY_KP_ADD, "Num +"},
-    {GLFW_KEY_KP_SUBTRACT, "Num -"},
-    {GLFW_KEY_KP_DECIMAL, "Num ."},
+    {GLFW_KEY_LEFT, "Left"},           {GLFW_KEY_RIGHT, "Right"},       {GLFW_KEY_UP, "Up"},
+    {GLFW_KEY_DOWN, "Down"},           {GLFW_KEY_PAGE_UP, "PgUp"},      {GLFW_KEY_PAGE_DOWN, "PgDn"},
+    {GLFW_KEY_HOME, "Home"},           {GLFW_KEY_END, "End"},           {GLFW_KEY_TAB, "Tab"},
+    {GLFW_KEY_ENTER, "Enter"},         {GLFW_KEY_SPACE, "Space"},       {GLFW_KEY_DELETE, "Delete"},
+    {GLFW_KEY_BACKSPACE, "Backspace"}, {GLFW_KEY_INSERT, "Insert"},     {GLFW_KEY_ESCAPE, "Esc"},
+    {GLFW_KEY_KP_ADD, "Num +"},        {GLFW_KEY_KP_SUBTRACT, "Num -"}, {GLFW_KEY_KP_DECIMAL, "Num ."},
     {GLFW_KEY_KP_ENTER, "Num Enter"},
 });
 
@@ -279,6 +270,19 @@ std::string name_of_key(int key) {
     if (key >= GLFW_KEY_KP_0 && key <= GLFW_KEY_KP_9) return "Num " + std::to_string(key - GLFW_KEY_KP_0);
     if (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F25) return "F" + std::to_string(key - GLFW_KEY_F1 + 1);
     return std::string(1, static_cast<char>(key)); // GLFW numbers printable keys as ASCII does
+}
+
+/// True for a key that name_of_key() names.
+bool is_known(int key) {
+    const bool is_printable = key > GLFW_KEY_SPACE && key <= GLFW_KEY_GRAVE_ACCENT;
+    return is_printable || (key >= GLFW_KEY_KP_0 && key <= GLFW_KEY_KP_9)
+           || (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F25)
+           || std::ranges::find(names, key, &std::pair<int, const char*>::first) != names.end();
+}
+
+bool same_letters(std::string_view a, std::string_view b) {
+    return std::ranges::equal(
+        a, b, [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
 }
 
 } // namespace
@@ -294,15 +298,25 @@ std::string keys_of(const Binding& binding) {
     return text + name_of_key(binding.key);
 }
 
-std::string keys_of(Command command) {
-    const auto found = std::ranges::find(keys, command, &Binding::command);
-    return found == keys.end() ? std::string() : keys_of(*found);
+std::optional<std::pair<int, int>> parse_key(std::string_view text) {
+    int modifiers = no_modifier;
+    const auto take = [&](std::string_view word, int modifier) {
+        const bool is_next = text.size() > word.size() + 1 && same_letters(text.substr(0, word.size()), word)
+                             && (text[word.size()] == ' ' || text[word.size()] == '+');
+        if (!is_next) return false;
+        text.remove_prefix(word.size() + 1);
+        modifiers |= modifier;
+        return true;
+    };
+    while (take("Ctrl", control) || take("Alt", alt) || take("Shift", shift)) {
+    }
+    for (int key = 0; key <= GLFW_KEY_LAST; ++key)
+        if (is_known(key) && same_letters(text, name_of_key(key))) return std::pair(key, modifiers);
+    return std::nullopt;
 }
 
-std::optional<Command> command_of(int key, int modifiers) {
-    const auto found = std::ranges::find_if(
-        keys, [=](const Binding& b) { return b.key == key && b.modifiers == modifiers; });
-    return found == keys.end() ? std::nullopt : std::optional(found->command);
+const CommandInfo& info_of(Command command) {
+    return *std::ranges::find(table, command, &CommandInfo::command);
 }
 
 bool works_in_text_fields(Command command) {

@@ -3,6 +3,8 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
+#include <utility>
 
 namespace sr::viewer {
 
@@ -118,22 +120,22 @@ struct CommandInfo {
 /// All commands, group by group.
 std::span<const CommandInfo> all_commands();
 
+/// The row of a command.
+const CommandInfo& info_of(Command command);
+
 struct Binding {
     int key = 0; // as GLFW numbers them
     int modifiers = no_modifier;
     Command command{};
 };
 
-/// All keys. A command can have several.
+/// The built-in keys. A command can have several.
 std::span<const Binding> bindings();
 
 /// "Ctrl Shift Z".
 std::string keys_of(const Binding& binding);
-/// The first key of a command; empty if it has none.
-std::string keys_of(Command command);
-
-/// The command of a key with these modifiers; absent if it has none.
-std::optional<Command> command_of(int key, int modifiers);
+/// Reads "Ctrl Shift Z" or "ctrl+shift+z". @return key and modifiers; absent if it is no key
+std::optional<std::pair<int, int>> parse_key(std::string_view text);
 
 /// True if a key of the command also works while a text field has the keyboard.
 bool works_in_text_fields(Command command);

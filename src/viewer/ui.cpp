@@ -124,8 +124,24 @@ bool Ui::needs_frame() {
 
 bool Ui::took_keyboard() { return !std::exchange(had_keyboard_, has_keyboard()) && had_keyboard_; }
 
-void tooltip(const char* text) {
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", in_plain_letters(text).c_str());
+void tooltip(const std::string& text) {
+    if (!ImGui::IsItemHovered()) return;
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(32.0f * ImGui::GetFontSize());
+    ImGui::TextUnformatted(in_plain_letters(text).c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+}
+
+void draw_table_heads(std::span<const std::pair<std::string, const char*>> heads) {
+    const auto shown = [](const std::string& head) { return with_superscripts(in_plain_letters(head)); };
+    for (const auto& [head, tip] : heads) ImGui::TableSetupColumn(shown(head).c_str());
+    ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
+    for (const auto& [head, tip] : heads) {
+        ImGui::TableNextColumn();
+        ImGui::TableHeader(shown(head).c_str());
+        tooltip(tip);
+    }
 }
 
 void heading(const char* text, const Ui& ui) {

@@ -58,7 +58,7 @@ Changes Panels::draw(const Tools& tools) {
     draw_over_picture();
     Changes changes;
     if (ws_.layout.is_docked()) draw_menu();
-    if (const auto command = palette_.draw(ws_.ui)) {
+    if (const auto command = palette_.draw(ws_.ui, ws_.keys)) {
         ws_.input.put(CommandEvent{*command});
         changes |= Change::redraw;
     }
@@ -92,7 +92,7 @@ Changes Panels::draw_first_page() {
 }
 
 void Panels::draw_over_picture() {
-    help_panel(has_help_);
+    help_panel(has_help_, ws_.keys);
     if (ws_.messages.has_error()) error_panel(ws_.messages.error_title(), ws_.messages.error_text());
     history_panel(has_history_, ws_.messages.history());
     if (!ws_.question) return;
@@ -108,10 +108,10 @@ void Panels::draw_menu() {
         const bool is_open = ImGui::BeginMenu(commands[i].group);
         for (; i < commands.size() && group == commands[i].group; ++i) {
             if (!is_open) continue;
-            const std::string keys = keys_of(commands[i].command);
+            const std::string keys = ws_.keys.text(commands[i].command);
             if (ImGui::MenuItem(commands[i].name, keys.c_str()))
                 ws_.input.put(CommandEvent{commands[i].command});
-            if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", in_plain_letters(commands[i].what).c_str());
+            tooltip(commands[i].what);
         }
         if (is_open) ImGui::EndMenu();
     }
@@ -128,7 +128,7 @@ void Panels::draw_views_menu() {
         if (!output::view_named(variable.name)) continue;
         if (ImGui::MenuItem(variable.name, nullptr, ws_.display.view == &variable))
             ws_.input.put(ViewEvent{&variable});
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", in_plain_letters(variable.what).c_str());
+        tooltip(variable.what);
     }
     ImGui::EndMenu();
 }
@@ -152,7 +152,7 @@ Changes Panels::draw_column(const Tools& tools) {
         ImGui::PushItemWidth(is_docked ? 0.58f * width : 170.0f * ws_.ui.scale());
         ImGui::PushTextWrapPos(is_docked ? 0.0f : width);
         for (const auto& tool : tools) changes |= tool->draw_section();
-        ImGui::TextDisabled("F1 or ? shows all keys");
+        ImGui::TextDisabled("%s", ws_.keys.hint("all keys", Command::help).c_str());
         ImGui::PopTextWrapPos();
         ImGui::PopItemWidth();
     }

@@ -2,6 +2,7 @@
 // Explain panel: the equation with the numbers of a pixel set in it, and the code of the chosen term.
 #include "viewer/document/equation_code.hpp"
 #include "viewer/document/equation_numbers.hpp"
+#include "viewer/keymap.hpp"
 #include "viewer/panels/probe.hpp"
 
 namespace sr::viewer {
@@ -39,7 +40,7 @@ public:
 
     /// Draws the panel below the picture, or floating where panels are not docked.
     Request draw(const ProbeResult& result, const scene::RenderScene& stage, const Explanation& explanation,
-                 Layout& layout, const Ui& ui);
+                 Layout& layout, const Ui& ui, const Keymap& keys);
 
 private:
     void draw_head(const ProbeResult& result, const Ui& ui);
@@ -51,7 +52,8 @@ private:
                     const ChosenTerm& chosen);
     void cell(const std::string& text, const ChosenTerm& here, const ChosenTerm& chosen);
     void draw_code(const scene::RenderScene& stage, const Explanation& explanation, const Ui& ui);
-    void draw_omission(const ProbeResult& result, const Explanation& explanation, const Ui& ui);
+    void draw_omission(const ProbeResult& result, const Explanation& explanation, const Ui& ui,
+                       const Keymap& keymap);
 
     ColorPart part_ = ColorPart::luminance;
     Request request_;

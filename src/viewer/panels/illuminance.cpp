@@ -32,9 +32,11 @@ public:
         for (const auto& place : places) {
             if (!place) continue;
             const vec2 low = *place - half, high = *place + half;
-            const bool is_inside = glm::all(glm::greaterThanEqual(low, from_)) && glm::all(glm::lessThanEqual(high, end_));
+            const bool is_inside =
+                glm::all(glm::greaterThanEqual(low, from_)) && glm::all(glm::lessThanEqual(high, end_));
             const bool is_free = std::ranges::none_of(taken_, [&](const auto& other) {
-                return glm::all(glm::lessThan(low, other.second)) && glm::all(glm::lessThan(other.first, high));
+                return glm::all(glm::lessThan(low, other.second))
+                       && glm::all(glm::lessThan(other.first, high));
             });
             if (!is_inside || !is_free) continue;
             taken_.emplace_back(low, high);
@@ -56,7 +58,8 @@ std::vector<vec2> label_points(std::vector<output::Isoline> lines) {
     for (std::size_t i = 0; i < std::min<std::size_t>(2, lines.size()); ++i)
         for (const double share : {0.5, 0.25, 0.75, 0.125, 0.375, 0.625, 0.875})
             if (lines[i].size() >= 6)
-                points.push_back(lines[i][static_cast<std::size_t>(share * static_cast<double>(lines[i].size()))]);
+                points.push_back(
+                    lines[i][static_cast<std::size_t>(share * static_cast<double>(lines[i].size()))]);
     return points;
 }
 
@@ -81,7 +84,9 @@ std::string place_text(const output::IlluminanceGrid& grid, output::GridPlace pl
 void draw_figures(const MeasuredIlluminance& measured) {
     const output::IlluminanceSummary& summary = measured.summary;
     const output::IlluminanceGrid& grid = measured.grid;
-    const auto with_unit = [&](double E) { return fmt::format("{:.4g} {}", E, with_superscripts(grid.unit)); };
+    const auto with_unit = [&](double E) {
+        return fmt::format("{:.4g} {}", E, with_superscripts(grid.unit));
+    };
     if (ImGui::BeginTable("figures", 3, ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_RowBg)) {
         figure("mean", "E_m, the mean of all cells", with_unit(summary.mean));
         figure("min", "the least cell", with_unit(summary.min), place_text(grid, summary.min_place));
@@ -93,7 +98,8 @@ void draw_figures(const MeasuredIlluminance& measured) {
     }
     if (summary.dark_cells > 0)
         ImGui::TextDisabled("%zu of %d cells are dark", summary.dark_cells, grid.columns * grid.rows);
-    if (summary.dark_cells > 0) tooltip("no light reaches them: they are in full shadow, or inside of something");
+    if (summary.dark_cells > 0)
+        tooltip("no light reaches them: they are in full shadow, or inside of something");
 }
 
 void draw_parts(const MeasuredIlluminance& measured) {
@@ -136,9 +142,10 @@ void draw_map_lines(ImDrawList& list, const MeasuredIlluminance& measured, vec2 
 MeasuredIlluminance::MeasuredIlluminance(output::IlluminanceGrid measured, int count)
     : grid(std::move(measured)), summary(output::summary_of(grid)), samples(count) {
     for (const double level : output::round_levels(summary.min, summary.max, picture::isoline_count))
-        isolines.emplace_back(level, output::isolines(
-                                         grid.columns, grid.rows,
-                                         [this](int column, int row) { return grid.at(column, row); }, level));
+        isolines.emplace_back(level,
+                              output::isolines(
+                                  grid.columns, grid.rows,
+                                  [this](int column, int row) { return grid.at(column, row); }, level));
 }
 
 vec2 MeasuredIlluminance::place_of(vec2 cell) const {
@@ -219,13 +226,16 @@ void IlluminancePanel::draw_choice(IlluminanceChoice& choice, IlluminanceOutcome
         drag("height", choice.receiver.height, -1e6f,
              "of the horizontal plane above the scene's lowest point [m]; a click with Ctrl types a number");
     drag("border", choice.receiver.border, 0.0f, "strip along all edges that is left out [m]");
-    outcome.measures_again |= ImGui::SliderInt("cells", &choice.cells, 4, 256, "%d", ImGuiSliderFlags_AlwaysClamp);
+    outcome.measures_again |=
+        ImGui::SliderInt("cells", &choice.cells, 4, 256, "%d", ImGuiSliderFlags_AlwaysClamp);
     tooltip("number of cells along the longer edge of the plane; each is the mean over its area");
-    const bool is_entered = ImGui::InputTextWithHint("plane", "horizontal", choice.plane.data(),
-                                                     choice.plane.size(), ImGuiInputTextFlags_EnterReturnsTrue);
+    const bool is_entered =
+        ImGui::InputTextWithHint("plane", "horizontal", choice.plane.data(), choice.plane.size(),
+                                 ImGuiInputTextFlags_EnterReturnsTrue);
     outcome.measures_again |= is_entered || ImGui::IsItemDeactivatedAfterEdit();
-    tooltip("corner and two perpendicular edges [m]: 0,0.8,0;4,0,0;0,0,-3 (Enter). Light counts on the side that "
-            "edge 1 x edge 2 points to. Empty: horizontal, as wide and deep as the scene, lit from above");
+    tooltip(
+        "corner and two perpendicular edges [m]: 0,0.8,0;4,0,0;0,0,-3 (Enter). Light counts on the side that "
+        "edge 1 x edge 2 points to. Empty: horizontal, as wide and deep as the scene, lit from above");
     ImGui::PopItemWidth();
     outcome.redraws |= ImGui::Checkbox("over the picture", &choice.is_over_picture);
     tooltip("draw the plane's edges and isolines where they are in the scene; things do not hide them");
@@ -263,8 +273,9 @@ IlluminanceOutcome IlluminancePanel::draw(IlluminanceChoice& choice, const Measu
                 ImGui::TextDisabled("point at the plane for a cell's value");
             draw_figures(*measured);
             outcome.writes_csv = ImGui::Button("CSV");
-            tooltip("write the place and E of every cell, by light if it was measured, to a file in the working "
-                    "folder");
+            tooltip(
+                "write the place and E of every cell, by light if it was measured, to a file in the working "
+                "folder");
             ImGui::SameLine();
             outcome.writes_plan = ImGui::Button("plan");
             tooltip("write the plan with its isolines as an SVG file in the working folder");

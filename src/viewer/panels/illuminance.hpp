@@ -1,6 +1,6 @@
 #pragma once
-// Illuminance panel: the plane and its cells, a plan with isolines, a table of the figures; and isolines over the
-// picture.
+// Illuminance panel: the plane and its cells, a plan with isolines, a table of the figures; and isolines over
+// the picture.
 #include "output/isolines.hpp"
 #include "picture/illuminance.hpp"
 #include "viewer/ui.hpp"
@@ -20,11 +20,12 @@ struct MeasuredIlluminance {
 
     output::IlluminanceGrid grid;
     output::IlluminanceSummary summary;
-    std::vector<output::NamedGrid> parts; // by light, once they are measured
+    std::vector<output::NamedGrid> parts;                                  // by light, once they are measured
     std::vector<std::pair<double, std::vector<output::Isoline>>> isolines; // by level
     int samples;                                                           // of each cell
 
-    /// Place of a point in cells, of which (0, 0) is the centre of the first one, from 0 to 1 along the edges.
+    /// Place of a point in cells, of which (0, 0) is the centre of the first one, from 0 to 1 along the
+    /// edges.
     vec2 place_of(vec2 cell) const;
     /// The cell at a place from 0 to 1 along the edges of the receiver; absent outside.
     std::optional<output::GridPlace> cell_at(vec2 place) const;
@@ -36,7 +37,7 @@ struct MeasuredIlluminance {
 /// Choices of a person, which the panel edits.
 struct IlluminanceChoice {
     picture::ReceiverChoice receiver;
-    std::array<char, 96> plane{}; // as it is typed; empty: horizontal
+    std::array<char, 96> plane{};       // as it is typed; empty: horizontal
     int cells = picture::default_cells; // along the longer edge
     bool has_parts = false;             // E by light
     bool is_over_picture = true;        // isolines

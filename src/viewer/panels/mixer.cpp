@@ -19,7 +19,7 @@ bool switch_button(const char* label, bool is_in, ImU32 color, const char* tip) 
     if (is_in) ImGui::PushStyleColor(ImGuiCol_Button, color);
     const bool is_clicked = ImGui::Button(label, {1.6f * ImGui::GetFontSize(), 0.0f});
     if (is_in) ImGui::PopStyleColor();
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", tip);
+    tooltip(tip);
     return is_clicked;
 }
 
@@ -55,10 +55,8 @@ Changes MixerPanel::draw_fader(std::size_t entry, LightEditor& lights, const Loa
     const bool is_moved = ImGui::SliderFloat("##fader", &ev, -fader_range, fader_range, format.c_str(),
                                              ImGuiSliderFlags_AlwaysClamp);
     if (ImGui::IsItemActivated()) lights.begin_step();
-    if (ImGui::IsItemHovered())
-        ImGui::SetTooltip(
-            "%s\n1 EV doubles the light; 0 is the value from before. Ctrl click: type; double click: 0.",
-            value.c_str());
+    tooltip(value
+            + "\n1 EV doubles the light; 0 is the value from before. Ctrl click: type; double click: 0.");
     const bool is_reset = ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
     if (!is_moved && !is_reset) return {};
     const float wanted = is_reset ? 0.0f : ev;
@@ -90,7 +88,7 @@ Changes MixerPanel::draw_light(std::size_t entry, LightEditor& lights, const Loa
     const bool is_colored =
         ImGui::ColorEdit3("##colour", &color.x, ImGuiColorEditFlags_Float | ImGuiColorEditFlags_NoInputs);
     if (ImGui::IsItemActivated()) lights.begin_step();
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("the light's colour; a click changes it");
+    tooltip("the light's colour, linear, the brightest channel as 1; a click changes it");
     if (is_colored && color != vec3(0.0f)) {
         lights.set_quantity(entry, color * brightest);
         changes |= Change::lights;
@@ -122,7 +120,7 @@ Changes MixerPanel::draw(LightEditor& lights, const LoadedScene& loaded, std::op
             changes |= draw_light(i, lights, loaded, selected);
         ImGui::Spacing();
         closes = ImGui::Button("done");
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("render the picture with these lights");
+        tooltip("render the picture with these lights");
     }
     if (!area) keep_in_viewport();
     ImGui::End();

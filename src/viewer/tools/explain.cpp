@@ -287,7 +287,7 @@ FilmSum Explain::reference_film() const {
 Changes Explain::draw(const Overlay& /*overlay*/) {
     if (!is_shown() || !has_begun_) return {};
     const ExplainPanel::Request request =
-        panel_.draw(*ws_.probed, ws_.scene->stage(), explanation_, ws_.layout, ws_.ui);
+        panel_.draw(*ws_.probed, ws_.scene->stage(), explanation_, ws_.layout, ws_.ui, ws_.keys);
     if (render_) draw_sides();
     if (request.closes) return close();
     if (request.chosen) return choose(*request.chosen);

@@ -124,7 +124,10 @@ Changes Files::shoot(const std::string& extension) {
     const bool is_enough = awaited_ == extension && !render.is_interactive() && render.complete_samples() > 0;
     if (render.is_converged() || is_enough) return write(extension);
     awaited_ = extension;
-    ws_.messages.notify("The screenshot waits for the render to converge. F12 again: as it is. Esc: cancel.");
+    const Command again = extension == ".exr" ? Command::screenshot_exr : Command::screenshot_png;
+    ws_.messages.notify(
+        fmt::format("The screenshot waits for the render to converge. {} again: as it is. {}: cancel.",
+                    ws_.keys.text(again), ws_.keys.text(Command::cancel)));
     return Change::redraw;
 }
 

@@ -46,8 +46,8 @@ private:
     IlluminancePanel panel_;
     std::optional<picture::IlluminanceRender> render_; // while it measures
     std::optional<MeasuredIlluminance> measured_;
-    std::vector<output::NamedGrid> parts_;             // so far
-    int light_ = -1;                                   // that is measured alone; -1: all lights
+    std::vector<output::NamedGrid> parts_; // so far
+    int light_ = -1;                       // that is measured alone; -1: all lights
     std::string problem_;
     bool is_measured_ = false; // or refused: nothing is left to do
     double since_change_ = 0.0;
@@ -113,7 +113,9 @@ void MeasureIlluminance::start() {
     light_ = -1;
     const scene::RenderScene& stage = ws_.scene->stage();
     const std::string& file = ws_.scene->loaded().file;
-    if (stage.lights.empty()) throw Error({file}, "nothing in the scene emits light", "add a light (Shift A)");
+    if (stage.lights.empty())
+        throw Error({file}, "nothing in the scene emits light",
+                    ws_.keys.hint("add a light", Command::add_light));
     const std::string plane = choice_.plane.data();
     choice_.receiver.plane.reset();
     if (!plane.empty()) choice_.receiver.plane = picture::parse_plane(plane);
@@ -154,10 +156,11 @@ void MeasureIlluminance::take_samples() {
 
 void MeasureIlluminance::report() const {
     const output::IlluminanceSummary& summary = measured_->summary;
-    ws_.messages.notify(fmt::format("Illuminance: mean {:.4g} {}, min {:.4g}, max {:.4g}, min/mean {:.3f}, {}x{} "
-                                    "cells.",
-                                    summary.mean, measured_->grid.unit, summary.min, summary.max,
-                                    summary.min_over_mean(), measured_->grid.columns, measured_->grid.rows));
+    ws_.messages.notify(
+        fmt::format("Illuminance: mean {:.4g} {}, min {:.4g}, max {:.4g}, min/mean {:.3f}, {}x{} "
+                    "cells.",
+                    summary.mean, measured_->grid.unit, summary.min, summary.max, summary.min_over_mean(),
+                    measured_->grid.columns, measured_->grid.rows));
 }
 
 std::string MeasureIlluminance::progress() const {
@@ -166,15 +169,18 @@ std::string MeasureIlluminance::progress() const {
         return fmt::format("{} x {} cells, {} samples each", measured_->grid.columns, measured_->grid.rows,
                            measured_->samples);
     if (!render_) return "waiting for the picture";
-    const std::string samples = fmt::format("{} of {} samples", render_->sample_count(), picture::illuminance_samples);
-    return light_ < 0 ? "measuring: " + samples
-                      : fmt::format("measuring light {} of {}: {}", light_ + 1, render_->light_count(), samples);
+    const std::string samples =
+        fmt::format("{} of {} samples", render_->sample_count(), picture::illuminance_samples);
+    return light_ < 0
+               ? "measuring: " + samples
+               : fmt::format("measuring light {} of {}: {}", light_ + 1, render_->light_count(), samples);
 }
 
 /// The cell that the pointer is over in the picture.
 std::optional<output::GridPlace> MeasureIlluminance::pointed_cell() const {
     const vec2 at = ws_.input.pointer();
-    if (ws_.ui.has_pointer() || !choice_.is_over_picture || !ws_.shown_area().contains(at)) return std::nullopt;
+    if (ws_.ui.has_pointer() || !choice_.is_over_picture || !ws_.shown_area().contains(at))
+        return std::nullopt;
     return measured_->cell_on(ws_.projection().ray(at));
 }
 
@@ -184,7 +190,8 @@ Changes MeasureIlluminance::draw(const Overlay& overlay) {
         ws_.layout.is_docked() ? std::optional(ws_.layout.take_right()) : std::nullopt;
     if (measured_ && choice_.is_over_picture) draw_isolines(*measured_, overlay.projection, overlay.scale);
     const auto pointed = measured_ ? pointed_cell() : std::nullopt;
-    return apply(panel_.draw(choice_, measured_ ? &*measured_ : nullptr, progress(), problem_, pointed, area, ws_.ui));
+    return apply(
+        panel_.draw(choice_, measured_ ? &*measured_ : nullptr, progress(), problem_, pointed, area, ws_.ui));
 }
 
 Changes MeasureIlluminance::apply(const IlluminanceOutcome& outcome) {
@@ -192,19 +199,23 @@ Changes MeasureIlluminance::apply(const IlluminanceOutcome& outcome) {
     if (outcome.writes_csv) write(".csv");
     if (outcome.writes_plan) write(".svg");
     if (outcome.closes) return toggle();
-    const bool has_changed = outcome.measures_again || outcome.redraws || outcome.writes_csv || outcome.writes_plan;
+    const bool has_changed =
+        outcome.measures_again || outcome.redraws || outcome.writes_csv || outcome.writes_plan;
     return has_changed ? Changes(Change::redraw) : Changes();
 }
 
 void MeasureIlluminance::write(const std::string& extension) {
     if (!is_open_ || !is_measured_ || !measured_)
-        return ws_.messages.notify(is_open_ ? "The plane is not measured yet." : "L measures a plane first.");
+        return ws_.messages.notify(is_open_
+                                       ? "The plane is not measured yet."
+                                       : ws_.keys.text(Command::illuminance) + " measures a plane first.");
     const std::string& scene_file = ws_.scene->loaded().file;
     const std::string file = free_name(scene_file, extension);
     try {
-        image::write_text(file, extension == ".csv"
-                                    ? output::csv_of(measured_->grid, measured_->parts)
-                                    : picture::plan_of(measured_->grid, {}, ws_.scene->stage().lights, scene_file));
+        image::write_text(file,
+                          extension == ".csv"
+                              ? output::csv_of(measured_->grid, measured_->parts)
+                              : picture::plan_of(measured_->grid, {}, ws_.scene->stage().lights, scene_file));
         ws_.messages.notify(fmt::format("Wrote {}.", file));
     } catch (const Error& error) {
         ws_.messages.fail("Cannot write the illuminance.", error.what());

@@ -82,13 +82,16 @@ Changes MixLights::begin() {
     }
     const std::string radiance = render::RenderOptions().shader;
     if (ws_.options.rendering.shader != radiance) {
-        ws_.messages.notify("Another view than radiance is shown. V goes on to the next.");
+        ws_.messages.notify(fmt::format("Another view than radiance is shown. {} goes on to the next.",
+                                        ws_.keys.text(Command::next_view)));
         return Change::redraw;
     }
     panel_.begin(ws_.scene->lights());
     is_open_ = true;
     ws_.playback.is_playing = false;
-    ws_.messages.notify("Rendering a picture of each light. Changes then show at once. Shift M ends it.");
+    ws_.messages.notify(
+        fmt::format("Rendering a picture of each light. Changes then show at once. {} ends it.",
+                    ws_.keys.text(Command::mix_lights)));
     return Change::redraw;
 }
 
