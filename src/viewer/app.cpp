@@ -40,8 +40,8 @@ Tools make_tools(Workspace& workspace) {
     for (const auto make :
          {make_transform, make_mix_lights, make_look_at_pixels, make_navigate, make_place_camera,
           make_edit_lights, make_inspect, make_animate, make_adjust_display, make_compare, make_assignment,
-          make_tick, make_probe, make_explain, make_measure_illuminance, make_files, make_turntable,
-          make_keep_edits})
+          make_tick, make_probe, make_explain, make_measure_illuminance, make_view_light, make_files,
+          make_turntable, make_keep_edits})
         if (auto tool = make(workspace)) tools.push_back(std::move(tool));
     return tools;
 }

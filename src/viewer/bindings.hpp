@@ -48,6 +48,7 @@ enum class Command {
     false_color,
     fit_range,
     next_view,
+    next_light_alone,
     next_light,
     switch_light,
     solo_light,

@@ -24,14 +24,16 @@ const CommandInfo& command_named(const std::string& name, const JsonFile& file, 
                 "write its name as F1 lists it, or see steradian view --print-keys");
 }
 
-ReadBinding binding_at(const nlohmann::json& value, Command command, const JsonFile& file, const Pointer& at) {
+ReadBinding binding_at(const nlohmann::json& value, Command command, const JsonFile& file,
+                       const Pointer& at) {
     if (!value.is_string())
         throw Error(file.place_of(at), "a key is no text", "write \"Ctrl Shift Z\", or a list of such texts");
     const std::string text = value.get<std::string>();
     const auto key = parse_key(text);
     if (!key)
-        throw Error(file.place_of(at), fmt::format("there is no key \"{}\"", text),
-                    "write Ctrl, Alt and Shift, then a key as F1 lists it: \"Ctrl Shift Z\", \"Num 5\", \"PgUp\"");
+        throw Error(
+            file.place_of(at), fmt::format("there is no key \"{}\"", text),
+            "write Ctrl, Alt and Shift, then a key as F1 lists it: \"Ctrl Shift Z\", \"Num 5\", \"PgUp\"");
     return {{key->first, key->second, command}, file.place_of(at)};
 }
 
@@ -89,7 +91,8 @@ std::string Keymap::json() const {
     }
     std::string text;
     for (const auto& [name, keys] : all.items())
-        text += fmt::format("{}\n  {}: {}", text.empty() ? "{" : ",", nlohmann::json(name).dump(), keys.dump());
+        text +=
+            fmt::format("{}\n  {}: {}", text.empty() ? "{" : ",", nlohmann::json(name).dump(), keys.dump());
     return text + "\n}";
 }
 

@@ -15,8 +15,8 @@ public:
     Keymap();
 
     /// The built-in keys, but for the commands that a JSON file names: {"Frame all": "Ctrl Home", "Pixels":
-    /// ["W", "F9"], "Write a turntable": []}. @throws Error with line and column for an unknown command or key,
-    /// and for a key of two commands
+    /// ["W", "F9"], "Write a turntable": []}. @throws Error with line and column for an unknown command or
+    /// key, and for a key of two commands
     static Keymap read(const std::filesystem::path& file);
 
     std::span<const Binding> all() const { return bindings_; }

@@ -130,6 +130,20 @@ void Panels::draw_views_menu() {
             ws_.input.put(ViewEvent{&variable});
         tooltip(variable.what);
     }
+    if (ws_.scene) draw_lights_menu();
+    ImGui::EndMenu();
+}
+
+/// Draws a menu of all lights, one of which lights the picture alone.
+void Panels::draw_lights_menu() {
+    ImGui::Separator();
+    const auto& entries = ws_.scene->lights().entries();
+    const auto alone = ws_.scene->alone();
+    if (!ImGui::BeginMenu("light alone", !entries.empty())) return;
+    if (ImGui::MenuItem("all lights", nullptr, !alone)) ws_.input.put(LightViewEvent{});
+    for (std::size_t i = 0; i < entries.size(); ++i)
+        if (ImGui::MenuItem(fmt::format("{}##{}", entries[i].name, i).c_str(), nullptr, alone == i))
+            ws_.input.put(LightViewEvent{i});
     ImGui::EndMenu();
 }
 

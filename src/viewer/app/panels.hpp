@@ -37,6 +37,7 @@ private:
     void draw_over_picture();
     void draw_menu();
     void draw_views_menu();
+    void draw_lights_menu();
     Changes draw_column(const Tools& tools);
     std::string under_pointer() const;
 

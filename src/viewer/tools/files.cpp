@@ -152,6 +152,8 @@ Changes Files::write(std::string extension) { // by value: it may be awaited_
                                                .stopped_by = render.stopped_by(),
                                                .light_choices = render.light_choices()},
                                               ws_.window.info());
+    if (const auto alone = ws_.scene->alone())
+        film.attributes.push_back({"steradian:light_alone", ws_.scene->lights().entries()[*alone].name});
     const std::string file = free_name(ws_.scene->loaded().file, extension);
     try {
         output::write(film, nullptr, {file},

@@ -81,5 +81,6 @@ std::unique_ptr<Tool> make_mix_lights(Workspace& workspace);
 std::unique_ptr<Tool> make_place_camera(Workspace& workspace);
 std::unique_ptr<Tool> make_probe(Workspace& workspace);
 std::unique_ptr<Tool> make_turntable(Workspace& workspace);
+std::unique_ptr<Tool> make_view_light(Workspace& workspace);
 
 } // namespace sr::viewer

@@ -45,8 +45,8 @@ const Test every_key("unit.viewer.keymap.each_key_is_read_as_it_is_written", [] 
 });
 
 const Test a_change("unit.viewer.keymap.a_file_changes_what_it_names", [] {
-    const Keymap map = Keymap::read(
-        file_of(R"({"Frame all": ["Ctrl Home", "F9"], "Pixels": "K", "Play or pause": "W", "Write a turntable": []})"));
+    const Keymap map = Keymap::read(file_of(
+        R"({"Frame all": ["Ctrl Home", "F9"], "Pixels": "K", "Play or pause": "W", "Write a turntable": []})"));
     EXPECT_EQ(map.text(Command::frame_all), "Ctrl Home");
     const auto command = [&](const char* key) {
         const auto parsed = parse_key(key).value();
@@ -69,13 +69,15 @@ const Test round_trip("unit.viewer.keymap.what_is_printed_is_read_again", [] {
 });
 
 const Test refusals("unit.viewer.keymap.a_wrong_file_is_refused_with_its_place", [] {
-    EXPECT_EQ(refusal_of("{\n \"Frame evrything\": \"A\"}"),
-              "keys.json:2:21: there is no command \"Frame evrything\": write its name as F1 lists it, or see "
-              "steradian view --print-keys");
+    EXPECT_EQ(
+        refusal_of("{\n \"Frame evrything\": \"A\"}"),
+        "keys.json:2:21: there is no command \"Frame evrything\": write its name as F1 lists it, or see "
+        "steradian view --print-keys");
     EXPECT_EQ(refusal_of("{\"Pixels\": [\"F9\",\n\"Ctl P\"]}").substr(0, 45),
               "keys.json:2:1: there is no key \"Ctl P\": write");
-    EXPECT_EQ(refusal_of("{\"Pixels\":\n  \"Ctrl Q\"}"),
-              "keys.json:2:3: Ctrl Q is the key of \"Quit\", too: give one of the two another key, or none: []");
+    EXPECT_EQ(
+        refusal_of("{\"Pixels\":\n  \"Ctrl Q\"}"),
+        "keys.json:2:3: Ctrl Q is the key of \"Quit\", too: give one of the two another key, or none: []");
     EXPECT_EQ(refusal_of("{\"Pixels\": \"F9\", \"Scene\": \"F9\"}").substr(0, 61),
               "keys.json:1:27: F9 is the key of \"Pixels\", too: give one of t");
     EXPECT_EQ(refusal_of("{\"Pixels\": 3}").substr(0, 34), "keys.json:1:12: a key is no text: ");
