@@ -37,11 +37,27 @@ gl::WindowOptions window_options(const Options& options) {
 /// view, a click on a light before a probe.
 Tools make_tools(Workspace& workspace) {
     Tools tools;
-    for (const auto make :
-         {make_transform, make_mix_lights, make_look_at_pixels, make_navigate, make_place_camera,
-          make_edit_lights, make_inspect, make_animate, make_adjust_display, make_compare, make_assignment,
-          make_tick, make_probe, make_explain, make_measure_illuminance, make_view_light, make_files,
-          make_turntable, make_keep_edits})
+    for (const auto make : {make_transform,
+                            make_mix_lights,
+                            make_look_at_pixels,
+                            make_navigate,
+                            make_place_camera,
+                            make_revisit_views,
+                            make_show_grid,
+                            make_edit_lights,
+                            make_inspect,
+                            make_animate,
+                            make_adjust_display,
+                            make_compare,
+                            make_assignment,
+                            make_tick,
+                            make_probe,
+                            make_explain,
+                            make_measure_illuminance,
+                            make_view_light,
+                            make_files,
+                            make_turntable,
+                            make_keep_edits})
         if (auto tool = make(workspace)) tools.push_back(std::move(tool));
     return tools;
 }
@@ -113,6 +129,7 @@ void App::run(const std::stop_token& stop) {
         }
         apply(update(seconds));
         apply(std::exchange(workspace_.answered, {}));
+        apply(panels_.update());
         std::vector<Event> events = input_.take();
         if (input_.take_damage() || !events.empty()) apply(Change::redraw);
         if (!draws_again()) continue;

@@ -21,6 +21,14 @@ Panels::Panels(Workspace& workspace) : ws_(workspace), first_page_(workspace.opt
 
 void Panels::begin() { ws_.layout.begin(ws_.window_size(), ws_.ui.scale(), are_shown_); }
 
+Changes Panels::update() {
+    if (ws_.scene || ws_.loading) {
+        first_page_.rest();
+        return {};
+    }
+    return ws_.has_first_page && first_page_.update() ? Changes(Change::redraw) : Changes();
+}
+
 bool Panels::execute(Command command) {
     switch (command) {
     case Command::help: has_help_ = !has_help_; return true;
@@ -88,7 +96,7 @@ Changes Panels::draw_first_page() {
     if (!is_covered && !ImGui::IsAnyItemActive()) first_page_.request_focus();
     const auto file = first_page_.draw(ws_.layout.rest(), ws_.ui);
     if (file) ws_.open(*file);
-    return file || first_page_.wants_focus() ? Changes(Change::redraw) : Changes();
+    return file || first_page_.wants_frame() ? Changes(Change::redraw) : Changes();
 }
 
 void Panels::draw_over_picture() {

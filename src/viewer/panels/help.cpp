@@ -98,8 +98,8 @@ void message_area(const Status& status, Layout& layout) {
     for (std::size_t i = 0; i < parts.size(); ++i) {
         if (parts[i]->empty()) continue;
         const ImVec2 needed = size(*parts[i]);
-        begins_line[i] = i == 0 || x + gap + needed.x > width || needed.y > ImGui::GetTextLineHeight();
-        if (begins_line[i]) height += needed.y + (i == 0 ? 0.0f : ImGui::GetStyle().ItemSpacing.y);
+        begins_line[i] = x == 0.0f || x + gap + needed.x > width || needed.y > ImGui::GetTextLineHeight();
+        if (begins_line[i]) height += needed.y + (x == 0.0f ? 0.0f : ImGui::GetStyle().ItemSpacing.y);
         x = begins_line[i] ? needed.x : x + gap + needed.x;
     }
     height = std::min(std::max(height, ImGui::GetFrameHeight()), 0.4f * viewport.Size.y);
