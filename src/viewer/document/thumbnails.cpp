@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t max_pictures = 300;         // in the cache; the oldest go
+constexpr std::size_t max_pictures = 300;           // in the cache; the oldest go
 constexpr auto patience = std::chrono::seconds(30); // with one file
 
 /// FNV-1a, the same in every run and build (Fowler, Noll & Vo, RFC 9923).
@@ -38,7 +38,8 @@ fs::path picture_in(const fs::path& folder, const std::string& file) {
     const auto time = fs::last_write_time(whole, failure).time_since_epoch().count();
     const auto size = failure ? 0 : fs::file_size(whole, failure);
     if (failure) return {};
-    return folder / fmt::format("{:016x}.png", hash_of(fmt::format("{}\n{}\n{}", whole.string(), time, size)));
+    return folder
+           / fmt::format("{:016x}.png", hash_of(fmt::format("{}\n{}\n{}", whole.string(), time, size)));
 }
 
 void drop_old_ones(const fs::path& folder) {
@@ -46,7 +47,8 @@ void drop_old_ones(const fs::path& folder) {
     std::error_code failure;
     for (fs::directory_iterator entry(folder, failure); !failure && entry != fs::directory_iterator();
          entry.increment(failure))
-        if (entry->path().extension() == ".png") all.emplace_back(entry->last_write_time(failure), entry->path());
+        if (entry->path().extension() == ".png")
+            all.emplace_back(entry->last_write_time(failure), entry->path());
     if (all.size() <= max_pictures) return;
     std::ranges::sort(all);
     all.resize(all.size() - max_pictures);
@@ -93,8 +95,8 @@ void Thumbnails::start() {
     const fs::path picture = picture_in(folder_, file_);
     if (picture.empty()) return; // the file is gone
     const std::string target = unfinished(picture).string(), size = fmt::format("{}x{}", width, height);
-    std::vector<std::string> words{"steradian", "render", "--output", target, "--size", size, "--samples", "4",
-                                   "--time",    "10s",    "--",       file_};
+    std::vector<std::string> words{"steradian", "render", "--output", target, "--size", size,
+                                   "--samples", "4",      "--time",   "10s",  "--",     file_};
     std::vector<char*> arguments;
     for (std::string& word : words) arguments.push_back(word.data());
     arguments.push_back(nullptr);

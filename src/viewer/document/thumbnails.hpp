@@ -1,6 +1,6 @@
 #pragma once
-// Small pictures of scene files, which child processes render one after the other, and which stay in the cache
-// folder.
+// Small pictures of scene files, which child processes render one after the other, and which stay in the
+// cache folder.
 #include <chrono>
 #include <filesystem>
 #include <map>
@@ -13,8 +13,8 @@ class Thumbnails {
 public:
     static constexpr int width = 160, height = 90; // [pixels]
 
-    /// Begins to make those of `files` that are not in the cache yet, or whose file has changed. `folder`: of the
-    /// cache; empty: nothing is made.
+    /// Begins to make those of `files` that are not in the cache yet, or whose file has changed. `folder`: of
+    /// the cache; empty: nothing is made.
     Thumbnails(const std::vector<std::string>& files, std::filesystem::path folder);
     /// Stops the process at work.
     ~Thumbnails();

@@ -7,8 +7,8 @@
 
 namespace sr::viewer {
 
-/// A list with a place in it, as browsers have: a new view drops those after the current one. The oldest of 200
-/// views goes.
+/// A list with a place in it, as browsers have: a new view drops those after the current one. The oldest of
+/// 200 views goes.
 class ViewHistory {
 public:
     /// Comes to a view. The current one again is no news.

@@ -9,8 +9,8 @@
 namespace sr::viewer {
 namespace {
 
-constexpr int reach = 10;          // steps of the grid on each side of its middle
-constexpr int parts = 24;          // of a line, so that only those behind the camera are missing
+constexpr int reach = 10; // steps of the grid on each side of its middle
+constexpr int parts = 24; // of a line, so that only those behind the camera are missing
 constexpr ImU32 faint = IM_COL32(200, 200, 200, 95);
 constexpr ImU32 strong = IM_COL32(220, 220, 220, 160); // each tenth line
 
@@ -44,8 +44,9 @@ std::optional<Changes> ShowGrid::handle(const Event& event) {
     if (command_in(event) != Command::grid) return std::nullopt;
     is_shown_ = !is_shown_;
     const float radius = ws_.camera->bounds().is_empty() ? 1.0f : ws_.camera->bounds().radius();
-    ws_.messages.notify(is_shown_ ? fmt::format("Grid: lines each {:g} m on the plane y = 0.", step_for(radius))
-                                  : "No grid.");
+    ws_.messages.notify(is_shown_
+                            ? fmt::format("Grid: lines each {:g} m on the plane y = 0.", step_for(radius))
+                            : "No grid.");
     return Change::redraw;
 }
 
@@ -96,7 +97,9 @@ void ShowGrid::draw_axes(const Overlay& overlay, float length) const {
         const vec3 end = origin + length * axis_direction(axis);
         draw_line(overlay, origin, end, palette::axes[number], 2.0f);
         const auto at = overlay.projection(end);
-        if (at) ImGui::GetBackgroundDrawList()->AddText({at->x + 3.0f, at->y}, palette::axes[number], axis_names[number]);
+        if (at)
+            ImGui::GetBackgroundDrawList()->AddText({at->x + 3.0f, at->y}, palette::axes[number],
+                                                    axis_names[number]);
     }
 }
 
@@ -112,7 +115,8 @@ void ShowGrid::draw_compass(const Overlay& overlay) const {
         const vec3 seen = glm::normalize(mat3(camera_from_world) * axis_direction(axis));
         const vec2 end = middle + length * vec2(seen.x, -seen.y);
         const ImU32 ink = palette::axes[static_cast<std::size_t>(axis)];
-        list.AddLine({middle.x, middle.y}, {end.x, end.y}, ink, (seen.z >= -0.1f ? 2.5f : 1.0f) * overlay.scale);
+        list.AddLine({middle.x, middle.y}, {end.x, end.y}, ink,
+                     (seen.z >= -0.1f ? 2.5f : 1.0f) * overlay.scale);
         const ImVec2 size = ImGui::CalcTextSize(axis_names[static_cast<std::size_t>(axis)]);
         const vec2 label = middle + 1.25f * length * vec2(seen.x, -seen.y) - 0.5f * vec2(size.x, size.y);
         list.AddText({label.x, label.y}, ink, axis_names[static_cast<std::size_t>(axis)]);
