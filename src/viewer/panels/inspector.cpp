@@ -83,13 +83,16 @@ bool draw_factors(LightEditor& edits, MaterialFactors& factors, const scene::Mat
 }
 
 /// Field of a factor. @return true if it changed
-bool draw_factor(const gltf::EditableFactor& factor, vec3& value) {
+bool draw_factor(const gltf::EditableFactor& factor, vec3& value, LightEditor& edits) {
     const std::string label = fmt::format("{}##{}", factor.label, factor.key);
-    const bool is_number = std::holds_alternative<float scene::Material::*>(factor.member);
-    if (is_number)
-        return ImGui::SliderFloat(label.c_str(), &value.x, factor.min, factor.max,
-                                  factor.max > 100.0f ? "%.0f" : "%.3f", ImGuiSliderFlags_AlwaysClamp);
-    return ImGui::ColorEdit3(label.c_str(), &value.x, ImGuiColorEditFlags_Float);
+    const char* const format = factor.max > 100.0f ? "%.0f" : "%.3f";
+    const bool is_changed = std::holds_alternative<float scene::Material::*>(factor.member)
+                                ? ImGui::SliderFloat(label.c_str(), &value.x, factor.min, factor.max, format,
+                                                     ImGuiSliderFlags_AlwaysClamp)
+                                : ImGui::ColorEdit3(label.c_str(), &value.x, ImGuiColorEditFlags_Float);
+    if (ImGui::IsItemActivated()) edits.begin_step();
+    tooltip(std::string(factor.meaning));
+    return is_changed;
 }
 
 /// Fields of the factors that this material has or could have, in a branch for each property. @return true if
@@ -109,9 +112,7 @@ bool draw_other_factors(LightEditor& edits, MaterialFactors& factors, const scen
         group = factor.group;
         if (!is_open) continue;
         vec3 value = value_of(factor, material);
-        const bool is_changed = draw_factor(factor, value);
-        if (ImGui::IsItemActivated()) edits.begin_step();
-        tooltip(std::string(factor.meaning));
+        const bool is_changed = draw_factor(factor, value, edits);
         if (is_changed) factors.others[i] = glm::clamp(value, vec3(factor.min), vec3(factor.max));
         has_changed = has_changed || is_changed;
     }
