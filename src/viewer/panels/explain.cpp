@@ -192,8 +192,13 @@ void ExplainPanel::draw_light(int light, const ProbeResult& result, const scene:
         {from.x + std::clamp(share, 0.0f, 1.0f) * 7.0f * ImGui::GetFontSize(),
          from.y + ImGui::GetTextLineHeight()},
         bar);
-    text_line(p.L_r > 0.0f ? fmt::format("{} ({:.1f} %)", digits(p.L_r), 100.0f * share)
-                           : fmt::format("0: {}", reason_of(p)));
+    const bool is_wide = ImGui::GetWindowWidth() > 44.0f * ImGui::GetFontSize(); // the reason fits, too
+    if (p.L_r > 0.0f) {
+        text_line(fmt::format("{} ({:.1f} %)", digits(p.L_r), 100.0f * share));
+    } else {
+        text_line(is_wide ? fmt::format("0: {}", reason_of(p)) : "0");
+        tooltip(reason_of(p));
+    }
     ImGui::PopID();
 }
 
@@ -235,6 +240,9 @@ void ExplainPanel::draw_code(const scene::RenderScene& stage, const Explanation&
         return;
     }
     ImGui::TextDisabled("%s:%d", code->file.c_str(), code->line);
+    if (explanation.has_cpu_rays && explanation.chosen.term == EquationTerm::visibility)
+        ImGui::TextWrapped("The CPU traces these rays here (Embree). The lines ask the same question in GLSL "
+                           "(--visibility ray-glsl).");
     ImGui::PushFont(ui.fonts().code);
     ImGui::PushTextWrapPos();
     for (std::size_t i = 0; i < code->lines.size(); ++i) {
@@ -299,7 +307,7 @@ ExplainPanel::Request ExplainPanel::draw(const ProbeResult& result, const scene:
         draw_head(result, ui);
         const ImVec2 space = ImGui::GetContentRegionAvail();
         const bool is_narrow = space.x < 60.0f * ImGui::GetFontSize(); // the code is below the numbers
-        const float width = is_narrow ? space.x : std::min(0.52f * space.x, 46.0f * ImGui::GetFontSize());
+        const float width = is_narrow ? space.x : std::min(0.58f * space.x, 46.0f * ImGui::GetFontSize());
         ImGui::BeginChild("numbers", {width, space.y});
         if (result.terms.coverage == 0.0f)
             text_line("No surface is seen here: Lₒ is the background.");

@@ -27,6 +27,7 @@ struct Explanation {
     std::optional<LeftOut> left_out; // while the picture beside is without the term
     std::optional<vec3> L_o_without; // of this pixel [cd/m²], by the samples so far
     bool is_final = false;           // all samples are there
+    bool has_cpu_rays = false;       // V is found beside the shaders
 };
 
 class ExplainPanel {

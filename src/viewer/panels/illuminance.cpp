@@ -239,7 +239,9 @@ void IlluminancePanel::draw_choice(IlluminanceChoice& choice, IlluminanceOutcome
     ImGui::PopItemWidth();
     outcome.redraws |= ImGui::Checkbox("over the picture", &choice.is_over_picture);
     tooltip("draw the plane's edges and isolines where they are in the scene; things do not hide them");
-    ImGui::SameLine();
+    const float room =
+        ImGui::GetWindowContentRegionMax().x - ImGui::GetItemRectMax().x + ImGui::GetWindowPos().x;
+    if (room > 7.0f * ImGui::GetFontSize()) ImGui::SameLine();
     outcome.measures_again |= ImGui::Checkbox("by light", &choice.has_parts);
     tooltip("measure each light alone as well, for the table and the CSV; takes about twice as long");
 }
@@ -266,11 +268,13 @@ IlluminanceOutcome IlluminancePanel::draw(IlluminanceChoice& choice, const Measu
         if (measured) {
             ImGui::Separator();
             if (const auto in_map = draw_map(*measured)) pointed = in_map;
+            ImGui::PushTextWrapPos();
             if (pointed)
                 ImGui::Text("%.4g %s at %s", measured->grid.at(pointed->column, pointed->row),
                             measured->grid.unit.c_str(), place_text(measured->grid, *pointed).c_str());
             else
                 ImGui::TextDisabled("point at the plane for a cell's value");
+            ImGui::PopTextWrapPos();
             draw_figures(*measured);
             outcome.writes_csv = ImGui::Button("CSV");
             tooltip(

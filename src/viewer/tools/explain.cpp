@@ -100,10 +100,7 @@ EquationCode Explain::code() const {
         code.model = scene.materials[static_cast<std::size_t>(scene.meshes[mesh].material)].model;
     }
     const render::VisibilityBackend* const backend = ws_.scene->gpu().visibility_backend();
-    code.visibility = !backend                      ? "none"
-                      : backend->shadow_map_scene() ? "map"
-                      : backend->occlusion()        ? "resolve"
-                                                    : "ray";
+    code.visibility = !backend ? "none" : backend->shadow_map_scene() ? "map" : "ray";
     return code;
 }
 
@@ -137,6 +134,8 @@ void Explain::find_code() {
         explanation_.code.reset();
         ws_.messages.notify(error.what());
     }
+    const render::VisibilityBackend* const backend = ws_.scene->gpu().visibility_backend();
+    explanation_.has_cpu_rays = backend && backend->occlusion();
     const std::string name = name_of(explanation_.chosen, ws_.scene->stage());
     ws_.messages.log(explanation_.code ? fmt::format("Explained: {}, {}:{}", name, explanation_.code->file,
                                                      explanation_.code->line)

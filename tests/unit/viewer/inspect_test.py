@@ -62,7 +62,7 @@ def editing(viewer: Viewer, slider: tuple[int, int]):
     assert same(viewer.shot(), edited)
     viewer.click(slider[0], slider[1] + 40)  # the branch "clearcoat", and its first slider
     viewer.pause()
-    viewer.changed_by(lambda: viewer.pull((slider[0] - 50, slider[1] + 60), (slider[0] + 20, slider[1] + 60)))
+    viewer.changed_by(lambda: viewer.pull((slider[0] - 20, slider[1] + 60), (slider[0] + 20, slider[1] + 60)))
     assert not same(viewer.shot(), edited), "the material has no coat"
     target = SCRATCH / "saved.gltf"
     viewer.key("ctrl+s")
@@ -80,7 +80,7 @@ def main() -> int:
         viewer.done()
         name = inspecting(viewer)
         hiding(viewer)
-        saved = editing(viewer, (760, 461))
+        saved = editing(viewer, (800, 461))
         file = json.loads((SCENES / "spheres.gltf").read_text())
         changed = [new["name"] for old, new in zip(file["materials"], saved["materials"]) if old != new]
         assert len(changed) == 1 and name, (name, changed)
