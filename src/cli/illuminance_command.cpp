@@ -6,15 +6,11 @@
 #include "core/output.hpp"
 #include "core/text.hpp"
 #include "image/whole_file.hpp"
-#include "output/illuminance.hpp"
-#include "output/illuminance_plan.hpp"
-#include "output/isolines.hpp"
+#include "picture/illuminance.hpp"
 #include "picture/open_scene.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cmath>
-#include <filesystem>
 #include <fmt/format.h>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -26,23 +22,10 @@ namespace {
 using nlohmann::ordered_json;
 using output::IlluminanceGrid;
 
-constexpr int longest_side = 64; // cells, where neither --grid nor --spacing is given
-constexpr int max_cells = 4096;  // along a side: the size of a picture that every driver takes
-constexpr int isoline_count = 10;
-
-/// The receiver that --plane states, in the file's world.
-struct StatedPlane {
-    glm::dvec3 corner{0.0};
-    vec3 u{0.0f};
-    vec3 v{0.0f};
-};
-
 struct IlluminanceCommand {
     RenderSettings settings;
     std::vector<std::string> outputs; // .svg or .csv
-    std::optional<StatedPlane> plane;
-    double height = 0.8; // [m], above the lowest point
-    double border = 0.0; // [m]
+    picture::ReceiverChoice receiver;
     std::optional<Size> grid;
     std::optional<double> spacing; // [m]
     std::vector<double> levels;    // of isolines; empty: round ones
@@ -50,16 +33,10 @@ struct IlluminanceCommand {
     bool json = false;
 };
 
-std::vector<std::string> split(const std::string& text, char separator) {
-    std::vector<std::string> parts;
-    std::istringstream stream(text);
-    for (std::string part; std::getline(stream, part, separator);) parts.push_back(part);
-    return parts;
-}
-
 std::optional<std::vector<double>> numbers_in(const std::string& text) {
     std::vector<double> numbers;
-    for (const std::string& part : split(text, ',')) {
+    std::istringstream stream(text);
+    for (std::string part; std::getline(stream, part, ',');) {
         const auto number = settings::parse_number(part);
         if (!number) return std::nullopt;
         numbers.push_back(*number);
@@ -67,93 +44,36 @@ std::optional<std::vector<double>> numbers_in(const std::string& text) {
     return numbers;
 }
 
-/// "X,Y,Z;UX,UY,UZ;VX,VY,VZ"; absent if it is not three triples.
-std::optional<StatedPlane> parse_plane(const std::string& text) {
-    std::vector<glm::dvec3> triples;
-    for (const std::string& part : split(text, ';')) {
-        const auto numbers = numbers_in(part);
-        if (!numbers || numbers->size() != 3) return std::nullopt;
-        triples.emplace_back((*numbers)[0], (*numbers)[1], (*numbers)[2]);
+picture::StatedPlane plane_named(const std::string& text) {
+    try {
+        return picture::parse_plane(text);
+    } catch (const Error& error) {
+        throw CLI::ValidationError("--plane", error.what());
     }
-    if (triples.size() != 3) return std::nullopt;
-    return StatedPlane{triples[0], vec3(triples[1]), vec3(triples[2])};
-}
-
-StatedPlane plane_named(const std::string& text) {
-    const auto plane = parse_plane(text);
-    if (!plane)
-        throw CLI::ValidationError(
-            "--plane",
-            fmt::format("'{}' is not a corner and two edges, such as \"0,0.8,0;4,0,0;0,0,-3\"", text));
-    const float area = glm::length(glm::cross(plane->u, plane->v));
-    const float lengths = glm::length(plane->u) * glm::length(plane->v);
-    if (!(lengths > 0.0f) || !(area > (1.0f - 1e-6f) * lengths))
-        throw CLI::ValidationError(
-            "--plane",
-            fmt::format("the edges of '{}' are not perpendicular: choose edges of a rectangle", text));
-    return *plane;
-}
-
-scene::Receiver receiver_of(const IlluminanceCommand& command, const scene::Scene& scene) {
-    if (command.plane)
-        return {vec3(command.plane->corner - scene.origin), command.plane->u, command.plane->v};
-    const scene::Bounds bounds = scene::bounds_of(scene);
-    if (bounds.is_empty())
-        throw Error({command.settings.scene}, "nothing is in the scene that a plane could be fitted to",
-                    "state one with --plane");
-    return scene::horizontal_receiver(bounds, static_cast<float>(command.height));
-}
-
-/// Leaves out a border of `width` metres on all sides.
-scene::Receiver without_border(scene::Receiver receiver, float width) {
-    const vec3 along_u = glm::normalize(receiver.u) * width, along_v = glm::normalize(receiver.v) * width;
-    receiver.corner += along_u + along_v;
-    receiver.u -= 2.0f * along_u;
-    receiver.v -= 2.0f * along_v;
-    return receiver;
-}
-
-void require_area(const IlluminanceCommand& command, const scene::Receiver& receiver) {
-    const float width = glm::length(receiver.u), height = glm::length(receiver.v);
-    const float border = 2.0f * static_cast<float>(command.border);
-    if (!(std::min(width, height) > border))
-        throw Error({command.settings.scene},
-                    fmt::format("the plane of {:.4g} × {:.4g} m has no area{}", width, height,
-                                border > 0.0f ? " within its border" : ""),
-                    "state another with --plane, or a smaller --border");
 }
 
 Size cells_of(const IlluminanceCommand& command, const scene::Receiver& receiver) {
     if (command.grid) return *command.grid;
-    const double width = glm::length(receiver.u), height = glm::length(receiver.v);
-    const double spacing = command.spacing.value_or(std::max(width, height) / longest_side);
-    const auto count = [&](double length) {
-        const double cells = std::max(1.0, std::ceil(length / spacing - 1e-6));
-        if (cells > max_cells)
-            throw CLI::ValidationError("--spacing",
-                                       fmt::format("{:.4g} m makes {:.0f} cells of {:.4g} m: choose "
-                                                   "{:.2g} m or more",
-                                                   spacing, cells, length, length / max_cells));
-        return static_cast<int>(cells);
-    };
-    return {count(width), count(height)};
+    try {
+        return picture::cells_of(receiver, command.spacing);
+    } catch (const Error& error) {
+        throw CLI::ValidationError("--spacing", error.what());
+    }
 }
 
 /// Renders E on the receiver by the lights [first, end). @return absent if it was stopped
-std::optional<IlluminanceGrid> measure(render::Renderer& renderer, const scene::Receiver& receiver, int first,
-                                       int end, int samples, const Interruption& interruption,
-                                       const std::string& what) {
+std::optional<IlluminanceGrid> measure(picture::IlluminanceRender& render, int first, int end, int samples,
+                                       const Interruption& interruption, const std::string& what) {
     Progress progress(what);
-    renderer.clear();
-    renderer.use_lights(first, end);
-    while (renderer.sample_count() < samples) {
+    render.begin(first, end);
+    while (render.sample_count() < samples) {
         if (interruption.has_come()) return std::nullopt;
-        renderer.add_sample();
+        render.add_sample();
         glFinish();
-        progress.update(static_cast<double>(renderer.sample_count()) / samples,
-                        fmt::format("{}/{}", renderer.sample_count(), samples));
+        progress.update(static_cast<double>(render.sample_count()) / samples,
+                        fmt::format("{}/{}", render.sample_count(), samples));
     }
-    return output::illuminance_of(renderer.read_film(), receiver);
+    return render.grid();
 }
 
 struct Measurement {
@@ -161,66 +81,31 @@ struct Measurement {
     std::vector<output::NamedGrid> parts; // by light
 };
 
-std::optional<Measurement> measure_all(const IlluminanceCommand& command, picture::OpenScene& open,
-                                       const scene::Receiver& receiver, const Interruption& interruption) {
-    const scene::Camera camera = scene::add_receiver(open.stage.scene, receiver);
-    const render::GpuScene scene = picture::upload(open, command.settings);
-    render::RenderOptions options = picture::render_options(command.settings, cells_of(command, receiver));
-    options.shader = "views/irradiance.frag";
-    render::Renderer renderer(scene, camera, options);
-    const std::string unit(scene::name_of({scene::Quantity::irradiance, open.stage.scene.units}));
-    const auto grid_of = [&](int first, int end, const std::string& what) {
-        auto grid = measure(renderer, receiver, first, end, options.samples, interruption, what);
-        if (grid) grid->origin = open.stage.scene.origin;
-        if (grid) grid->unit = unit;
-        return grid;
-    };
-    auto whole = grid_of(0, scene.light_count(), "measuring");
+std::optional<Measurement> measure_all(const IlluminanceCommand& command, picture::IlluminanceRender& render,
+                                       const Interruption& interruption) {
+    const int samples = command.settings.stop.samples;
+    auto whole = measure(render, 0, render.light_count(), samples, interruption, "measuring");
     if (!whole) return std::nullopt;
     Measurement measurement{std::move(*whole), {}};
-    for (int k = 0; command.has_parts && k < scene.light_count(); ++k) {
-        const std::string& name = scene::name_of(open.stage.lights[static_cast<std::size_t>(k)]);
-        auto part = grid_of(k, k + 1, name);
+    for (int k = 0; command.has_parts && k < render.light_count(); ++k) {
+        const std::string name = render.name_of_light(k);
+        auto part = measure(render, k, k + 1, samples, interruption, name);
         if (!part) return std::nullopt;
-        measurement.parts.push_back({name.empty() ? fmt::format("light {}", k) : name, std::move(*part)});
+        measurement.parts.push_back({name, std::move(*part)});
     }
-    open.context->require_silence();
     return measurement;
 }
 
-/// Lamps with a place, seen along the receiver's normal.
-std::vector<output::PlanMark> marks_of(const picture::OpenScene& open, const scene::Receiver& receiver) {
-    std::vector<output::PlanMark> marks;
-    for (const scene::Light& light : open.stage.lights) {
-        const auto center = scene::center_of(light);
-        if (!center) continue;
-        const vec3 offset = *center - receiver.corner;
-        const vec2 place(glm::dot(offset, receiver.u) / glm::dot(receiver.u, receiver.u),
-                         glm::dot(offset, receiver.v) / glm::dot(receiver.v, receiver.v));
-        if (place.x >= 0.0f && place.x <= 1.0f && place.y >= 0.0f && place.y <= 1.0f)
-            marks.push_back({place, scene::name_of(light)});
-    }
-    return marks;
-}
-
-void write_outputs(const IlluminanceCommand& command, const picture::OpenScene& open,
+void write_outputs(const IlluminanceCommand& command, const std::vector<scene::Light>& lights,
                    const Measurement& measured) {
     image::WholeFiles files;
     const auto add = [&](const std::string& file, const std::string& text) {
         files.add(file, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
     };
-    const output::IlluminanceSummary summary = output::summary_of(measured.whole);
-    for (const std::string& file : command.outputs) {
-        if (file.ends_with(".csv")) {
-            add(file, output::csv_of(measured.whole, measured.parts));
-            continue;
-        }
-        const std::vector<double> levels = command.levels.empty()
-                                               ? output::round_levels(summary.min, summary.max, isoline_count)
-                                               : command.levels;
-        add(file, output::plan_svg(measured.whole, levels, marks_of(open, measured.whole.receiver),
-                                   std::filesystem::path(command.settings.scene).filename().string()));
-    }
+    for (const std::string& file : command.outputs)
+        add(file, file.ends_with(".csv")
+                      ? output::csv_of(measured.whole, measured.parts)
+                      : picture::plan_of(measured.whole, command.levels, lights, command.settings.scene));
     files.put_in_place();
 }
 
@@ -289,16 +174,19 @@ ExitStatus illuminance(const IlluminanceCommand& command) {
     if (open.stage.lights.empty())
         throw Error({command.settings.scene}, "nothing in the scene emits light",
                     "add lights to the file, or light from outside with --environment");
-    scene::Receiver receiver = receiver_of(command, open.stage.scene);
-    require_area(command, receiver);
-    if (command.border > 0.0) receiver = without_border(receiver, static_cast<float>(command.border));
+    const scene::Receiver receiver =
+        picture::receiver_of(command.receiver, open.stage.scene, command.settings.scene);
+    const render::RenderOptions options =
+        picture::render_options(command.settings, cells_of(command, receiver));
+    picture::IlluminanceRender render(std::move(open.stage), receiver, command.settings, options);
     const Interruption interruption;
-    const auto measured = measure_all(command, open, receiver, interruption);
+    const auto measured = measure_all(command, render, interruption);
+    open.context->require_silence();
     if (!measured) {
         print_remark("interrupted: nothing was written");
         return interrupted;
     }
-    write_outputs(command, open, *measured);
+    write_outputs(command, render.lights(), *measured);
     if (command.json)
         write_json(as_json(command, *measured).dump(2, ' ', false, ordered_json::error_handler_t::replace));
     else
@@ -332,17 +220,19 @@ void declare_own_options(CLI::App& command, const std::shared_ptr<IlluminanceCom
     command.add_flag("--json", options->json, "print JSON");
     command
         .add_option_function<std::string>(
-            "--plane", [options](const std::string& text) { options->plane = plane_named(text); },
+            "--plane", [options](const std::string& text) { options->receiver.plane = plane_named(text); },
             "the plane's corner and two perpendicular edges [m]; light counts on the side that U × V points "
             "to "
             "(default: horizontal, as wide and deep as the scene, lit from above)")
         ->type_name("X,Y,Z;UX,UY,UZ;VX,VY,VZ");
     command
-        .add_option("--height", options->height, "height of the default plane above the scene's lowest point")
+        .add_option("--height", options->receiver.height,
+                    "height of the default plane above the scene's lowest point")
         ->type_name("METRES")
         ->check(refusal_of_number)
         ->capture_default_str();
-    command.add_option("--border", options->border, "leave out a strip of this width along all edges")
+    command
+        .add_option("--border", options->receiver.border, "leave out a strip of this width along all edges")
         ->type_name("METRES")
         ->check(refusal_of_border)
         ->capture_default_str();
@@ -350,10 +240,10 @@ void declare_own_options(CLI::App& command, const std::shared_ptr<IlluminanceCom
         "--grid",
         [options](const std::string& text) {
             options->grid = settings::parse_size(text);
-            if (!options->grid || std::max(options->grid->width, options->grid->height) > max_cells)
-                throw CLI::ValidationError(
-                    "--grid",
-                    fmt::format("'{}' is not COLUMNSxROWS, such as 32x24, up to {}", text, max_cells));
+            if (!options->grid || std::max(options->grid->width, options->grid->height) > picture::max_cells)
+                throw CLI::ValidationError("--grid",
+                                           fmt::format("'{}' is not COLUMNSxROWS, such as 32x24, up to {}",
+                                                       text, picture::max_cells));
         },
         "cells along U and V (default: 64 along the longer edge)");
     grid->type_name("COLUMNSxROWS");
@@ -382,7 +272,7 @@ void declare_own_options(CLI::App& command, const std::shared_ptr<IlluminanceCom
 void add_illuminance_command(CLI::App& app) {
     const auto options = std::make_shared<IlluminanceCommand>();
     options->settings.rig = scene::Rig::none; // a room is lit by its own lamps
-    options->settings.stop.samples = 64;      // a cell is one pixel, so they cost little
+    options->settings.stop.samples = picture::illuminance_samples;
     CLI::App* command = app.add_subcommand(
         "illuminance", "measure the light that falls on a plane: mean, extremes, isolines");
     command->add_option("SCENE", options->settings.scene, "a .gltf or .glb file")->required();

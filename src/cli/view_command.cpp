@@ -10,11 +10,13 @@
 #include "gl/window.hpp"
 #include "picture/open_scene.hpp"
 #include "viewer/app.hpp"
+#include "viewer/keymap.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <fmt/format.h>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -33,6 +35,7 @@ struct ViewCommand {
     bool has_inertia = false;
     bool is_verbose = false;
     bool json = false;
+    bool prints_keys = false;
 };
 
 viewer::Options viewer_options(const ViewCommand& command) {
@@ -97,7 +100,16 @@ void converge_by_default(render::StopRule& stop) {
     if (!stop.asks_for_error()) stop.error = 0.005;
 }
 
+/// Prints the keys in use. @throws Error if the file of keys is wrong
+void print_keys() {
+    const std::filesystem::path file = viewer::keys_file();
+    std::error_code ignored;
+    const bool has_file = !file.empty() && std::filesystem::exists(file, ignored);
+    write_json((has_file ? viewer::Keymap::read(file) : viewer::Keymap()).json());
+}
+
 void view(const ViewCommand& command) {
+    if (command.prints_keys) return print_keys();
     const Interruption interruption;
     viewer::Options options = viewer_options(command);
     if (!command.submission.empty()) take_assignment(options, command.submission);
@@ -133,8 +145,14 @@ void add_view_command(CLI::App& app) {
     command->add_flag("--fullscreen", options->is_fullscreen, "fill the screen (F11)");
     command->add_flag("-v,--verbose", options->is_verbose, "print messages to stderr, too");
     command->add_flag("--json", options->json, "print timings as JSON at the end");
+    command->add_flag("--print-keys", options->prints_keys,
+                      "print all commands with their keys as JSON, and open no window");
     command->footer(
-        "F1 or ? in the window shows all keys.\n\n"
+        "F1 or ? in the window shows all keys. $XDG_CONFIG_HOME/steradian/keys.json (or ~/.config/steradian) "
+        "gives\n"
+        "commands other keys: {\"Frame all\": \"Ctrl Home\", \"Write a turntable\": []}. --print-keys says "
+        "what is wrong "
+        "with it.\n\n"
         "Examples:\n"
         "  steradian view scene.glb\n"
         "  steradian view                                     (a page of recent files and bundled scenes)\n"

@@ -43,6 +43,8 @@ constexpr std::array variables{
              SampleSource::surface, Finish::rgb, Display::share},
     Variable{"triangles", "views/triangles.frag", "a colour for each triangle, which means nothing else", "1",
              "", SampleSource::surface, Finish::rgb, Display::share},
+    Variable{"wireframe", "views/wireframe.frag", "the edges of the triangles that are seen: 1 on an edge",
+             "1", "", SampleSource::surface, Finish::rgb, Display::share},
     Variable{"emission", "views/emission.frag", "L_e", nullptr, "", SampleSource::surface, Finish::rgb,
              Display::exposed},
     Variable{"luminance", "forward.frag", "L_o in false colours, a decade a colour", nullptr, "",

@@ -6,6 +6,14 @@ namespace sr::render {
 namespace {
 
 const std::string glass_shader = "glass.frag";
+const std::string wireframe_shader = "views/wireframe.frag";
+
+void draw_for(const std::string& fragment, const GpuScene& scene, const Draw& draw) {
+    if (fragment == wireframe_shader)
+        scene.draw_with_corners(draw);
+    else
+        scene.draw(draw);
+}
 
 void cull(bool is_double_sided, GLenum face = GL_BACK) {
     if (is_double_sided)
@@ -26,7 +34,7 @@ void draw_visible(const GpuScene& scene, ShaderLibrary& shaders, const std::stri
     for (const Draw& draw : scene.opaque_draws()) {
         cull(draw.is_double_sided);
         shaders.mesh_program(fragment, draw.features, terms).use();
-        scene.draw(draw);
+        draw_for(fragment, scene, draw);
     }
 }
 
@@ -152,10 +160,10 @@ void blend_pass(const RenderTarget& frame, const GpuScene& scene, ShaderLibrary&
         shaders.mesh_program(fragment, draw.features, terms).use();
         if (draw.is_double_sided && draw.is_surface) {
             cull(false, GL_FRONT);
-            scene.draw(draw);
+            draw_for(fragment, scene, draw);
         }
         cull(!draw.is_surface);
-        scene.draw(draw);
+        draw_for(fragment, scene, draw);
     }
 }
 

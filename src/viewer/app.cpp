@@ -37,12 +37,43 @@ gl::WindowOptions window_options(const Options& options) {
 /// view, a click on a light before a probe.
 Tools make_tools(Workspace& workspace) {
     Tools tools;
-    for (const auto make :
-         {make_transform, make_mix_lights, make_look_at_pixels, make_navigate, make_place_camera,
-          make_edit_lights, make_inspect, make_animate, make_adjust_display, make_compare, make_assignment,
-          make_tick, make_probe, make_explain, make_files, make_turntable, make_keep_edits})
+    for (const auto make : {make_transform,
+                            make_mix_lights,
+                            make_look_at_pixels,
+                            make_navigate,
+                            make_place_camera,
+                            make_revisit_views,
+                            make_show_grid,
+                            make_edit_lights,
+                            make_inspect,
+                            make_animate,
+                            make_adjust_display,
+                            make_compare,
+                            make_assignment,
+                            make_tick,
+                            make_probe,
+                            make_explain,
+                            make_measure_illuminance,
+                            make_view_light,
+                            make_files,
+                            make_turntable,
+                            make_keep_edits})
         if (auto tool = make(workspace)) tools.push_back(std::move(tool));
     return tools;
+}
+
+/// The keys of keys.json, or the built-in ones. `problem`: says what is wrong with the file; empty if nothing
+/// is.
+Keymap keys_in_use(std::string& problem) {
+    const std::filesystem::path file = keys_file();
+    std::error_code ignored;
+    if (file.empty() || !std::filesystem::exists(file, ignored)) return {};
+    try {
+        return Keymap::read(file);
+    } catch (const Error& error) {
+        problem = error.what();
+        return {};
+    }
 }
 
 } // namespace
@@ -55,6 +86,7 @@ App::App(Options options)
                  .window = window_,
                  .input = input_,
                  .ui = ui_,
+                 .keys = keys_in_use(keys_problem_),
                  .messages = Messages(options.is_verbose),
                  .exposure = Exposure(options.ev100)},
       panels_(workspace_),
@@ -66,9 +98,13 @@ App::App(Options options)
     resize();
     workspace_.has_first_page = options.scene.empty();
     if (workspace_.has_first_page)
-        workspace_.messages.notify("No scene is open. Ctrl P finds all commands.");
+        workspace_.messages.notify(
+            workspace_.keys.hint("No scene is open. A list finds all commands", Command::find_command) + ".");
     else
         workspace_.open(options.scene);
+    if (keys_problem_.empty()) return;
+    if (!options.is_verbose) write_remark(keys_problem_);
+    workspace_.messages.fail("Your keys are not used, but the built-in ones.", keys_problem_);
 }
 
 App::~App() {
@@ -93,6 +129,7 @@ void App::run(const std::stop_token& stop) {
         }
         apply(update(seconds));
         apply(std::exchange(workspace_.answered, {}));
+        apply(panels_.update());
         std::vector<Event> events = input_.take();
         if (input_.take_damage() || !events.empty()) apply(Change::redraw);
         if (!draws_again()) continue;
@@ -204,7 +241,7 @@ Changes App::dispatch_key(const KeyEvent& key) {
     for (const auto& tool : tools_)
         if (const auto changes = workspace_.scene && !has_dialog ? tool->handle(key) : std::nullopt)
             return *changes;
-    const auto command = command_of(key.key, key.modifiers);
+    const auto command = workspace_.keys.command_of(key.key, key.modifiers);
     if (command == Command::cancel && ui_.has_keyboard() && !has_dialog) return {}; // leaves the field
     const bool is_typed = (ui_.has_keyboard() || has_dialog) && command && !works_in_text_fields(*command);
     return command && !is_typed ? execute(*command) : Changes();

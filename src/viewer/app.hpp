@@ -48,6 +48,7 @@ private:
     gl::Window window_;
     WindowInput input_;
     Ui ui_;
+    std::string keys_problem_; // of the file of keys
     Workspace workspace_;
     Presenter presenter_;
     Panels panels_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -43,6 +44,9 @@ constexpr auto table = std::to_array<CommandInfo>({
      "Camera"},
     {keep_bookmark, "Keep the view", "as a bookmark of this file, which the next start knows", "Camera"},
     {next_bookmark, "Next bookmark", "go to the file's next bookmark", "Camera"},
+    {earlier_view, "Earlier view", "go back to the view before; edits stay, which Undo takes back", "Camera"},
+    {later_view, "Later view", "go forward again to the view after", "Camera"},
+    {grid, "Grid and axes", "of the file's world, and how the view is turned; or hide them", "Camera"},
     {copy_view, "Copy the view", "copy it as arguments of `steradian render` that make the same picture",
      "Camera"},
     {paste_view, "Paste a view", "go to a view that was copied", "Camera"},
@@ -54,6 +58,8 @@ constexpr auto table = std::to_array<CommandInfo>({
      "show luminance [cd/m²] on a colour map, or the picture again", "Picture"},
     {fit_range, "Fit the range", "give the false colours the range of luminance in the picture", "Picture"},
     {next_view, "Next view", "show another term of the equation", "Picture"},
+    {next_light_alone, "Next light alone",
+     "show the picture by one light after the other, then by all again; no edit", "Picture"},
     {compare, "Compare", "keep the render as the reference, then cycle through the comparisons with it",
      "Picture"},
     {enlarge, "Enlarge pixels",
@@ -90,6 +96,8 @@ constexpr auto table = std::to_array<CommandInfo>({
     {isolate_object, "Isolate", "hide all other objects, or show all again", "Scene"},
     {show_objects, "Show all", "show all hidden objects", "Scene"},
     {probe_pixel, "Probe", "evaluate the equation at the pixel under the pointer", "Equation"},
+    {illuminance, "Illuminance", "on a plane: isolines, mean, extremes, uniformity; as CSV", "Equation"},
+    {write_illuminance, "Write the illuminance", "the cells as CSV and the plan as SVG", "Equation"},
     {explain, "Explain", "show the equation with the pixel's numbers, and the code of each term", "Equation"},
     {next_term, "Next term", "explain the next term of the equation", "Equation"},
     {leave_out_term, "Leave the term out", "show the picture without it beside the picture, or take it back",
@@ -166,6 +174,9 @@ constexpr auto keys = std::to_array<Binding>({
     {GLFW_KEY_C, shift, type_camera},
     {GLFW_KEY_B, control, keep_bookmark},
     {GLFW_KEY_B, shift, next_bookmark},
+    {GLFW_KEY_BACKSPACE, no_modifier, earlier_view},
+    {GLFW_KEY_BACKSPACE, shift, later_view},
+    {GLFW_KEY_G, shift, grid},
     {GLFW_KEY_C, control, copy_view},
     {GLFW_KEY_V, control, paste_view},
     {GLFW_KEY_COMMA, no_modifier, darker},
@@ -175,6 +186,7 @@ constexpr auto keys = std::to_array<Binding>({
     {GLFW_KEY_Y, no_modifier, false_color},
     {GLFW_KEY_Y, shift, fit_range},
     {GLFW_KEY_V, no_modifier, next_view},
+    {GLFW_KEY_V, shift, next_light_alone},
     {GLFW_KEY_B, no_modifier, compare},
     {GLFW_KEY_Z, no_modifier, enlarge},
     {GLFW_KEY_Z, shift, reduce},
@@ -208,6 +220,8 @@ constexpr auto keys = std::to_array<Binding>({
     {GLFW_KEY_H, alt, show_objects},
     {GLFW_KEY_SLASH, no_modifier, isolate_object},
     {GLFW_KEY_P, no_modifier, probe_pixel},
+    {GLFW_KEY_L, no_modifier, illuminance},
+    {GLFW_KEY_L, control, write_illuminance},
     {GLFW_KEY_E, no_modifier, explain},
     {GLFW_KEY_E, shift, next_term},
     {GLFW_KEY_E, alt, leave_out_term},
@@ -249,22 +263,12 @@ constexpr auto mouse = std::to_array<Gesture>({
 
 /// Names of keys without a letter, digit or sign of their own.
 constexpr auto names = std::to_array<std::pair<int, const char*>>({
-    {GLFW_KEY_LEFT, "Left"},
-    {GLFW_KEY_RIGHT, "Right"},
-    {GLFW_KEY_UP, "Up"},
-    {GLFW_KEY_DOWN, "Down"},
-    {GLFW_KEY_PAGE_UP, "PgUp"},
-    {GLFW_KEY_PAGE_DOWN, "PgDn"},
-    {GLFW_KEY_HOME, "Home"},
-    {GLFW_KEY_END, "End"},
-    {GLFW_KEY_TAB, "Tab"},
-    {GLFW_KEY_ENTER, "Enter"},
-    {GLFW_KEY_SPACE, "Space"},
-    {GLFW_KEY_DELETE, "Delete"},
-    {GLFW_KEY_ESCAPE, "Esc"},
-    {GLFW_KEY_KP_ADD, "Num +"},
-    {GLFW_KEY_KP_SUBTRACT, "Num -"},
-    {GLFW_KEY_KP_DECIMAL, "Num ."},
+    {GLFW_KEY_LEFT, "Left"},           {GLFW_KEY_RIGHT, "Right"},       {GLFW_KEY_UP, "Up"},
+    {GLFW_KEY_DOWN, "Down"},           {GLFW_KEY_PAGE_UP, "PgUp"},      {GLFW_KEY_PAGE_DOWN, "PgDn"},
+    {GLFW_KEY_HOME, "Home"},           {GLFW_KEY_END, "End"},           {GLFW_KEY_TAB, "Tab"},
+    {GLFW_KEY_ENTER, "Enter"},         {GLFW_KEY_SPACE, "Space"},       {GLFW_KEY_DELETE, "Delete"},
+    {GLFW_KEY_BACKSPACE, "Backspace"}, {GLFW_KEY_INSERT, "Insert"},     {GLFW_KEY_ESCAPE, "Esc"},
+    {GLFW_KEY_KP_ADD, "Num +"},        {GLFW_KEY_KP_SUBTRACT, "Num -"}, {GLFW_KEY_KP_DECIMAL, "Num ."},
     {GLFW_KEY_KP_ENTER, "Num Enter"},
 });
 
@@ -275,6 +279,19 @@ std::string name_of_key(int key) {
     if (key >= GLFW_KEY_KP_0 && key <= GLFW_KEY_KP_9) return "Num " + std::to_string(key - GLFW_KEY_KP_0);
     if (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F25) return "F" + std::to_string(key - GLFW_KEY_F1 + 1);
     return std::string(1, static_cast<char>(key)); // GLFW numbers printable keys as ASCII does
+}
+
+/// True for a key that name_of_key() names.
+bool is_known(int key) {
+    const bool is_printable = key > GLFW_KEY_SPACE && key <= GLFW_KEY_GRAVE_ACCENT;
+    return is_printable || (key >= GLFW_KEY_KP_0 && key <= GLFW_KEY_KP_9)
+           || (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F25)
+           || std::ranges::find(names, key, &std::pair<int, const char*>::first) != names.end();
+}
+
+bool same_letters(std::string_view a, std::string_view b) {
+    return std::ranges::equal(
+        a, b, [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
 }
 
 } // namespace
@@ -290,15 +307,25 @@ std::string keys_of(const Binding& binding) {
     return text + name_of_key(binding.key);
 }
 
-std::string keys_of(Command command) {
-    const auto found = std::ranges::find(keys, command, &Binding::command);
-    return found == keys.end() ? std::string() : keys_of(*found);
+std::optional<std::pair<int, int>> parse_key(std::string_view text) {
+    int modifiers = no_modifier;
+    const auto take = [&](std::string_view word, int modifier) {
+        const bool is_next = text.size() > word.size() + 1 && same_letters(text.substr(0, word.size()), word)
+                             && (text[word.size()] == ' ' || text[word.size()] == '+');
+        if (!is_next) return false;
+        text.remove_prefix(word.size() + 1);
+        modifiers |= modifier;
+        return true;
+    };
+    while (take("Ctrl", control) || take("Alt", alt) || take("Shift", shift)) {
+    }
+    for (int key = 0; key <= GLFW_KEY_LAST; ++key)
+        if (is_known(key) && same_letters(text, name_of_key(key))) return std::pair(key, modifiers);
+    return std::nullopt;
 }
 
-std::optional<Command> command_of(int key, int modifiers) {
-    const auto found = std::ranges::find_if(
-        keys, [=](const Binding& b) { return b.key == key && b.modifiers == modifiers; });
-    return found == keys.end() ? std::nullopt : std::optional(found->command);
+const CommandInfo& info_of(Command command) {
+    return *std::ranges::find(table, command, &CommandInfo::command);
 }
 
 bool works_in_text_fields(Command command) {

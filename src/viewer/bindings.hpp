@@ -3,6 +3,8 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
+#include <utility>
 
 namespace sr::viewer {
 
@@ -37,6 +39,9 @@ enum class Command {
     type_camera,
     keep_bookmark,
     next_bookmark,
+    earlier_view,
+    later_view,
+    grid,
     copy_view,
     paste_view,
     darker,
@@ -46,6 +51,7 @@ enum class Command {
     false_color,
     fit_range,
     next_view,
+    next_light_alone,
     next_light,
     switch_light,
     solo_light,
@@ -73,6 +79,8 @@ enum class Command {
     pixels,
     pin_pixel,
     probe_pixel,
+    illuminance,
+    write_illuminance,
     explain,
     next_term,
     leave_out_term,
@@ -116,22 +124,22 @@ struct CommandInfo {
 /// All commands, group by group.
 std::span<const CommandInfo> all_commands();
 
+/// The row of a command.
+const CommandInfo& info_of(Command command);
+
 struct Binding {
     int key = 0; // as GLFW numbers them
     int modifiers = no_modifier;
     Command command{};
 };
 
-/// All keys. A command can have several.
+/// The built-in keys. A command can have several.
 std::span<const Binding> bindings();
 
 /// "Ctrl Shift Z".
 std::string keys_of(const Binding& binding);
-/// The first key of a command; empty if it has none.
-std::string keys_of(Command command);
-
-/// The command of a key with these modifiers; absent if it has none.
-std::optional<Command> command_of(int key, int modifiers);
+/// Reads "Ctrl Shift Z" or "ctrl+shift+z". @return key and modifiers; absent if it is no key
+std::optional<std::pair<int, int>> parse_key(std::string_view text);
 
 /// True if a key of the command also works while a text field has the keyboard.
 bool works_in_text_fields(Command command);

@@ -62,6 +62,7 @@ void write_lines(const fs::path& file, const std::vector<std::string>& lines) {
 }
 
 fs::path config_folder() { return folder_named("XDG_CONFIG_HOME", ".config"); }
+fs::path cache_folder() { return folder_named("XDG_CACHE_HOME", ".cache"); }
 fs::path state_folder() { return folder_named("XDG_STATE_HOME", ".local/state"); }
 
 std::vector<std::string> recent_files() {

@@ -14,6 +14,8 @@ namespace sr::viewer {
 std::filesystem::path config_folder();
 /// The same for $XDG_STATE_HOME/steradian or ~/.local/state/steradian.
 std::filesystem::path state_folder();
+/// The same for $XDG_CACHE_HOME/steradian or ~/.cache/steradian.
+std::filesystem::path cache_folder();
 
 /// Writes a file whole or not at all. Failing, or an empty path, is no error.
 void write_lines(const std::filesystem::path& file, const std::vector<std::string>& lines);

@@ -3,6 +3,8 @@
 #include "core/math.hpp"
 #include "viewer/bindings.hpp"
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -46,6 +48,9 @@ struct CommandEvent { // a key's or a button's
 struct ViewEvent {                          // of a menu
     const output::Variable* view = nullptr; // null: radiance
 };
+struct LightViewEvent {               // of a menu
+    std::optional<std::size_t> entry; // that lights the picture alone; absent: all do
+};
 struct ClickEvent { // the left button, pressed and released in one place
     vec2 at{0.0f};
 };
@@ -54,7 +59,7 @@ struct FileEvent { // a file to open or to compare with
 };
 
 using Event = std::variant<KeyEvent, ButtonEvent, MotionEvent, ScrollEvent, DropEvent, CloseEvent,
-                           CommandEvent, ViewEvent, ClickEvent, FileEvent>;
+                           CommandEvent, ViewEvent, LightViewEvent, ClickEvent, FileEvent>;
 
 /// The key whose label on a US keyboard is that of the key in this place. Letters and punctuation go by their
 /// labels in the current layout; digits and all other keys go by their places. Needs GLFW.

@@ -1,6 +1,7 @@
 #include "viewer/ui.hpp"
 
 #include "viewer/config.hpp"
+#include "viewer/palette.hpp"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -124,8 +125,34 @@ bool Ui::needs_frame() {
 
 bool Ui::took_keyboard() { return !std::exchange(had_keyboard_, has_keyboard()) && had_keyboard_; }
 
-void tooltip(const char* text) {
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", in_plain_letters(text).c_str());
+void tooltip(const std::string& text) {
+    if (!ImGui::IsItemHovered()) return;
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(32.0f * ImGui::GetFontSize());
+    ImGui::TextUnformatted(in_plain_letters(text).c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+}
+
+void draw_caption(vec2 at, const std::string& text) {
+    const std::string shown = in_plain_letters(text);
+    const ImVec2 size = ImGui::CalcTextSize(shown.c_str());
+    const float margin = 0.4f * ImGui::GetFontSize();
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    list.AddRectFilled({at.x, at.y}, {at.x + size.x + 2.0f * margin, at.y + size.y + 2.0f * margin},
+                       IM_COL32(0, 0, 0, 190), margin);
+    list.AddText({at.x + margin, at.y + margin}, palette::white, shown.c_str());
+}
+
+void draw_table_heads(std::span<const std::pair<std::string, const char*>> heads) {
+    const auto shown = [](const std::string& head) { return with_superscripts(in_plain_letters(head)); };
+    for (const auto& [head, tip] : heads) ImGui::TableSetupColumn(shown(head).c_str());
+    ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
+    for (const auto& [head, tip] : heads) {
+        ImGui::TableNextColumn();
+        ImGui::TableHeader(shown(head).c_str());
+        tooltip(tip);
+    }
 }
 
 void heading(const char* text, const Ui& ui) {

@@ -4,7 +4,9 @@
 #include "viewer/app/layout.hpp"
 #include "viewer/input.hpp"
 
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace sr::viewer {
@@ -30,7 +32,13 @@ void place_next_window(const Area& area);
 void keep_in_viewport();
 
 /// Explains the last item while the pointer is over it.
-void tooltip(const char* text);
+void tooltip(const std::string& text);
+
+/// Writes a line on a dark ground over the picture, its upper left corner at `at`.
+void draw_caption(vec2 at, const std::string& text);
+
+/// Names the columns of the table that has begun, each with what it means as a tooltip.
+void draw_table_heads(std::span<const std::pair<std::string, const char*>> heads);
 
 class Ui;
 /// Puts a line in the larger font into the current window.

@@ -5,6 +5,7 @@
 #include "viewer/changes.hpp"
 #include "viewer/document/playback.hpp"
 #include "viewer/input.hpp"
+#include "viewer/keymap.hpp"
 #include "viewer/messages.hpp"
 #include "viewer/panels/probe.hpp"
 #include "viewer/panels/question.hpp"
@@ -48,6 +49,7 @@ struct Workspace {
     gl::Window& window;
     WindowInput& input;
     const Ui& ui;
+    const Keymap keys;
     Messages messages;
     Statistics statistics{};
 

@@ -118,6 +118,21 @@ private:
         if (edit.metallic) set("metallicFactor", "", *edit.metallic);
         if (edit.roughness)
             set("roughnessFactor", "glossinessFactor", is_glossy ? 1.0f - *edit.roughness : *edit.roughness);
+        for (const auto& [index, value] : edit.others) write(material, editable_factors[index], value);
+    }
+
+    /// Writes a factor, and names its extension among those in use.
+    void write(ordered_json& material, const EditableFactor& factor, vec3 value) {
+        const ordered_json::json_pointer pointer{std::string(factor.pointer)};
+        const bool is_number = std::holds_alternative<float scene::Material::*>(factor.member);
+        material[pointer] = is_number ? ordered_json(value.x) : ordered_json{value.x, value.y, value.z};
+        constexpr std::string_view extensions = "/extensions/";
+        if (!factor.pointer.starts_with(extensions)) return;
+        const std::string_view rest = factor.pointer.substr(extensions.size());
+        const std::string name(rest.substr(0, rest.find('/')));
+        ordered_json& used = gltf_["extensionsUsed"];
+        if (used.is_null()) used = ordered_json::array();
+        if (std::ranges::find(used, ordered_json(name)) == used.end()) used.push_back(name);
     }
 
     /// A light of an extension can be at several nodes, so this node gets a copy of it. @return null: the

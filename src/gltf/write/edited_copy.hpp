@@ -1,5 +1,6 @@
 #pragma once
 // Writer of a glTF file with other lights, another emission and another first camera.
+#include "gltf/editable_factors.hpp"
 #include "scene/camera.hpp"
 #include "scene/lights/light.hpp"
 
@@ -36,6 +37,7 @@ struct MaterialEdit {
     std::optional<vec4> base_color{};
     std::optional<float> metallic{};
     std::optional<float> roughness{};
+    FactorValues others{}; // of editable_factors
 };
 
 /// True if a copy can have such a light at a node of its own: not with a picture, a profile or a surface of

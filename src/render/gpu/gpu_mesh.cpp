@@ -104,6 +104,14 @@ void GpuMesh::draw_triangle(int triangle) const {
     draw(corners * triangle, corners);
 }
 
+void GpuMesh::show_corners(const gl::Texture& positions, GLuint positions_unit, const gl::Texture& indices,
+                           GLuint indices_unit) const {
+    positions.bind(positions_unit);
+    glTexBuffer(GL_TEXTURE_BUFFER, GL_RGB32F, vertices_.id()); // positions are the first array
+    indices.bind(indices_unit);
+    glTexBuffer(GL_TEXTURE_BUFFER, GL_R32UI, indices_.id());
+}
+
 void GpuMesh::draw(int first, GLsizei count) const {
     glBindVertexArray(vertex_array_.id());
     if (mode_ == GL_POINTS) glEnable(GL_PROGRAM_POINT_SIZE); // nothing else is drawn as points

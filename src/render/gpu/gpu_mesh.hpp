@@ -15,6 +15,10 @@ public:
     void draw() const;
     /// Draws one triangle; of lines one of the two triangles of each quad, of points a point.
     void draw_triangle(int triangle) const;
+    /// Lets buffer textures read the positions of the vertices, RGB32F, and the indices of the corners,
+    /// R32UI. They are bound to the units.
+    void show_corners(const gl::Texture& positions, GLuint positions_unit, const gl::Texture& indices,
+                      GLuint indices_unit) const;
 
 private:
     void draw(int first, GLsizei count) const;

@@ -285,6 +285,13 @@ void GpuScene::draw(const Draw& draw) const {
     meshes_[draw.mesh].draw();
 }
 
+void GpuScene::draw_with_corners(const Draw& draw) const {
+    bind(draw);
+    const GpuMesh& mesh = meshes_[draw.mesh];
+    mesh.show_corners(mesh_positions_, mesh_positions_unit, mesh_indices_, mesh_indices_unit);
+    mesh.draw();
+}
+
 void GpuScene::draw_triangle(const Draw& draw, int triangle) const {
     meshes_[draw.mesh].draw_triangle(triangle);
 }

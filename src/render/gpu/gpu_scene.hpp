@@ -57,6 +57,8 @@ public:
 
     /// Binds the instance's and the material's data and draws with whatever program is in use.
     void draw(const Draw& draw) const;
+    /// The same, and the program can read the corners of the triangles (views/wireframe.frag).
+    void draw_with_corners(const Draw& draw) const;
 
     /// Do the two steps of draw() alone; of the mesh one triangle is drawn.
     void bind(const Draw& draw) const;
@@ -75,6 +77,8 @@ private:
     Visibility visibility_;
     bool has_energy_compensation_;
     std::vector<GpuMesh> meshes_;
+    gl::Texture mesh_positions_{GL_TEXTURE_BUFFER, "the positions of a mesh"};
+    gl::Texture mesh_indices_{GL_TEXTURE_BUFFER, "the indices of a mesh"};
     std::vector<gl::Texture> images_; // one per (image, colour space) in use
     std::vector<gl::Sampler> samplers_;
     std::vector<int> image_of_texture_;

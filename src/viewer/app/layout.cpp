@@ -8,12 +8,14 @@ namespace {
 
 // [pixels, before scaling]
 constexpr float min_column = 230.0f;
-constexpr float min_picture = 330.0f; // width beside the left column
-constexpr float min_height = 320.0f;  // of a window with docked panels
-constexpr float right_column = 420.0f;
+constexpr float min_picture = 330.0f;      // width beside the left column
+constexpr float min_height = 320.0f;       // of a window with docked panels
+constexpr float right_column = 420.0f;     // at most
+constexpr float min_right_column = 230.0f; // if the window has that share
 
 constexpr float max_left_share = 0.5f;   // of the window's width
-constexpr float max_right_share = 0.34f; // of the window's width
+constexpr float right_share = 0.27f;     // of the window's width
+constexpr float max_right_share = 0.34f; // likewise, where right_share is too narrow
 constexpr float max_below_share = 0.42f; // of the height between the columns
 constexpr float min_side = 32.0f;        // of the picture
 
@@ -58,8 +60,9 @@ Area Layout::middle() const {
     if (!is_docked_) return {vec2(0.0f), window_};
     const float left = this->left().size.x;
     const bool has_right = std::max(right_parts_, right_count_) > 0;
-    const float right =
-        has_right ? std::floor(std::min(right_column * scale_, max_right_share * window_.x)) : 0.0f;
+    const float narrowest = std::min(min_right_column * scale_, max_right_share * window_.x);
+    const float wanted = std::min(right_column * scale_, right_share * window_.x);
+    const float right = has_right ? std::floor(std::max(narrowest, wanted)) : 0.0f;
     return {{left, rest_.from.y}, glm::max(vec2(min_side), {window_.x - left - right, rest_.size.y})};
 }
 

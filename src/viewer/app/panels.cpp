@@ -21,6 +21,14 @@ Panels::Panels(Workspace& workspace) : ws_(workspace), first_page_(workspace.opt
 
 void Panels::begin() { ws_.layout.begin(ws_.window_size(), ws_.ui.scale(), are_shown_); }
 
+Changes Panels::update() {
+    if (ws_.scene || ws_.loading) {
+        first_page_.rest();
+        return {};
+    }
+    return ws_.has_first_page && first_page_.update() ? Changes(Change::redraw) : Changes();
+}
+
 bool Panels::execute(Command command) {
     switch (command) {
     case Command::help: has_help_ = !has_help_; return true;
@@ -58,7 +66,7 @@ Changes Panels::draw(const Tools& tools) {
     draw_over_picture();
     Changes changes;
     if (ws_.layout.is_docked()) draw_menu();
-    if (const auto command = palette_.draw(ws_.ui)) {
+    if (const auto command = palette_.draw(ws_.ui, ws_.keys)) {
         ws_.input.put(CommandEvent{*command});
         changes |= Change::redraw;
     }
@@ -88,11 +96,11 @@ Changes Panels::draw_first_page() {
     if (!is_covered && !ImGui::IsAnyItemActive()) first_page_.request_focus();
     const auto file = first_page_.draw(ws_.layout.rest(), ws_.ui);
     if (file) ws_.open(*file);
-    return file || first_page_.wants_focus() ? Changes(Change::redraw) : Changes();
+    return file || first_page_.wants_frame() ? Changes(Change::redraw) : Changes();
 }
 
 void Panels::draw_over_picture() {
-    help_panel(has_help_);
+    help_panel(has_help_, ws_.keys);
     if (ws_.messages.has_error()) error_panel(ws_.messages.error_title(), ws_.messages.error_text());
     history_panel(has_history_, ws_.messages.history());
     if (!ws_.question) return;
@@ -108,10 +116,10 @@ void Panels::draw_menu() {
         const bool is_open = ImGui::BeginMenu(commands[i].group);
         for (; i < commands.size() && group == commands[i].group; ++i) {
             if (!is_open) continue;
-            const std::string keys = keys_of(commands[i].command);
+            const std::string keys = ws_.keys.text(commands[i].command);
             if (ImGui::MenuItem(commands[i].name, keys.c_str()))
                 ws_.input.put(CommandEvent{commands[i].command});
-            if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", in_plain_letters(commands[i].what).c_str());
+            tooltip(commands[i].what);
         }
         if (is_open) ImGui::EndMenu();
     }
@@ -128,8 +136,22 @@ void Panels::draw_views_menu() {
         if (!output::view_named(variable.name)) continue;
         if (ImGui::MenuItem(variable.name, nullptr, ws_.display.view == &variable))
             ws_.input.put(ViewEvent{&variable});
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", in_plain_letters(variable.what).c_str());
+        tooltip(variable.what);
     }
+    if (ws_.scene) draw_lights_menu();
+    ImGui::EndMenu();
+}
+
+/// Draws a menu of all lights, one of which lights the picture alone.
+void Panels::draw_lights_menu() {
+    ImGui::Separator();
+    const auto& entries = ws_.scene->lights().entries();
+    const auto alone = ws_.scene->alone();
+    if (!ImGui::BeginMenu("light alone", !entries.empty())) return;
+    if (ImGui::MenuItem("all lights", nullptr, !alone)) ws_.input.put(LightViewEvent{});
+    for (std::size_t i = 0; i < entries.size(); ++i)
+        if (ImGui::MenuItem(fmt::format("{}##{}", entries[i].name, i).c_str(), nullptr, alone == i))
+            ws_.input.put(LightViewEvent{i});
     ImGui::EndMenu();
 }
 
@@ -152,7 +174,7 @@ Changes Panels::draw_column(const Tools& tools) {
         ImGui::PushItemWidth(is_docked ? 0.58f * width : 170.0f * ws_.ui.scale());
         ImGui::PushTextWrapPos(is_docked ? 0.0f : width);
         for (const auto& tool : tools) changes |= tool->draw_section();
-        ImGui::TextDisabled("F1 or ? shows all keys");
+        ImGui::TextDisabled("%s", ws_.keys.hint("all keys", Command::help).c_str());
         ImGui::PopTextWrapPos();
         ImGui::PopItemWidth();
     }

@@ -13,6 +13,8 @@ public:
     /// They are shown, and as wide, as they were when a window was last closed.
     explicit Panels(Workspace& workspace);
 
+    /// Looks after what is made beside the window, some times a second.
+    Changes update();
     /// Begins a frame: gives the picture the room that panels leave.
     void begin();
     /// Describes all panels between Ui::begin() and Ui::end(), and the areas that they take. @return what
@@ -37,6 +39,7 @@ private:
     void draw_over_picture();
     void draw_menu();
     void draw_views_menu();
+    void draw_lights_menu();
     Changes draw_column(const Tools& tools);
     std::string under_pointer() const;
 

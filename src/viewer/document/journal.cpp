@@ -114,6 +114,8 @@ json json_of(const LightEdit& edit) {
     if (const auto& c = factors.base_color) entry["base_color"] = {c->x, c->y, c->z, c->w};
     if (factors.metallic) entry["metallic"] = *factors.metallic;
     if (factors.roughness) entry["roughness"] = *factors.roughness;
+    for (const auto& [index, value] : factors.others)
+        entry["factors"][std::string(gltf::editable_factors[index].key)] = json_of(value);
     return entry;
 }
 
@@ -141,6 +143,10 @@ void recover(LightEdit& edit, const json& entry) {
     }
     if (entry.contains("metallic")) edit.factors.metallic = entry.at("metallic").get<float>();
     if (entry.contains("roughness")) edit.factors.roughness = entry.at("roughness").get<float>();
+    for (std::size_t i = 0; entry.contains("factors") && i < gltf::editable_factors.size(); ++i) {
+        const std::string key(gltf::editable_factors[i].key);
+        if (entry.at("factors").contains(key)) edit.factors.others[i] = vec3_in(entry.at("factors").at(key));
+    }
     if (!entry.contains("quantity")) return;
     const vec3 quantity = vec3_in(entry.at("quantity"));
     edit.overrides_quantity = true;

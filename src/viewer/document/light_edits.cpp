@@ -120,6 +120,7 @@ std::optional<gltf::MaterialEdit> material_edit(const LightEdit& edit, const sce
     written.base_color = edit.factors.base_color;
     written.metallic = edit.factors.metallic;
     written.roughness = edit.factors.roughness;
+    written.others = edit.factors.others;
     return written;
 }
 
@@ -385,6 +386,12 @@ void LightEditor::change(scene::Material& material, const LightEdit& edit) const
     material.base_color = edit.factors.base_color.value_or(file.base_color);
     material.metallic = edit.factors.metallic.value_or(file.metallic);
     material.roughness = edit.factors.roughness.value_or(file.roughness);
+    for (std::size_t i = 0; i < gltf::editable_factors.size(); ++i) {
+        const gltf::EditableFactor& factor = gltf::editable_factors[i];
+        const auto edited = edit.factors.others.find(i);
+        const bool is_edited = edited != edit.factors.others.end();
+        set_value(factor, material, is_edited ? edited->second : value_of(factor, file));
+    }
 }
 
 void LightEditor::apply(LoadedScene& loaded) {

@@ -1,6 +1,7 @@
 #pragma once
 // Light editor with undo and redo: the lights of a file, what a person changed, and the RenderScene that
 // follows. Plain data: no GL.
+#include "gltf/editable_factors.hpp"
 #include "viewer/document/loaded_scene.hpp"
 #include "viewer/light_value.hpp"
 
@@ -11,8 +12,9 @@ struct MaterialFactors {
     std::optional<vec4> base_color{}; // linear, alpha in w
     std::optional<float> metallic{};
     std::optional<float> roughness{};
+    gltf::FactorValues others{}; // of gltf::editable_factors
 
-    bool any() const { return base_color || metallic || roughness; }
+    bool any() const { return base_color || metallic || roughness || !others.empty(); }
     bool operator==(const MaterialFactors&) const = default;
 };
 

@@ -25,7 +25,9 @@ void clip_combo(AnimationRequest& request, const Playback& playback, Animations 
     const auto shown = static_cast<std::size_t>(playback.animations.front());
     const std::string title = now == "all" ? "all at once" : fmt::format("{} {}", shown, all[shown].name);
     ImGui::SetNextItemWidth(width);
-    if (!ImGui::BeginCombo("##animation", title.c_str())) return;
+    const bool is_open = ImGui::BeginCombo("##animation", title.c_str());
+    tooltip("animation of the file that plays, or all at once");
+    if (!is_open) return;
     for (std::size_t i = 0; i < all.size(); ++i) {
         const std::string argument = argument_of(all, i);
         const std::string label = fmt::format("{} {} ({:.2f} s)##{}", i, all[i].name, all[i].duration, i);
@@ -35,21 +37,21 @@ void clip_combo(AnimationRequest& request, const Playback& playback, Animations 
     ImGui::EndCombo();
 }
 
-void buttons(AnimationRequest& request, const Playback& playback, float width) {
+void buttons(AnimationRequest& request, const Playback& playback, const Keymap& keys, float width) {
     const auto button = [&](const char* label, Command command, const char* tip) {
         if (ImGui::Button(label)) request.command = command;
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", tip);
+        tooltip(keys.hint(tip, command));
         ImGui::SameLine();
     };
     button("|<", Command::first_frame, "Home over the bar: to the start");
     button("<", Command::frame_back, "left over the bar: a frame back");
     if (ImGui::Button(playback.is_playing ? "pause" : "play", {width, 0.0f})) request.command = Command::play;
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Space while no light is selected, or K");
+    tooltip(keys.hint("play or pause; also Space while no light is selected", Command::play));
     ImGui::SameLine();
     button(">", Command::frame_forward, "right over the bar: a frame forward");
     button(">|", Command::last_frame, "End over the bar: to the end");
     if (ImGui::Button("rest")) request.rests = true;
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("rest pose, without animations");
+    tooltip("rest pose, without animations");
     ImGui::SameLine();
 }
 
@@ -60,7 +62,8 @@ std::string animation_argument(Animations all, std::span<const int> chosen) {
     return "all";
 }
 
-AnimationRequest animation_bar(Playback& playback, Animations all, Layout& layout, float scale) {
+AnimationRequest animation_bar(Playback& playback, Animations all, Layout& layout, const Keymap& keys,
+                               float scale) {
     AnimationRequest request;
     const float height = ImGui::GetFrameHeight() + 10.0f * scale;
     place_next_window(layout.take_bottom(height, height));
@@ -69,7 +72,7 @@ AnimationRequest animation_bar(Playback& playback, Animations all, Layout& layou
     ImGui::Begin("animation", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings
                      | ImGuiWindowFlags_NoBringToFrontOnFocus);
-    buttons(request, playback, 46.0f * scale);
+    buttons(request, playback, keys, 46.0f * scale);
     const float others = 300.0f * scale; // right of the time
     const auto duration = static_cast<float>(playback.duration);
     auto time = static_cast<float>(playback.seconds.value_or(0.0));
@@ -78,6 +81,7 @@ AnimationRequest animation_bar(Playback& playback, Animations all, Layout& layou
                                                 : fmt::format("rest pose / {:.3f} s", playback.duration);
     if (ImGui::SliderFloat("##time", &time, 0.0f, duration, format.c_str(), ImGuiSliderFlags_AlwaysClamp))
         request.time = static_cast<double>(time);
+    tooltip("time of the animation [s]; a drag goes to another, a click with Ctrl types it");
     ImGui::SameLine();
     clip_combo(request, playback, all, 90.0f * scale);
     ImGui::SameLine();
@@ -87,11 +91,13 @@ AnimationRequest animation_bar(Playback& playback, Animations all, Layout& layou
                            static_cast<float>(Playback::max_speed), "%.2fx",
                            ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic))
         playback.speed = static_cast<double>(speed);
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("speed; Ctrl click to type it");
+    tooltip("speed of the clock, 1: as the file says; Ctrl click to type it");
     ImGui::SameLine();
     ImGui::Checkbox("back", &playback.is_reversed);
+    tooltip("play backwards");
     ImGui::SameLine();
     ImGui::Checkbox("loop", &playback.loops);
+    tooltip("begin again at the end");
     request.has_pointer = ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
     ImGui::End();
     ImGui::PopStyleVar(2);
@@ -100,11 +106,16 @@ AnimationRequest animation_bar(Playback& playback, Animations all, Layout& layou
 
 std::optional<std::string> variants_section(std::span<const std::string> variants, const std::string& shown) {
     std::optional<std::string> chosen;
-    if (variants.empty() || !ImGui::CollapsingHeader("Variants", ImGuiTreeNodeFlags_DefaultOpen))
-        return chosen;
+    if (variants.empty()) return chosen;
+    const bool is_unfolded = ImGui::CollapsingHeader("Variants", ImGuiTreeNodeFlags_DefaultOpen);
+    tooltip("material variants of the file (KHR_materials_variants)");
+    if (!is_unfolded) return chosen;
     if (ImGui::RadioButton("none##variant", shown.empty())) chosen = "";
-    for (const std::string& name : variants)
+    tooltip("the materials that the file has without a variant");
+    for (const std::string& name : variants) {
         if (ImGui::RadioButton((name + "##variant").c_str(), shown == name)) chosen = name;
+        tooltip("the materials of this variant; the file is loaded again");
+    }
     return chosen;
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 // Animation bar (play, scrub, speed, choice of animations) and the list of material variants.
 #include "viewer/app/layout.hpp"
-#include "viewer/bindings.hpp"
 #include "viewer/document/playback.hpp"
+#include "viewer/keymap.hpp"
 
 #include <span>
 #include <string>
@@ -19,7 +19,7 @@ struct AnimationRequest {
 };
 /// Draws the bar above the message area. `scale`: of a HiDPI screen.
 AnimationRequest animation_bar(Playback& playback, std::span<const gltf::Contents::AnimationInfo> all,
-                               Layout& layout, float scale);
+                               Layout& layout, const Keymap& keys, float scale);
 
 /// Draws the list. @return the variant that was chosen; empty for the file's own materials
 std::optional<std::string> variants_section(std::span<const std::string> variants, const std::string& shown);

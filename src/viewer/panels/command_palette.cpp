@@ -49,7 +49,7 @@ void CommandPalette::open() {
     focus_.begin();
 }
 
-std::optional<Command> CommandPalette::draw(const Ui& ui) {
+std::optional<Command> CommandPalette::draw(const Ui& ui, const Keymap& keymap) {
     if (!is_open_) return std::nullopt;
     const ImGuiViewport& viewport = *ImGui::GetMainViewport();
     const ImVec2 size{std::min(0.9f * viewport.Size.x, 560.0f * ui.scale()),
@@ -67,6 +67,7 @@ std::optional<Command> CommandPalette::draw(const Ui& ui) {
                                  typed_.size(), ImGuiInputTextFlags_EnterReturnsTrue);
     focus_.update(ImGui::IsItemActive());
     if (ImGui::IsItemEdited()) chosen_ = 0;
+    tooltip("a part of a command's name, group or meaning; up, down and Enter run it, Esc closes");
     const std::vector<const CommandInfo*> rows = commands_like(typed_.data());
     const bool is_moved = moves_ != 0;
     const int count = std::max(1, static_cast<int>(rows.size()));
@@ -80,8 +81,8 @@ std::optional<Command> CommandPalette::draw(const Ui& ui) {
         if (ImGui::Selectable((std::string(row.name) + "##" + row.group).c_str(), is_chosen))
             chosen = row.command;
         if (is_chosen && is_moved) ImGui::SetScrollHereY();
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", row.what);
-        const std::string keys = keys_of(row.command);
+        tooltip(row.what);
+        const std::string keys = keymap.text(row.command);
         ImGui::SameLine(0.42f * size.x);
         ImGui::TextDisabled("%s", row.group);
         ImGui::SameLine(size.x - ImGui::CalcTextSize(keys.c_str()).x - 3.0f * ImGui::GetFontSize());

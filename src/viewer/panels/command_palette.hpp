@@ -1,6 +1,6 @@
 #pragma once
 // Command palette: finds a command by a part of its name, and runs it.
-#include "viewer/bindings.hpp"
+#include "viewer/keymap.hpp"
 #include "viewer/ui.hpp"
 
 #include <array>
@@ -28,7 +28,7 @@ public:
     void move(int rows) { moves_ += rows; }
 
     /// Draws the palette, if it is open. @return the command that was chosen
-    std::optional<Command> draw(const Ui& ui);
+    std::optional<Command> draw(const Ui& ui, const Keymap& keymap);
 
 private:
     bool is_open_ = false;

@@ -126,12 +126,14 @@ void ExplainPanel::draw_head(const ProbeResult& result, const Ui& ui) {
     for (std::size_t i = 0; i < part_names.size(); ++i) {
         ImGui::SameLine();
         ImGui::RadioButton(part_names[i], &part, static_cast<int>(i));
+        tooltip(i == 0 ? "numbers of light as luminance, numbers of surfaces weighted likewise"
+                       : "numbers of this channel, linear, primaries of Rec. 709");
     }
     part_ = static_cast<ColorPart>(part);
     const float button = ImGui::GetFrameHeight();
     ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - button);
     if (ImGui::Button("x", {button, 0.0f})) request_.closes = true;
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("back to all numbers (Esc)");
+    tooltip("back to all numbers (Esc)");
 }
 
 void ExplainPanel::draw_equation(const ProbeResult& result, const scene::RenderScene& stage,
@@ -154,8 +156,7 @@ void ExplainPanel::cell(const std::string& text, const ChosenTerm& here, const C
     ImGui::PushID(static_cast<int>(here.term));
     if (here == chosen) ImGui::TableSetBgColor(ImGuiTableBgTarget_CellBg, chosen_cell);
     if (ImGui::Selectable(in_plain_letters(text).c_str())) request_.chosen = here;
-    if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("show the code of %s", in_plain_letters(symbol_of(here.term)).c_str());
+    tooltip(fmt::format("show the code of {}", symbol_of(here.term)));
     ImGui::PopID();
 }
 
@@ -191,8 +192,13 @@ void ExplainPanel::draw_light(int light, const ProbeResult& result, const scene:
         {from.x + std::clamp(share, 0.0f, 1.0f) * 7.0f * ImGui::GetFontSize(),
          from.y + ImGui::GetTextLineHeight()},
         bar);
-    text_line(p.L_r > 0.0f ? fmt::format("{} ({:.1f} %)", digits(p.L_r), 100.0f * share)
-                           : fmt::format("0: {}", reason_of(p)));
+    const bool is_wide = ImGui::GetWindowWidth() > 44.0f * ImGui::GetFontSize(); // the reason fits, too
+    if (p.L_r > 0.0f) {
+        text_line(fmt::format("{} ({:.1f} %)", digits(p.L_r), 100.0f * share));
+    } else {
+        text_line(is_wide ? fmt::format("0: {}", reason_of(p)) : "0");
+        tooltip(reason_of(p));
+    }
     ImGui::PopID();
 }
 
@@ -202,18 +208,18 @@ void ExplainPanel::draw_products(const ProbeResult& result, const scene::RenderS
                            | ImGuiTableFlags_BordersInnerV | ImGuiTableFlags_ScrollY
                            | ImGuiTableFlags_ScrollX;
     const std::string radiance(scene::radiance_unit(stage.scene.units));
-    const std::array heads{std::string("light"),
-                           std::string("fᵣ [1/sr]"),
-                           fmt::format("· L [{}]", radiance),
-                           std::string("· Ω [sr]"),
-                           std::string("· V"),
-                           std::string("· cos θᵢ"),
-                           fmt::format("= Lᵣ [{}]", radiance)};
+    const std::array<std::pair<std::string, const char*>, 7> heads{
+        {{"light", "the light's name, the brightest at this pixel first"},
+         {"fᵣ [1/sr]", "the BRDF, the mean over the light"},
+         {fmt::format("· L [{}]", radiance), "radiance of the light, the mean that makes the product exact"},
+         {"· Ω [sr]", "solid angle of the light, seen from the surface, without shadows"},
+         {"· V", "the share of the light that nothing blocks, 0 to 1"},
+         {"· cos θᵢ", "the mean cosine between the normal and the light, 0 to 1"},
+         {fmt::format("= Lᵣ [{}]", radiance),
+          "the light that this light makes the surface reflect towards the eye"}}};
     if (!ImGui::BeginTable("products", static_cast<int>(heads.size()), flags, {0.0f, height})) return;
     ImGui::TableSetupScrollFreeze(1, 1);
-    for (const std::string& head : heads)
-        ImGui::TableSetupColumn(with_superscripts(in_plain_letters(head)).c_str());
-    ImGui::TableHeadersRow();
+    draw_table_heads(heads);
     for (const int light : by_brightness(result.terms, part_)) draw_light(light, result, stage, chosen);
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
@@ -234,6 +240,9 @@ void ExplainPanel::draw_code(const scene::RenderScene& stage, const Explanation&
         return;
     }
     ImGui::TextDisabled("%s:%d", code->file.c_str(), code->line);
+    if (explanation.has_cpu_rays && explanation.chosen.term == EquationTerm::visibility)
+        ImGui::TextWrapped("The CPU traces these rays here (Embree). The lines ask the same question in GLSL "
+                           "(--visibility ray-glsl).");
     ImGui::PushFont(ui.fonts().code);
     ImGui::PushTextWrapPos();
     for (std::size_t i = 0; i < code->lines.size(); ++i) {
@@ -249,12 +258,12 @@ void ExplainPanel::draw_code(const scene::RenderScene& stage, const Explanation&
 }
 
 /// Draws the button that leaves the term out, the changed line, and what becomes of the pixel.
-void ExplainPanel::draw_omission(const ProbeResult& result, const Explanation& explanation, const Ui& ui) {
-    const std::string keys = keys_of(Command::leave_out_term);
+void ExplainPanel::draw_omission(const ProbeResult& result, const Explanation& explanation, const Ui& ui,
+                                 const Keymap& keymap) {
     const bool is_out = explanation.left_out.has_value();
-    const std::string label = fmt::format("{} ({})", is_out ? "take it back" : "leave it out", keys);
+    const std::string label = keymap.hint(is_out ? "take it back" : "leave it out", Command::leave_out_term);
     if (ImGui::Button(label.c_str())) request_.toggles_term = true;
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("the picture without this term, beside the picture");
+    tooltip("the picture without this term, beside the picture");
     if (!is_out) return;
     ImGui::SameLine();
     text_line(omission_of(explanation.chosen.term));
@@ -280,7 +289,8 @@ void ExplainPanel::draw_omission(const ProbeResult& result, const Explanation& e
 }
 
 ExplainPanel::Request ExplainPanel::draw(const ProbeResult& result, const scene::RenderScene& stage,
-                                         const Explanation& explanation, Layout& layout, const Ui& ui) {
+                                         const Explanation& explanation, Layout& layout, const Ui& ui,
+                                         const Keymap& keys) {
     request_ = {};
     const bool is_docked = layout.is_docked();
     const float room = layout.rest().size.y;
@@ -297,7 +307,7 @@ ExplainPanel::Request ExplainPanel::draw(const ProbeResult& result, const scene:
         draw_head(result, ui);
         const ImVec2 space = ImGui::GetContentRegionAvail();
         const bool is_narrow = space.x < 60.0f * ImGui::GetFontSize(); // the code is below the numbers
-        const float width = is_narrow ? space.x : std::min(0.52f * space.x, 46.0f * ImGui::GetFontSize());
+        const float width = is_narrow ? space.x : std::min(0.58f * space.x, 46.0f * ImGui::GetFontSize());
         ImGui::BeginChild("numbers", {width, space.y});
         if (result.terms.coverage == 0.0f)
             text_line("No surface is seen here: Lₒ is the background.");
@@ -311,7 +321,7 @@ ExplainPanel::Request ExplainPanel::draw(const ProbeResult& result, const scene:
         ImGui::PushTextWrapPos();
         text_line(meaning_of(explanation.chosen.term, reflectance_of(result) > 0.0f));
         ImGui::PopTextWrapPos();
-        draw_omission(result, explanation, ui);
+        draw_omission(result, explanation, ui, keys);
         ImGui::Separator();
         draw_code(stage, explanation, ui);
         ImGui::EndChild();

@@ -2,6 +2,7 @@
 // Explain panel: the equation with the numbers of a pixel set in it, and the code of the chosen term.
 #include "viewer/document/equation_code.hpp"
 #include "viewer/document/equation_numbers.hpp"
+#include "viewer/keymap.hpp"
 #include "viewer/panels/probe.hpp"
 
 namespace sr::viewer {
@@ -26,6 +27,7 @@ struct Explanation {
     std::optional<LeftOut> left_out; // while the picture beside is without the term
     std::optional<vec3> L_o_without; // of this pixel [cd/m²], by the samples so far
     bool is_final = false;           // all samples are there
+    bool has_cpu_rays = false;       // V is found beside the shaders
 };
 
 class ExplainPanel {
@@ -39,7 +41,7 @@ public:
 
     /// Draws the panel below the picture, or floating where panels are not docked.
     Request draw(const ProbeResult& result, const scene::RenderScene& stage, const Explanation& explanation,
-                 Layout& layout, const Ui& ui);
+                 Layout& layout, const Ui& ui, const Keymap& keys);
 
 private:
     void draw_head(const ProbeResult& result, const Ui& ui);
@@ -51,7 +53,8 @@ private:
                     const ChosenTerm& chosen);
     void cell(const std::string& text, const ChosenTerm& here, const ChosenTerm& chosen);
     void draw_code(const scene::RenderScene& stage, const Explanation& explanation, const Ui& ui);
-    void draw_omission(const ProbeResult& result, const Explanation& explanation, const Ui& ui);
+    void draw_omission(const ProbeResult& result, const Explanation& explanation, const Ui& ui,
+                       const Keymap& keymap);
 
     ColorPart part_ = ColorPart::luminance;
     Request request_;

@@ -121,6 +121,7 @@ std::optional<std::string> FileBrowser::draw(const char* hint, float width, floa
             | ImGuiInputTextFlags_CallbackCompletion | ImGuiInputTextFlags_CallbackAlways,
         &FileBrowser::call_back, this);
     focus_.update(ImGui::IsItemActive());
+    tooltip("Tab completes a name, Enter opens a folder or takes a file; ~/ is the home folder");
     if (is_entered && typed_[0] != '\0') chosen = chosen_or_entered(typed_.data());
     if (listed_ != typed_.data()) list();
     if (const auto listed = draw_list(width, list_height)) {

@@ -1,10 +1,13 @@
 #include "viewer/panels/first_page.hpp"
 
+#include "core/error.hpp"
+#include "image/file.hpp"
 #include "viewer/app/fonts.hpp"
 #include "viewer/config.hpp"
 #include "viewer/palette.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <filesystem>
 #include <imgui.h>
 #include <utility>
@@ -14,18 +17,26 @@ namespace {
 
 constexpr float min_two_columns = 46.0f; // width of a page with two columns [heights of a letter]
 
-/// A row with a name at its left and what it is beside that, on as many lines as that needs.
-bool draw_row(const std::string& name, const std::string& what, float name_width) {
-    const float width = ImGui::GetContentRegionAvail().x;
-    const float wrap = std::max(width - name_width, 6.0f * ImGui::GetFontSize());
-    const float height = ImGui::CalcTextSize(what.c_str(), nullptr, false, wrap).y;
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    const bool is_chosen = ImGui::Selectable(("##" + name).c_str(), false, 0, {0.0f, height});
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddText(at, palette::blue, name.c_str());
-    list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {at.x + name_width, at.y}, palette::white,
-                 what.c_str(), nullptr, wrap);
-    return is_chosen;
+/// The PNG of a thumbnail; absent if it is broken.
+std::optional<gl::Texture> texture_of(const std::filesystem::path& file) {
+    image::Image picture;
+    try {
+        picture = image::read(file);
+    } catch (const Error&) {
+        return std::nullopt;
+    }
+    std::vector<float> texels;
+    for (int y = 0; y < picture.height; ++y)
+        for (int x = 0; x < picture.width; ++x) {
+            const auto pixel = picture.at(x, y);
+            for (std::size_t i = 0; i < 3; ++i) texels.push_back(pixel[i < pixel.size() ? i : 0]);
+        }
+    gl::Texture texture(GL_TEXTURE_2D, "thumbnail");
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB8, picture.width, picture.height, 0, GL_RGB, GL_FLOAT,
+                 texels.data());
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    return texture;
 }
 
 } // namespace
@@ -35,7 +46,57 @@ FirstPage::FirstPage(std::vector<SampleScene> samples)
     browser_.show({scene_extensions.begin(), scene_extensions.end()}, "");
 }
 
+bool FirstPage::update() {
+    if (!thumbnails_) {
+        std::vector<std::string> files = recent_;
+        for (const SampleScene& sample : samples_) files.push_back(sample.file);
+        const std::filesystem::path folder = cache_folder();
+        thumbnails_.emplace(files, folder.empty() ? folder : folder / "thumbnails");
+        return true;
+    }
+    return thumbnails_->update();
+}
+
+/// The picture of a file; null if there is none, or none yet.
+const gl::Texture* FirstPage::picture_of(const std::string& file) {
+    const auto known = pictures_.find(file);
+    if (known != pictures_.end()) return &known->second;
+    const std::filesystem::path picture =
+        thumbnails_ ? thumbnails_->picture_of(file) : std::filesystem::path();
+    if (picture.empty()) return nullptr;
+    wants_frame_ = true;
+    if (!std::exchange(may_read_, false)) return nullptr;
+    std::optional<gl::Texture> texture = texture_of(picture);
+    if (!texture) return nullptr;
+    return &pictures_.emplace(file, std::move(*texture)).first->second;
+}
+
+/// A row with a picture, a name and what it is beside it, on as many lines as that needs.
+bool FirstPage::draw_row(const std::string& file, const std::string& name, const std::string& what) {
+    const float letter = ImGui::GetFontSize(), gap = 0.6f * letter;
+    const ImVec2 side{4.4f * letter * Thumbnails::width / Thumbnails::height, 4.4f * letter};
+    const float wrap = std::max(ImGui::GetContentRegionAvail().x - side.x - gap, 6.0f * letter);
+    const float text = letter + ImGui::CalcTextSize(what.c_str(), nullptr, false, wrap).y;
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float height = std::max(side.y, text);
+    const bool is_chosen = ImGui::Selectable(("##" + file).c_str(), false, 0, {0.0f, height});
+    if (!ImGui::IsItemVisible()) return is_chosen;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImVec2 end{at.x + side.x, at.y + side.y};
+    if (const gl::Texture* const picture = picture_of(file))
+        list.AddImage(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(picture->id())), at, end);
+    else
+        list.AddRectFilled(at, end, IM_COL32(40, 40, 44, 255), 3.0f);
+    const ImU32 ink = ImGui::IsItemHovered() ? palette::white : palette::blue;
+    list.AddText({end.x + gap, at.y}, ink, name.c_str());
+    list.AddText(ImGui::GetFont(), letter, {end.x + gap, at.y + 1.2f * letter}, palette::white, what.c_str(),
+                 nullptr, wrap);
+    return is_chosen;
+}
+
 std::optional<std::string> FirstPage::draw(const Area& room, const Ui& ui) {
+    may_read_ = true;
+    wants_frame_ = false;
     place_next_window(room);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {24.0f * ui.scale(), 18.0f * ui.scale()});
     ImGui::Begin("first page", nullptr,
@@ -75,14 +136,12 @@ std::optional<std::string> FirstPage::draw_lists(const Ui& ui) {
     if (!recent_.empty()) heading("Recent files", ui);
     for (const std::string& file : recent_) {
         const std::filesystem::path path(file);
-        const float indent = 11.0f * ImGui::GetFontSize();
-        if (draw_row(path.filename().string(), path.parent_path().string(), indent)) chosen = file;
+        if (draw_row(file, path.filename().string(), path.parent_path().string())) chosen = file;
     }
     if (!recent_.empty()) ImGui::Spacing();
     if (!samples_.empty()) heading("Bundled scenes", ui);
     for (const SampleScene& sample : samples_)
-        if (draw_row(sample.name, in_plain_letters(sample.what), 6.0f * ImGui::GetFontSize()))
-            chosen = sample.file;
+        if (draw_row(sample.file, sample.name, in_plain_letters(sample.what))) chosen = sample.file;
     return chosen;
 }
 

@@ -1,6 +1,5 @@
 #include "viewer/panels/help.hpp"
 
-#include "viewer/bindings.hpp"
 #include "viewer/ui.hpp"
 
 #include <algorithm>
@@ -24,14 +23,14 @@ struct HelpLine {
     const char* tip = "";
 };
 
-std::vector<HelpLine> help_lines() {
+std::vector<HelpLine> help_lines(const Keymap& keys) {
     std::vector<HelpLine> lines{{"", "Pointer"}};
     for (const Gesture& gesture : gestures()) lines.push_back({gesture.gesture, gesture.what});
     std::string_view group;
     for (const CommandInfo& command : all_commands()) {
         if (group != command.group) lines.push_back({"", command.group});
         group = command.group;
-        lines.push_back({keys_of(command.command), command.name, command.what});
+        lines.push_back({keys.text(command.command), command.name, command.what});
     }
     return lines;
 }
@@ -55,7 +54,7 @@ void help_cells(const HelpLine& line) {
     ImGui::TableNextColumn();
     if (line.keys.empty()) return;
     ImGui::TextUnformatted(line.what);
-    if (*line.tip && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", line.tip);
+    if (*line.tip) tooltip(line.tip);
 }
 
 /// As many columns as the lines need in `room`, or as fit beside each other.
@@ -99,8 +98,8 @@ void message_area(const Status& status, Layout& layout) {
     for (std::size_t i = 0; i < parts.size(); ++i) {
         if (parts[i]->empty()) continue;
         const ImVec2 needed = size(*parts[i]);
-        begins_line[i] = i == 0 || x + gap + needed.x > width || needed.y > ImGui::GetTextLineHeight();
-        if (begins_line[i]) height += needed.y + (i == 0 ? 0.0f : ImGui::GetStyle().ItemSpacing.y);
+        begins_line[i] = x == 0.0f || x + gap + needed.x > width || needed.y > ImGui::GetTextLineHeight();
+        if (begins_line[i]) height += needed.y + (x == 0.0f ? 0.0f : ImGui::GetStyle().ItemSpacing.y);
         x = begins_line[i] ? needed.x : x + gap + needed.x;
     }
     height = std::min(std::max(height, ImGui::GetFrameHeight()), 0.4f * viewport.Size.y);
@@ -136,7 +135,7 @@ void history_panel(bool& is_open, const std::vector<std::string>& messages) {
     ImGui::End();
 }
 
-void help_panel(bool& is_open) {
+void help_panel(bool& is_open, const Keymap& keys) {
     if (!is_open) return;
     const ImGuiViewport& viewport = *ImGui::GetMainViewport();
     const ImVec2 room{0.96f * viewport.Size.x, 0.92f * viewport.Size.y};
@@ -144,7 +143,7 @@ void help_panel(bool& is_open) {
     ImGui::SetNextWindowSizeConstraints({0, 0}, room);
     ImGui::Begin("Keys (Esc closes)", &is_open,
                  ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings);
-    const std::vector<HelpLine> lines = help_lines();
+    const std::vector<HelpLine> lines = help_lines(keys);
     help_table(lines, columns_in(room, lines));
     ImGui::End();
 }

@@ -1,6 +1,7 @@
 #pragma once
 // Help panel, message area with its history, and error panel.
 #include "viewer/app/layout.hpp"
+#include "viewer/keymap.hpp"
 
 #include <string>
 #include <vector>
@@ -20,7 +21,7 @@ void message_area(const Status& status, Layout& layout);
 void history_panel(bool& is_open, const std::vector<std::string>& messages);
 
 /// Lists all commands with their keys, and all gestures, if `is_open`.
-void help_panel(bool& is_open);
+void help_panel(bool& is_open, const Keymap& keys);
 
 /// Shows an error over the picture.
 void error_panel(const std::string& title, const std::string& text);

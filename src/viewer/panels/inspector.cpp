@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <imgui.h>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -74,7 +75,48 @@ bool draw_factors(LightEditor& edits, MaterialFactors& factors, const scene::Mat
     if (changed(
             ImGui::SliderFloat("roughness", &roughness, 0.0f, 1.0f, "%.3f", ImGuiSliderFlags_AlwaysClamp)))
         factors.roughness = roughness;
-    tooltip("GGX has the width alpha = roughness^2; times the green channel of its texture");
+    tooltip(material.is_specular_glossiness
+                ? "1 - glossiness, whose texture is the alpha of the specular one; GGX has the width alpha = "
+                  "roughness^2"
+                : "GGX has the width alpha = roughness^2; times the green channel of its texture");
+    return has_changed;
+}
+
+/// Field of a factor. @return true if it changed
+bool draw_factor(const gltf::EditableFactor& factor, vec3& value, LightEditor& edits) {
+    const std::string label = fmt::format("{}##{}", factor.label, factor.key);
+    const char* const format = factor.max > 100.0f ? "%.0f" : "%.3f";
+    const bool is_changed = std::holds_alternative<float scene::Material::*>(factor.member)
+                                ? ImGui::SliderFloat(label.c_str(), &value.x, factor.min, factor.max, format,
+                                                     ImGuiSliderFlags_AlwaysClamp)
+                                : ImGui::ColorEdit3(label.c_str(), &value.x, ImGuiColorEditFlags_Float);
+    if (ImGui::IsItemActivated()) edits.begin_step();
+    tooltip(std::string(factor.meaning));
+    return is_changed;
+}
+
+/// Fields of the factors that this material has or could have, in a branch for each property. @return true if
+/// one changed
+bool draw_other_factors(LightEditor& edits, MaterialFactors& factors, const scene::Material& material,
+                        const scene::Material& file) {
+    bool has_changed = false, is_open = false;
+    std::string_view group;
+    for (std::size_t i = 0; i < gltf::editable_factors.size(); ++i) {
+        const gltf::EditableFactor& factor = gltf::editable_factors[i];
+        if (!factor.is_of(material) && !factor.is_of(file)) continue;
+        if (group != factor.group) {
+            if (is_open) ImGui::TreePop();
+            is_open = ImGui::TreeNode(std::string(factor.group).c_str());
+            tooltip("factors of this property of the surface");
+        }
+        group = factor.group;
+        if (!is_open) continue;
+        vec3 value = value_of(factor, material);
+        const bool is_changed = draw_factor(factor, value, edits);
+        if (is_changed) factors.others[i] = glm::clamp(value, vec3(factor.min), vec3(factor.max));
+        has_changed = has_changed || is_changed;
+    }
+    if (is_open) ImGui::TreePop();
     return has_changed;
 }
 
@@ -116,6 +158,7 @@ Changes draw_material(LightEditor& edits, const LoadedScene& loaded, std::size_t
     if (material < edits.material_count()) {
         MaterialFactors factors = edits.factors_of(material);
         bool has_changed = draw_factors(edits, factors, shown);
+        has_changed |= draw_other_factors(edits, factors, shown, edits.stated(material));
         if (factors.any()) {
             if (ImGui::SmallButton("as in the file")) {
                 edits.begin_step();

@@ -42,7 +42,7 @@ std::optional<vec3> center_of(const LightEditor& editor, std::size_t entry) {
 
 Changes LightsPanel::draw(LightEditor& editor, const LoadedScene& loaded,
                           std::optional<std::size_t>& selected, std::optional<Command>& wanted,
-                          std::string& message) {
+                          const Keymap& keys, std::string& message) {
     if (selected && *selected >= editor.entries().size()) selected.reset();
     if (selected != was_selected_) {
         turn_ = vec3(0.0f);
@@ -53,7 +53,9 @@ Changes LightsPanel::draw(LightEditor& editor, const LoadedScene& loaded,
         was_selected_ = selected;
     }
     if (focus_.is_pending() || name_focus_.is_pending()) ImGui::SetNextItemOpen(true);
-    if (!ImGui::CollapsingHeader("Lights", ImGuiTreeNodeFlags_DefaultOpen)) return {};
+    const bool is_unfolded = ImGui::CollapsingHeader("Lights", ImGuiTreeNodeFlags_DefaultOpen);
+    tooltip("lights of the file, environment, studio, and materials that emit; Tab selects the next");
+    if (!is_unfolded) return {};
     Changes changes = draw_list(editor, loaded, selected);
     if (selected) {
         changes |= draw_name(editor, *selected);
@@ -61,7 +63,7 @@ Changes LightsPanel::draw(LightEditor& editor, const LoadedScene& loaded,
         changes |= draw_place(editor, *selected);
         changes |= draw_sizes(editor, *selected);
     }
-    draw_buttons(selected.has_value(), wanted);
+    draw_buttons(selected.has_value(), keys, wanted);
     return focus_.is_pending() || name_focus_.is_pending() ? changes | Change::redraw : changes;
 }
 
@@ -78,11 +80,10 @@ Changes LightsPanel::draw_list(LightEditor& editor, const LoadedScene& loaded,
             editor.enable(i, is_on);
             change |= Change::lights;
         }
+        tooltip("on; a light without the tick emits nothing and keeps its place");
         ImGui::SameLine();
         if (ImGui::Selectable(entry.name.c_str(), selected == i)) selected = i;
-        if (ImGui::IsItemHovered())
-            ImGui::SetTooltip("%s",
-                              with_superscripts(value_text(group_of(lights, loaded.stage.scene))).c_str());
+        tooltip(with_superscripts(value_text(group_of(lights, loaded.stage.scene))));
         ImGui::PopID();
     }
     return change;
@@ -98,6 +99,9 @@ Changes LightsPanel::draw_value(LightEditor& editor, const LoadedScene& loaded, 
     const bool is_entered = ImGui::InputTextWithHint("value", "800 lm, 6500 K", typed_.data(), typed_.size(),
                                                      ImGuiInputTextFlags_EnterReturnsTrue);
     focus_.update(ImGui::IsItemActive());
+    tooltip("a number with the unit of such a light or another one (cd, lm, lx, cd/m^2, W, ...), or kelvins "
+            "for its "
+            "colour; Enter takes it");
     if (is_entered) {
         try {
             const vec3 quantity = parse_quantity(typed_.data(), group);
@@ -115,6 +119,8 @@ Changes LightsPanel::draw_value(LightEditor& editor, const LoadedScene& loaded, 
     color /= brightest;
     const bool is_changed = ImGui::ColorEdit3("colour", &color.x, ImGuiColorEditFlags_Float);
     if (ImGui::IsItemActivated()) editor.begin_step();
+    tooltip(
+        "linear red, green and blue of the light, the brightest as 1; the value above keeps the brightest");
     if (is_changed && color != vec3(0.0f)) {
         editor.set_quantity(selected, color * brightest);
         change |= Change::lights;
@@ -136,6 +142,8 @@ Changes LightsPanel::draw_place(LightEditor& editor, std::size_t selected) {
         vec3 moved = pivot;
         if (ImGui::DragFloat3("place [m]", &moved.x, 0.01f, 0.0f, 0.0f, "%.3f"))
             transform(glm::translate(mat4(1.0f), moved - pivot));
+        tooltip(
+            "x, y, z of its centre in the scene [m]; a drag changes a number, a click with Ctrl types it");
     }
     vec3 turn = turn_;
     if (ImGui::DragFloat3("turn [deg]", &turn.x, 1.0f, -360.0f, 360.0f, "%.0f")) {
@@ -147,6 +155,7 @@ Changes LightsPanel::draw_place(LightEditor& editor, std::size_t selected) {
         turn_ = turn;
         transform(around(pivot, rotation));
     }
+    tooltip("turns around the axes X, Y and Z of the world [degrees], since it was selected");
     float scale = scale_;
     if (center
         && ImGui::DragFloat("size [x]", &scale, 0.01f, 0.01f, 100.0f, "%.2f", ImGuiSliderFlags_AlwaysClamp)) {
@@ -154,6 +163,7 @@ Changes LightsPanel::draw_place(LightEditor& editor, std::size_t selected) {
         scale_ = scale;
         transform(around(pivot, glm::scale(mat4(1.0f), vec3(by))));
     }
+    if (center) tooltip("factor of all its extents, since it was selected");
     return change;
 }
 
@@ -167,6 +177,7 @@ Changes LightsPanel::draw_sizes(LightEditor& editor, std::size_t selected) {
         const bool is_changed = ImGui::DragFloat(label.c_str(), &size, 0.01f * size, 1e-4f, 1e4f, "%.4g",
                                                  ImGuiSliderFlags_AlwaysClamp);
         if (ImGui::IsItemActivated()) editor.begin_step();
+        tooltip("an extent of the light [m]; its radiance or its flux stays, whichever the light states");
         if (!is_changed) continue;
         editor.set_size(selected, i, size);
         change |= shape;
@@ -181,16 +192,17 @@ Changes LightsPanel::draw_name(LightEditor& editor, std::size_t selected) {
     const bool is_entered =
         ImGui::InputText("name", name_.data(), name_.size(), ImGuiInputTextFlags_EnterReturnsTrue);
     name_focus_.update(ImGui::IsItemActive());
+    tooltip("the light's name, which a saved file has; Enter takes it");
     if (!is_entered || name_[0] == '\0' || editor.entries()[selected].name == name_.data()) return {};
     editor.begin_step();
     editor.rename(selected, name_.data());
     return Change::lights;
 }
 
-void LightsPanel::draw_buttons(bool has_selected, std::optional<Command>& wanted) {
+void LightsPanel::draw_buttons(bool has_selected, const Keymap& keys, std::optional<Command>& wanted) {
     const auto button = [&](const char* label, Command command, const char* tip) {
         if (ImGui::Button(label)) wanted = command;
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s (%s)", tip, keys_of(command).c_str());
+        tooltip(keys.hint(tip, command));
     };
     button("+ add", Command::add_light, "add a light of any kind");
     ImGui::SameLine();

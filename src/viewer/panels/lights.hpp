@@ -1,8 +1,8 @@
 #pragma once
 // Lights section of the main panel, and the marks of lights in the picture.
-#include "viewer/bindings.hpp"
 #include "viewer/changes.hpp"
 #include "viewer/document/light_edits.hpp"
+#include "viewer/keymap.hpp"
 #include "viewer/ui.hpp"
 #include "viewer/view/projection.hpp"
 
@@ -23,7 +23,7 @@ public:
     /// Draws the section. `selected`: an entry of `lights`, which the panel changes. `wanted`: set to
     /// the command of a button. `message`: set if there is something to report.
     Changes draw(LightEditor& lights, const LoadedScene& loaded, std::optional<std::size_t>& selected,
-                 std::optional<Command>& wanted, std::string& message);
+                 std::optional<Command>& wanted, const Keymap& keys, std::string& message);
 
 private:
     Changes draw_list(LightEditor& lights, const LoadedScene& loaded, std::optional<std::size_t>& selected);
@@ -32,7 +32,7 @@ private:
     Changes draw_place(LightEditor& lights, std::size_t selected);
     static Changes draw_sizes(LightEditor& lights, std::size_t selected);
     Changes draw_name(LightEditor& lights, std::size_t selected);
-    static void draw_buttons(bool has_selected, std::optional<Command>& wanted);
+    static void draw_buttons(bool has_selected, const Keymap& keys, std::optional<Command>& wanted);
 
     std::array<char, 64> typed_{};
     std::array<char, 128> name_{};

@@ -19,7 +19,7 @@ bool switch_button(const char* label, bool is_in, ImU32 color, const char* tip) 
     if (is_in) ImGui::PushStyleColor(ImGuiCol_Button, color);
     const bool is_clicked = ImGui::Button(label, {1.6f * ImGui::GetFontSize(), 0.0f});
     if (is_in) ImGui::PopStyleColor();
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", tip);
+    tooltip(tip);
     return is_clicked;
 }
 
@@ -35,7 +35,28 @@ bool is_alone(const LightEditor& lights, std::size_t entry) {
            });
 }
 
+/// A name without a number at its end, and without what joins it: "panel" of "panel 12" and "panel.012".
+std::string stem_of(const std::string& name) {
+    const auto last = name.find_last_not_of("0123456789");
+    if (last == std::string::npos || last + 1 == name.size()) return name;
+    const auto end = name.find_last_not_of(" ._-#", last);
+    return end == std::string::npos ? name : name.substr(0, end + 1);
+}
+
 } // namespace
+
+std::vector<MixerGroup> mixer_groups(const std::vector<LightEntry>& entries) {
+    std::vector<MixerGroup> groups;
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+        const std::string stem = stem_of(entries[i].name);
+        const auto known = std::ranges::find(groups, stem, &MixerGroup::name);
+        if (known == groups.end())
+            groups.push_back({stem, {i}});
+        else
+            known->entries.push_back(i);
+    }
+    return groups;
+}
 
 void MixerPanel::begin(const LightEditor& lights) {
     at_zero_.clear();
@@ -55,10 +76,8 @@ Changes MixerPanel::draw_fader(std::size_t entry, LightEditor& lights, const Loa
     const bool is_moved = ImGui::SliderFloat("##fader", &ev, -fader_range, fader_range, format.c_str(),
                                              ImGuiSliderFlags_AlwaysClamp);
     if (ImGui::IsItemActivated()) lights.begin_step();
-    if (ImGui::IsItemHovered())
-        ImGui::SetTooltip(
-            "%s\n1 EV doubles the light; 0 is the value from before. Ctrl click: type; double click: 0.",
-            value.c_str());
+    tooltip(value
+            + "\n1 EV doubles the light; 0 is the value from before. Ctrl click: type; double click: 0.");
     const bool is_reset = ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
     if (!is_moved && !is_reset) return {};
     const float wanted = is_reset ? 0.0f : ev;
@@ -90,7 +109,7 @@ Changes MixerPanel::draw_light(std::size_t entry, LightEditor& lights, const Loa
     const bool is_colored =
         ImGui::ColorEdit3("##colour", &color.x, ImGuiColorEditFlags_Float | ImGuiColorEditFlags_NoInputs);
     if (ImGui::IsItemActivated()) lights.begin_step();
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("the light's colour; a click changes it");
+    tooltip("the light's colour, linear, the brightest channel as 1; a click changes it");
     if (is_colored && color != vec3(0.0f)) {
         lights.set_quantity(entry, color * brightest);
         changes |= Change::lights;
@@ -100,6 +119,67 @@ Changes MixerPanel::draw_light(std::size_t entry, LightEditor& lights, const Loa
     if (ImGui::Selectable(lights.entries()[entry].name.c_str(), selected == entry)) selected = entry;
     if (!is_on) ImGui::PopStyleColor();
     changes |= draw_fader(entry, lights, loaded);
+    ImGui::PopID();
+    return changes;
+}
+
+/// Mute and solo of a group.
+Changes MixerPanel::draw_group_switches(const MixerGroup& group, LightEditor& lights) {
+    Changes changes;
+    const auto is_member = [&](std::size_t i) {
+        return std::ranges::find(group.entries, i) != group.entries.end();
+    };
+    const auto& entries = lights.entries();
+    bool is_any_on = false, is_solo = group.entries.size() < entries.size();
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+        is_any_on = is_any_on || (is_member(i) && entries[i].is_enabled);
+        is_solo = is_solo && entries[i].is_enabled == is_member(i);
+    }
+    const auto switch_all = [&](auto is_on) {
+        lights.begin_step();
+        for (std::size_t i = 0; i < lights.entries().size(); ++i) lights.enable(i, is_on(i));
+        changes |= Change::lights;
+    };
+    if (switch_button("M", !is_any_on, palette::vermilion, "mute: these lights off, or on again"))
+        switch_all([&](std::size_t i) { return is_member(i) ? !is_any_on : entries[i].is_enabled; });
+    ImGui::SameLine(0.0f, 3.0f);
+    if (switch_button("S", is_solo, palette::green, "solo: these lights alone, or all again"))
+        switch_all([&](std::size_t i) { return is_solo || is_member(i); });
+    return changes;
+}
+
+/// A fader that brightens all members by as much; it shows the first one's.
+Changes MixerPanel::draw_group_fader(const MixerGroup& group, LightEditor& lights) {
+    const auto quantity = [&](std::size_t i) { return quantity_of(lights.lights_of(i).front()); };
+    const std::size_t first = group.entries.front();
+    const float before = exposure_between(at_zero_[first], quantity(first));
+    float ev = before;
+    ImGui::SetNextItemWidth(-1.0f);
+    const bool is_moved = ImGui::SliderFloat("##group", &ev, -fader_range, fader_range, "%+.2f EV  (all)",
+                                             ImGuiSliderFlags_AlwaysClamp);
+    if (ImGui::IsItemActivated()) lights.begin_step();
+    tooltip("brightens all lights of the group by as much; 1 EV doubles them. Ctrl click: type");
+    if (!is_moved) return {};
+    for (const std::size_t i : group.entries) lights.set_quantity(i, std::exp2(ev - before) * quantity(i));
+    return Change::lights;
+}
+
+Changes MixerPanel::draw_group(const MixerGroup& group, LightEditor& lights, const LoadedScene& loaded,
+                               std::optional<std::size_t>& selected) {
+    if (group.entries.size() == 1) return draw_light(group.entries.front(), lights, loaded, selected);
+    constexpr std::size_t few = 12; // lights that a panel shows one by one from the start
+    ImGui::PushID(group.name.c_str());
+    Changes changes = draw_group_switches(group, lights);
+    ImGui::SameLine();
+    const int flags = lights.entries().size() <= few ? ImGuiTreeNodeFlags_DefaultOpen : 0;
+    const bool is_open =
+        ImGui::TreeNodeEx("members", flags, "%s, %zu lights", group.name.c_str(), group.entries.size());
+    tooltip("lights whose names differ in a number; a click shows or folds them");
+    changes |= draw_group_fader(group, lights);
+    if (is_open) {
+        for (const std::size_t entry : group.entries) changes |= draw_light(entry, lights, loaded, selected);
+        ImGui::TreePop();
+    }
     ImGui::PopID();
     return changes;
 }
@@ -118,11 +198,12 @@ Changes MixerPanel::draw(LightEditor& lights, const LoadedScene& loaded, std::op
         ImGui::PushTextWrapPos();
         ImGui::TextDisabled("%s", progress.c_str());
         ImGui::PopTextWrapPos();
-        for (std::size_t i = 0; i < std::min(at_zero_.size(), lights.entries().size()); ++i)
-            changes |= draw_light(i, lights, loaded, selected);
+        if (at_zero_.size() == lights.entries().size())
+            for (const MixerGroup& group : mixer_groups(lights.entries()))
+                changes |= draw_group(group, lights, loaded, selected);
         ImGui::Spacing();
         closes = ImGui::Button("done");
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("render the picture with these lights");
+        tooltip("render the picture with these lights");
     }
     if (!area) keep_in_viewport();
     ImGui::End();

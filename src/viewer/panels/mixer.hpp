@@ -10,6 +10,15 @@
 
 namespace sr::viewer {
 
+/// Lights with names that differ in their last number alone ("panel 1", "panel 2") are faded together.
+struct MixerGroup {
+    std::string name;                 // without the number
+    std::vector<std::size_t> entries; // of LightEditor::entries()
+};
+
+/// All lights in their order; a light with a name of its own is a group of one.
+std::vector<MixerGroup> mixer_groups(const std::vector<LightEntry>& entries);
+
 class MixerPanel {
 public:
     /// Takes the quantities that faders at 0 stand for.
@@ -21,6 +30,10 @@ public:
                  const std::string& progress, const std::optional<Area>& area, const Ui& ui, bool& closes);
 
 private:
+    Changes draw_group(const MixerGroup& group, LightEditor& lights, const LoadedScene& loaded,
+                       std::optional<std::size_t>& selected);
+    static Changes draw_group_switches(const MixerGroup& group, LightEditor& lights);
+    Changes draw_group_fader(const MixerGroup& group, LightEditor& lights);
     Changes draw_light(std::size_t entry, LightEditor& lights, const LoadedScene& loaded,
                        std::optional<std::size_t>& selected);
     Changes draw_fader(std::size_t entry, LightEditor& lights, const LoadedScene& loaded);

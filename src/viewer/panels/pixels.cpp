@@ -101,11 +101,12 @@ void draw_histogram(const PixelStatistics& statistics) {
     ImGui::TextDisabled("%s", last.c_str());
 }
 
-void draw_table(const PixelStatistics& statistics) {
+void draw_table(const PixelStatistics& statistics, const std::string& unit) {
     if (!ImGui::BeginTable("statistics", 4)) return;
     for (const char* head : {"", "min", "mean", "max"}) {
         ImGui::TableNextColumn();
         ImGui::TextDisabled("%s", head);
+        if (*head) tooltip(fmt::format("{} of these pixels [{}]", head, unit));
     }
     constexpr std::array names{"R", "G", "B", "Y"};
     for (int i = 0; i < 4; ++i) {
@@ -120,7 +121,8 @@ void draw_table(const PixelStatistics& statistics) {
     ImGui::EndTable();
 }
 
-std::optional<std::size_t> draw_pinned(const ShownFilm& film, const std::vector<glm::ivec2>& pinned) {
+std::optional<std::size_t> draw_pinned(const ShownFilm& film, const std::vector<glm::ivec2>& pinned,
+                                       const Keymap& keys) {
     std::optional<std::size_t> unpinned;
     for (std::size_t i = 0; i < pinned.size(); ++i) {
         const glm::ivec2 at = pinned[i];
@@ -138,7 +140,8 @@ std::optional<std::size_t> draw_pinned(const ShownFilm& film, const std::vector<
         }
         ImGui::PopID();
     }
-    if (pinned.empty()) ImGui::TextDisabled("Shift W over a pixel pins it");
+    if (pinned.empty())
+        ImGui::TextDisabled("%s", keys.hint("point at a pixel to pin it", Command::pin_pixel).c_str());
     return unpinned;
 }
 
@@ -159,7 +162,7 @@ Area ShownFilm::area_of(glm::ivec2 pixel) const {
 PixelsOutcome draw_pixels_panel(const ShownFilm& film, const std::optional<PixelRectangle>& rectangle,
                                 const PixelStatistics& statistics, const std::vector<glm::ivec2>& pinned,
                                 const std::optional<glm::ivec2>& pointed, const std::optional<Area>& area,
-                                const Ui& ui) {
+                                const Ui& ui, const Keymap& keys) {
     PixelsOutcome outcome;
     if (area)
         place_next_window(*area);
@@ -181,17 +184,17 @@ PixelsOutcome draw_pixels_panel(const ShownFilm& film, const std::optional<Pixel
             outcome.drops_rectangle = ImGui::SmallButton("whole picture");
             tooltip("statistics of all pixels again");
         }
-        draw_table(statistics);
+        draw_table(statistics, film.unit);
         ImGui::Text("deviation of Y %.4g %s", statistics.deviation, film.unit.c_str());
         tooltip("the standard deviation of luminance among these pixels: noise, and what is to be seen");
         if (statistics.not_finite > 0)
             ImGui::TextColored({0.9f, 0.4f, 0.0f, 1.0f}, "%zu pixels are not finite", statistics.not_finite);
         draw_histogram(statistics);
         ImGui::Separator();
-        outcome.unpinned = draw_pinned(film, pinned);
+        outcome.unpinned = draw_pinned(film, pinned, keys);
         ImGui::Spacing();
         outcome.closes = ImGui::Button("done");
-        tooltip("close this panel (W)");
+        tooltip(keys.hint("close this panel", Command::pixels));
     }
     if (!area) keep_in_viewport();
     ImGui::End();

@@ -1,6 +1,7 @@
 #pragma once
 // Pixels panel: a loupe, statistics with a histogram, pinned pixels; and numbers in enlarged pixels.
 #include "viewer/document/pixel_statistics.hpp"
+#include "viewer/keymap.hpp"
 #include "viewer/ui.hpp"
 #include "viewer/view/presenter.hpp"
 
@@ -36,7 +37,7 @@ struct PixelsOutcome {
 PixelsOutcome draw_pixels_panel(const ShownFilm& film, const std::optional<PixelRectangle>& rectangle,
                                 const PixelStatistics& statistics, const std::vector<glm::ivec2>& pinned,
                                 const std::optional<glm::ivec2>& pointed, const std::optional<Area>& area,
-                                const Ui& ui);
+                                const Ui& ui, const Keymap& keys);
 
 /// Draws red, green and blue into the pixels that are large enough for that.
 void draw_pixel_numbers(const ShownFilm& film);

@@ -64,13 +64,7 @@ void header_cells(const scene::Scene& scene) {
          {"fᵣ [1/sr]", "BRDF for ωᵢ and ωₒ, as luminance: the mean over what arrives"},
          {unit("E", scene::Quantity::irradiance), "irradiance by this light, shadows included, as luminance"},
          {unit("L", scene::Quantity::radiance), "part of Lₒ that this light makes: red, green, blue"}}};
-    for (const auto& [head, tip] : heads) ImGui::TableSetupColumn(in_plain_letters(head).c_str());
-    ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
-    for (const auto& [head, tip] : heads) {
-        ImGui::TableNextColumn();
-        ImGui::TableHeader(with_superscripts(in_plain_letters(head)).c_str());
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", in_plain_letters(tip).c_str());
-    }
+    draw_table_heads(heads);
 }
 
 constexpr ImU32 lobe_veil = IM_COL32(0, 158, 115, 26), lobe_net = IM_COL32(120, 220, 190, 90);
@@ -155,15 +149,19 @@ void draw_light_directions(const Lobe& lobe, const LobeSettings& look, const Lob
 
 void LobePanel::draw(const Lobe& lobe, int hovered, float scale) {
     ImGui::Checkbox("lobe", &is_shown_);
+    tooltip("show the BRDF of this pixel for light from all directions, for the same direction to the eye");
     if (!is_shown_) return;
     int kind = settings_.has_cosine ? 1 : 0;
     ImGui::SameLine();
     ImGui::RadioButton(in_plain_letters("fᵣ").c_str(), &kind, 0);
+    tooltip("the BRDF alone [1/sr]");
     ImGui::SameLine();
     ImGui::RadioButton(in_plain_letters("fᵣ cos θᵢ").c_str(), &kind, 1);
+    tooltip("the BRDF times the cosine: what a light of the same size and radiance adds from there [1/sr]");
     settings_.has_cosine = kind == 1;
     ImGui::SameLine();
     ImGui::Checkbox("logarithmic", &settings_.is_logarithmic);
+    tooltip("lengths by the logarithm, so that a highlight and the rest are seen at once");
     const LobeScale to = scale_of(lobe, settings_);
     const PolarFrame frame(120.0f * scale, scale);
     frame.grid();
@@ -298,7 +296,7 @@ void ProbePanel::draw_head(const Ui& ui, bool& is_open) {
     const float button = ImGui::GetFrameHeight();
     ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - button);
     if (ImGui::Button("x", {button, 0.0f})) is_open = false;
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("close (Esc)");
+    tooltip("close (Esc)");
 }
 
 void ProbePanel::draw_terms(const scene::RenderScene& stage, const LightEditor& lights,

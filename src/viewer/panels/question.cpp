@@ -1,5 +1,7 @@
 #include "viewer/panels/question.hpp"
 
+#include "viewer/ui.hpp"
+
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <algorithm>
@@ -34,6 +36,7 @@ const Answer* draw_question(const Question& question) {
         const std::string key = answer.key ? std::string(1, static_cast<char>(answer.key)) : "Esc";
         const std::string label = fmt::format("{}  [{}{}]", answer.text, key, is_first ? ", Enter" : "");
         if (ImGui::Button(label.c_str(), {-1.0f, 0.0f})) chosen = &answer;
+        tooltip(fmt::format("key {}{}", key, is_first ? ", or Enter" : ""));
     }
     ImGui::End();
     return chosen;

@@ -16,6 +16,7 @@ struct ScenePanel::Frame {
     LightEditor& edits;
     const LoadedScene& loaded;
     std::optional<ObjectId>& object;
+    const Keymap& keys;
     Outcome outcome{};
     float list_height = 0.0f;
     bool is_revealing = false;
@@ -78,8 +79,7 @@ void ScenePanel::draw_object(ObjectId id, const std::string& name, Frame& frame)
         else
             frame.outcome.hidden->insert(id);
     }
-    if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("shown; without the tick it casts no shadow and emits nothing");
+    tooltip("shown; without the tick it casts no shadow and emits nothing");
     ImGui::SameLine();
     if (ImGui::Selectable(name.c_str(), frame.object == id)) frame.object = id;
     if (frame.object == id && frame.is_revealing) ImGui::SetScrollHereY();
@@ -121,19 +121,20 @@ void ScenePanel::draw_objects(Frame& frame) {
     ImGui::PushItemWidth(0.55f * ImGui::GetContentRegionAvail().x);
     bool is_first = true;
     for (const auto& [label, command, tip] :
-         {std::tuple("hide", Command::hide_object, "hide the selected object (Shift H)"),
-          {"isolate", Command::isolate_object, "hide all others, or show all again (/)"},
-          {"frame", Command::frame_selection, "show it in the middle of the picture (F)"},
-          {"show all", Command::show_objects, "show all hidden objects (Alt H)"}}) {
+         {std::tuple("hide", Command::hide_object, "hide the selected object"),
+          {"isolate", Command::isolate_object, "hide all others, or show all again"},
+          {"frame", Command::frame_selection, "show it in the middle of the picture"},
+          {"show all", Command::show_objects, "show all hidden objects"}}) {
         const float width = ImGui::CalcTextSize(label).x + 3.0f * ImGui::GetStyle().FramePadding.x;
         const float right = ImGui::GetWindowPos().x + ImGui::GetContentRegionMax().x;
         const bool has_room = ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + width < right;
         if (!std::exchange(is_first, false) && has_room) ImGui::SameLine();
         if (ImGui::SmallButton(label)) frame.outcome.command = command;
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", tip);
+        tooltip(frame.keys.hint(tip, command));
     }
     if (!frame.object) {
-        ImGui::TextDisabled("select an object, or press Shift O over one");
+        ImGui::TextDisabled(
+            "%s", frame.keys.hint("select an object, or point at one", Command::inspect_pointed).c_str());
     } else if (const auto material = draw_object_facts(frame.loaded, *frame.object)) {
         material_ = material;
         draw_factors_of(*material, frame);
@@ -160,7 +161,7 @@ void ScenePanel::draw_materials(Frame& frame) {
                            1.0f};
         const float side = ImGui::GetTextLineHeight();
         ImGui::ColorButton("##color", shown, ImGuiColorEditFlags_NoTooltip, {side, side});
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("its base colour, without its texture");
+        tooltip("its base colour, without its texture");
         ImGui::SameLine();
         const std::string name = name_or_number(materials[m].name, "material", m);
         if (ImGui::Selectable(name.c_str(), material_ == m)) material_ = m;
@@ -201,7 +202,7 @@ void ScenePanel::draw_file(Frame& frame) {
         const std::string row = fmt::format("{} ({})##{}", name_or_number(cameras[i].name, "camera", i),
                                             is_perspective ? "perspective" : "orthographic", i);
         if (ImGui::Selectable(row.c_str())) frame.outcome.camera = i;
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("go to this camera");
+        tooltip("go to this camera");
     }
     if (cameras.empty()) ImGui::TextDisabled("none");
     ImGui::EndChild();
@@ -209,13 +210,13 @@ void ScenePanel::draw_file(Frame& frame) {
 
 ScenePanel::Outcome ScenePanel::draw(LightEditor& edits, const LoadedScene& loaded,
                                      std::optional<ObjectId>& object, const std::optional<Area>& area,
-                                     const Ui& ui) {
+                                     const Ui& ui, const Keymap& keys) {
     if (listed_ != &loaded) list_nodes(loaded);
     if (area)
         place_next_window(*area);
     else
         ImGui::SetNextWindowSize({22.0f * ImGui::GetFontSize(), 0.8f * ImGui::GetMainViewport()->Size.y});
-    Frame frame{edits, loaded, object};
+    Frame frame{edits, loaded, object, keys};
     if (ImGui::Begin("Scene", nullptr,
                      ui.panel_flags(area.has_value()) & ~ImGuiWindowFlags_AlwaysAutoResize)) {
         frame.list_height = 0.42f * ImGui::GetContentRegionAvail().y;
@@ -233,7 +234,7 @@ ScenePanel::Outcome ScenePanel::draw(LightEditor& edits, const LoadedScene& load
                 const bool is_chosen = is_forced && static_cast<Tab>(i) == forced;
                 const bool is_open =
                     ImGui::BeginTabItem(name, nullptr, is_chosen ? ImGuiTabItemFlags_SetSelected : 0);
-                if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s (O goes to the next list)", tip);
+                tooltip(frame.keys.hint(fmt::format("{}; the next list", tip), Command::scene_tree));
                 if (!is_open) continue;
                 if (!is_forced) tab_ = static_cast<Tab>(i);
                 (this->*draw_tab)(frame);

@@ -1,6 +1,7 @@
 #pragma once
 // Scene panel: lists of objects by node, of materials, of textures and of what the file has, with an
 // inspector of what is selected below.
+#include "viewer/keymap.hpp"
 #include "viewer/panels/inspector.hpp"
 #include "viewer/ui.hpp"
 
@@ -33,7 +34,7 @@ public:
 
     /// Draws the panel. `object`: the selected one, which a click changes.
     Outcome draw(LightEditor& edits, const LoadedScene& loaded, std::optional<ObjectId>& object,
-                 const std::optional<Area>& area, const Ui& ui);
+                 const std::optional<Area>& area, const Ui& ui, const Keymap& keys);
 
 private:
     struct Frame;

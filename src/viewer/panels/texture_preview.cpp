@@ -56,7 +56,7 @@ void TexturePreview::draw(const scene::TextureImage& image, std::pair<const void
         if (i > 0) ImGui::SameLine();
         if (ImGui::RadioButton(buttons[i].first, channel_ == static_cast<Channel>(i)))
             choose(static_cast<Channel>(i));
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", buttons[i].second);
+        tooltip(buttons[i].second);
     }
     const float room = ImGui::GetContentRegionAvail().x;
     const float aspect = static_cast<float>(image.width) / static_cast<float>(std::max(1, image.height));

@@ -67,7 +67,9 @@ std::optional<Changes> AdjustDisplay::handle(const Event& event) {
 }
 
 Changes AdjustDisplay::draw_section() {
-    if (!ImGui::CollapsingHeader("Picture", ImGuiTreeNodeFlags_DefaultOpen)) return {};
+    const bool is_unfolded = ImGui::CollapsingHeader("Picture", ImGuiTreeNodeFlags_DefaultOpen);
+    tooltip("exposure, tone curve and what of the equation is shown; the render stays as it is");
+    if (!is_unfolded) return {};
     Exposure& exposure = ws_.exposure;
     DisplaySettings& display = ws_.display;
     bool is_automatic = exposure.is_automatic();
@@ -77,10 +79,14 @@ Changes AdjustDisplay::draw_section() {
         else
             exposure.fix(exposure.ev100());
     }
+    tooltip(ws_.keys.hint("the exposure follows the picture", Command::auto_exposure));
     ImGui::SameLine();
     float ev = exposure.ev100();
     if (ImGui::SliderFloat("EV100", &ev, -10.0f, 20.0f, "%.2f")) exposure.fix(ev);
-    if (ImGui::BeginCombo("tone curve", display.curve->name.data())) {
+    tooltip("exposure value at ISO 100: 1 more is half as bright; a click with Ctrl types it");
+    const bool is_open = ImGui::BeginCombo("tone curve", display.curve->name.data());
+    tooltip(ws_.keys.hint("the curve from exposed radiance to the screen", Command::next_tone_curve));
+    if (is_open) {
         for (const image::ToneCurve& curve : image::tone_curves())
             if (ImGui::Selectable(curve.name.data(), &curve == display.curve)) display.curve = &curve;
         ImGui::EndCombo();
@@ -89,9 +95,12 @@ Changes AdjustDisplay::draw_section() {
     if (!display.view || display.view->display != output::Display::false_color) return changes;
     image::Decades& decades = display.decades;
     ImGui::DragFloatRange2("decades", &decades.first, &decades.last, 0.05f, -12.0f, 12.0f, "1e%.1f");
+    tooltip("first and last luminance of the colours, as powers of ten [cd/m^2]");
     decades.last = std::max(decades.last, decades.first + 0.5f);
     ImGui::SameLine();
-    return ImGui::Button("fit") ? changes | fit_range() : changes;
+    const bool is_fitted = ImGui::Button("fit");
+    tooltip(ws_.keys.hint("give the colours the range of the picture", Command::fit_range));
+    return is_fitted ? changes | fit_range() : changes;
 }
 
 Changes AdjustDisplay::draw(const Overlay& overlay) {
@@ -118,7 +127,9 @@ Changes AdjustDisplay::fit_range() {
 
 Changes AdjustDisplay::draw_views() {
     const output::Variable* const shown = ws_.display.view;
-    if (!ImGui::BeginCombo("view", shown ? shown->name : "radiance")) return {};
+    const bool is_open = ImGui::BeginCombo("view", shown ? shown->name : "radiance");
+    tooltip(ws_.keys.hint("radiance, or one term of the equation", Command::next_view));
+    if (!is_open) return {};
     const output::Variable* chosen = shown;
     if (ImGui::Selectable("radiance", !shown)) chosen = nullptr;
     for (const output::Variable& variable : output::all_variables())

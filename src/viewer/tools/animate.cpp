@@ -43,7 +43,7 @@ std::optional<Command> Animate::command_of_key(const KeyEvent& event) const {
     if (!ws_.playback.has_any() || event.modifiers != no_modifier || ws_.ui.has_keyboard())
         return std::nullopt;
     if (event.key == GLFW_KEY_SPACE && !ws_.selected) return Command::play;
-    return bar_has_pointer_ ? viewer::command_of(event.key, alt) : std::nullopt;
+    return bar_has_pointer_ ? ws_.keys.command_of(event.key, alt) : std::nullopt;
 }
 
 std::optional<Changes> Animate::execute(Command command) {
@@ -107,7 +107,7 @@ Changes Animate::draw(const Overlay& overlay) {
     if (!playback.has_any()) return {};
     const LoadedScene& loaded = ws_.scene->loaded();
     const AnimationRequest request =
-        animation_bar(playback, loaded.contents.animations, ws_.layout, overlay.scale);
+        animation_bar(playback, loaded.contents.animations, ws_.layout, ws_.keys, overlay.scale);
     bar_has_pointer_ = request.has_pointer;
     Changes changes;
     if (request.command) changes |= step(*request.command);

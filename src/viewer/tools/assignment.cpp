@@ -304,17 +304,19 @@ Changes Assignment::end_check() {
 }
 
 void Assignment::draw_comparison() {
-    const auto choice = [&](const char* label, ComparisonMode comparison) {
+    const auto choice = [&](const char* label, ComparisonMode comparison, const char* meaning) {
         if (ImGui::RadioButton(label, ws_.display.comparison == comparison))
             ws_.display.comparison = comparison;
+        tooltip(meaning);
     };
-    choice("yours", ComparisonMode::none);
+    choice("yours", ComparisonMode::none, "the picture of your code");
     ImGui::SameLine();
-    choice("yours | reference", ComparisonMode::wipe);
+    choice("yours | reference", ComparisonMode::wipe, "yours at the left, the reference at the right");
     ImGui::SameLine();
-    choice("difference", ComparisonMode::difference);
-    if (ws_.display.comparison == ComparisonMode::wipe)
-        ImGui::SliderFloat("##wipe", &ws_.display.wipe, 0.0f, 1.0f, "%.2f");
+    choice("difference", ComparisonMode::difference, "blue: darker than the reference; orange: brighter");
+    if (ws_.display.comparison != ComparisonMode::wipe) return;
+    ImGui::SliderFloat("##wipe", &ws_.display.wipe, 0.0f, 1.0f, "%.2f");
+    tooltip("share of the picture's width that shows yours");
 }
 
 Changes Assignment::draw(const Overlay& overlay) {

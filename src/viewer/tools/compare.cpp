@@ -84,13 +84,15 @@ FlipMap flip_map(const image::Image& film, const DisplaySettings& display, const
 
 /// Combo box of named values. @return the value that was chosen
 template<class Value, std::size_t count>
-std::optional<Value> choice(const char* label, Value now,
+std::optional<Value> choice(const char* label, const char* meaning, Value now,
                             const std::array<std::pair<const char*, Value>, count>& all) {
     std::optional<Value> chosen;
     const char* name = "";
     for (const auto& [text, value] : all)
         if (value == now) name = text;
-    if (!ImGui::BeginCombo(label, name)) return chosen;
+    const bool is_open = ImGui::BeginCombo(label, name);
+    tooltip(meaning);
+    if (!is_open) return chosen;
     for (const auto& [text, value] : all)
         if (ImGui::Selectable(text, value == now) && value != now) chosen = value;
     ImGui::EndCombo();
@@ -232,11 +234,15 @@ Changes Compare::draw(const Overlay& /*overlay*/) {
 }
 
 Changes Compare::draw_section() {
-    if (!ImGui::CollapsingHeader("Compare")) return {};
+    const bool is_unfolded = ImGui::CollapsingHeader("Compare");
+    tooltip("the render beside a kept one or a picture, and methods to compare");
+    if (!is_unfolded) return {};
     Changes changes = draw_methods();
     if (ImGui::Button("keep this render")) changes |= keep_render();
+    tooltip(ws_.keys.hint("as the reference that later pictures are compared with", Command::compare));
     ImGui::SameLine();
     if (ImGui::Button("load a picture")) dialog_.show(FileDialog::Purpose::compare, ws_.scene->loaded().file);
+    tooltip("as the reference: EXR or HDR as radiance, PNG or JPEG as what a screen shows");
     return ws_.reference ? changes | draw_modes() : changes;
 }
 
@@ -252,9 +258,14 @@ Changes Compare::draw_methods() {
          {"ray-glsl", Visibility::ray_in_glsl},
          {"map", Visibility::map},
          {"none", Visibility::none}}};
-    if (const auto chosen = choice("estimator", ws_.options.rendering.estimator, estimators))
+    if (const auto chosen =
+            choice("estimator",
+                   "sampled: points on the lights, which converge; analytic: closed forms with few points",
+                   ws_.options.rendering.estimator, estimators))
         changes |= set_estimator(*chosen);
-    if (const auto chosen = choice("visibility", ws_.options.visibility, visibilities))
+    if (const auto chosen = choice(
+            "visibility", "how V is found: shadow rays on the CPU or in GLSL, depth maps, or not at all",
+            ws_.options.visibility, visibilities))
         changes |= set_visibility(*chosen);
     return changes;
 }
@@ -269,13 +280,17 @@ Changes Compare::draw_modes() {
         if (ws_.display.comparison == ComparisonMode::flip) begin_flip();
         changes |= Change::display;
     }
-    if (ws_.display.comparison == ComparisonMode::wipe)
+    tooltip(ws_.keys.hint("the render alone, or with the reference", Command::compare));
+    if (ws_.display.comparison == ComparisonMode::wipe) {
         ImGui::SliderFloat("wipe", &ws_.display.wipe, 0.0f, 1.0f, "%.2f");
+        tooltip("share of the picture's width that shows the render; the reference has the rest");
+    }
     if (ws_.display.comparison == ComparisonMode::difference)
         ImGui::TextWrapped("Blue: darker than the reference. Orange: brighter. Saturated at half of it.");
     if (ws_.display.comparison == ComparisonMode::flip) {
         ImGui::TextWrapped("%s", flip_result_.c_str());
         if (ImGui::Button("compute again")) begin_flip();
+        tooltip("FLIP of the picture as it is now, which takes a while");
     }
     return changes;
 }

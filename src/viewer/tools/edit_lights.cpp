@@ -170,7 +170,9 @@ Changes EditLights::add(std::string_view kind) {
     const vec3 at = view.pivot + nearer * (view.eye() - view.pivot) + 0.5f * half_height * view.up();
     const NewLightPlace place{at, view.pivot, std::min(suitable_length(), 0.5f * half_height), E};
     select_new(new_light(kind, place));
-    ws_.messages.notify(fmt::format("Added a light: {}. G moves it, R turns it, Enter types a value.", kind));
+    ws_.messages.notify(fmt::format("Added a light: {}. {} moves it, {} turns it, {} types a value.", kind,
+                                    ws_.keys.text(Command::move_light), ws_.keys.text(Command::turn_light),
+                                    ws_.keys.text(Command::edit_light)));
     return Change::lights | Change::shadows;
 }
 
@@ -211,7 +213,7 @@ Changes EditLights::draw_section() {
     std::string message;
     std::optional<Command> wanted;
     const Changes changes =
-        panel_.draw(ws_.scene->lights(), ws_.scene->loaded(), ws_.selected, wanted, message);
+        panel_.draw(ws_.scene->lights(), ws_.scene->loaded(), ws_.selected, wanted, ws_.keys, message);
     if (wanted) ws_.input.put(CommandEvent{*wanted});
     if (!message.empty()) ws_.messages.notify(message);
     return changes;

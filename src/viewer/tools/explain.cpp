@@ -100,10 +100,7 @@ EquationCode Explain::code() const {
         code.model = scene.materials[static_cast<std::size_t>(scene.meshes[mesh].material)].model;
     }
     const render::VisibilityBackend* const backend = ws_.scene->gpu().visibility_backend();
-    code.visibility = !backend                      ? "none"
-                      : backend->shadow_map_scene() ? "map"
-                      : backend->occlusion()        ? "resolve"
-                                                    : "ray";
+    code.visibility = !backend ? "none" : backend->shadow_map_scene() ? "map" : "ray";
     return code;
 }
 
@@ -137,6 +134,8 @@ void Explain::find_code() {
         explanation_.code.reset();
         ws_.messages.notify(error.what());
     }
+    const render::VisibilityBackend* const backend = ws_.scene->gpu().visibility_backend();
+    explanation_.has_cpu_rays = backend && backend->occlusion();
     const std::string name = name_of(explanation_.chosen, ws_.scene->stage());
     ws_.messages.log(explanation_.code ? fmt::format("Explained: {}, {}:{}", name, explanation_.code->file,
                                                      explanation_.code->line)
@@ -287,7 +286,7 @@ FilmSum Explain::reference_film() const {
 Changes Explain::draw(const Overlay& /*overlay*/) {
     if (!is_shown() || !has_begun_) return {};
     const ExplainPanel::Request request =
-        panel_.draw(*ws_.probed, ws_.scene->stage(), explanation_, ws_.layout, ws_.ui);
+        panel_.draw(*ws_.probed, ws_.scene->stage(), explanation_, ws_.layout, ws_.ui, ws_.keys);
     if (render_) draw_sides();
     if (request.closes) return close();
     if (request.chosen) return choose(*request.chosen);

@@ -124,7 +124,10 @@ Changes Files::shoot(const std::string& extension) {
     const bool is_enough = awaited_ == extension && !render.is_interactive() && render.complete_samples() > 0;
     if (render.is_converged() || is_enough) return write(extension);
     awaited_ = extension;
-    ws_.messages.notify("The screenshot waits for the render to converge. F12 again: as it is. Esc: cancel.");
+    const Command again = extension == ".exr" ? Command::screenshot_exr : Command::screenshot_png;
+    ws_.messages.notify(
+        fmt::format("The screenshot waits for the render to converge. {} again: as it is. {}: cancel.",
+                    ws_.keys.text(again), ws_.keys.text(Command::cancel)));
     return Change::redraw;
 }
 
@@ -149,6 +152,8 @@ Changes Files::write(std::string extension) { // by value: it may be awaited_
                                                .stopped_by = render.stopped_by(),
                                                .light_choices = render.light_choices()},
                                               ws_.window.info());
+    if (const auto alone = ws_.scene->alone())
+        film.attributes.push_back({"steradian:light_alone", ws_.scene->lights().entries()[*alone].name});
     const std::string file = free_name(ws_.scene->loaded().file, extension);
     try {
         output::write(film, nullptr, {file},

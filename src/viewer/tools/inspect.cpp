@@ -36,7 +36,9 @@ std::optional<Changes> Inspect::handle(const Event& event) {
     const bool needs_object = command == Command::hide_object || command == Command::isolate_object;
     const bool is_shown_alone = command == Command::isolate_object && !ws_.scene->loaded().hidden.empty();
     if (needs_object && !ws_.object && !is_shown_alone) {
-        ws_.messages.notify("Select an object first: Shift O over it, or a click in the list that O opens.");
+        ws_.messages.notify(
+            fmt::format("Select an object first: point at it ({}), or click it in a list ({}).",
+                        ws_.keys.text(Command::inspect_pointed), ws_.keys.text(Command::scene_tree)));
         return Change::redraw;
     }
     switch (*command) {
@@ -101,8 +103,8 @@ std::set<ObjectId> Inspect::all() const {
 Changes Inspect::hide(std::set<ObjectId> objects) {
     ws_.messages.notify(
         objects.empty() ? "All objects are shown."
-                        : fmt::format("{} of {} objects are hidden. Alt H shows all. A saved file has all.",
-                                      objects.size(), all().size()));
+                        : fmt::format("{} of {} objects are hidden. {} shows all. A saved file has all.",
+                                      objects.size(), all().size(), ws_.keys.text(Command::show_objects)));
     ws_.scene->hide(std::move(objects));
     return Change::lights | Change::shadows;
 }
@@ -142,7 +144,7 @@ Changes Inspect::draw(const Overlay& overlay) {
         ws_.layout.is_docked() ? std::optional(ws_.layout.take_right()) : std::nullopt;
     const auto before = ws_.object;
     ScenePanel::Outcome outcome =
-        panel_.draw(ws_.scene->lights(), ws_.scene->loaded(), ws_.object, area, ws_.ui);
+        panel_.draw(ws_.scene->lights(), ws_.scene->loaded(), ws_.object, area, ws_.ui, ws_.keys);
     if (ws_.object != before) ws_.selected.reset();
     if (outcome.command) ws_.input.put(CommandEvent{*outcome.command});
     if (outcome.hidden) outcome.changes |= hide(std::move(*outcome.hidden));

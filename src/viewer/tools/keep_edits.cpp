@@ -58,7 +58,8 @@ void KeepEdits::offer() {
         ws_.scene->lights().recover(edits);
         journal_->write(ws_.scene->lights());
         remove();
-        ws_.messages.notify("The edits are recovered. Ctrl S saves them, Ctrl Z undoes them.");
+        ws_.messages.notify(fmt::format("The edits are recovered. {} saves them, {} undoes them.",
+                                        ws_.keys.text(Command::save_as), ws_.keys.text(Command::undo_light)));
         ws_.answered |= Change::lights | Change::shadows;
     };
     ws_.ask({fmt::format("An earlier run ended without saving {} edited {} of {}.{}", lost->count,

@@ -207,7 +207,7 @@ Changes LookAtPixels::draw(const Overlay& overlay) {
     if (!is_open_) return {};
     const auto pointed = ws_.ui.has_pointer() ? std::nullopt : film.pixel_at(ws_.input.pointer());
     const PixelsOutcome outcome =
-        draw_pixels_panel(film, rectangle_, statistics_, pinned_, pointed, area, ws_.ui);
+        draw_pixels_panel(film, rectangle_, statistics_, pinned_, pointed, area, ws_.ui, ws_.keys);
     if (outcome.unpinned) pinned_.erase(pinned_.begin() + static_cast<std::ptrdiff_t>(*outcome.unpinned));
     if (outcome.drops_rectangle) rectangle_.reset();
     if (outcome.drops_rectangle) samples_ = -1;

@@ -4,6 +4,7 @@
 #include "viewer/tools/tool.hpp"
 #include "viewer/view/layer_render.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <optional>
 #include <string>
@@ -12,7 +13,13 @@
 namespace sr::viewer {
 namespace {
 
-constexpr std::size_t max_mixed_lights = 32; // pictures are held in memory
+constexpr double max_memory = 1024.0 * 1024.0 * 1024.0; // [bytes] of the pictures
+
+/// Lights whose pictures of this size fit into the memory; one picture more is the one without lights.
+std::size_t most_lights(int width, int height) {
+    const double bytes = 3.0 * sizeof(float) * width * height;
+    return static_cast<std::size_t>(std::max(2.0, max_memory / bytes)) - 1;
+}
 
 /// True for a command that needs the scene with its own lights, or another picture than the mix.
 bool ends_mixing(Command command) {
@@ -74,21 +81,27 @@ std::optional<Changes> MixLights::handle(const Event& event) {
 
 Changes MixLights::begin() {
     const std::size_t count = ws_.scene->lights().entries().size();
-    if (count == 0 || count > max_mixed_lights) {
-        ws_.messages.notify(count == 0 ? "The scene has no lights to mix."
-                                       : fmt::format("The mixer takes up to {} lights. This scene has {}.",
-                                                     max_mixed_lights, count));
+    const std::size_t most = most_lights(ws_.width, ws_.height);
+    if (count == 0 || count > most) {
+        ws_.messages.notify(
+            count == 0 ? "The scene has no lights to mix."
+                       : fmt::format("The mixer takes up to {} lights in a window of this size (1 GiB of "
+                                     "pictures). This scene has {}. A smaller window takes more.",
+                                     most, count));
         return Change::redraw;
     }
     const std::string radiance = render::RenderOptions().shader;
     if (ws_.options.rendering.shader != radiance) {
-        ws_.messages.notify("Another view than radiance is shown. V goes on to the next.");
+        ws_.messages.notify(fmt::format("Another view than radiance is shown. {} goes on to the next.",
+                                        ws_.keys.text(Command::next_view)));
         return Change::redraw;
     }
     panel_.begin(ws_.scene->lights());
     is_open_ = true;
     ws_.playback.is_playing = false;
-    ws_.messages.notify("Rendering a picture of each light. Changes then show at once. Shift M ends it.");
+    ws_.messages.notify(
+        fmt::format("Rendering a picture of each light. Changes then show at once. {} ends it.",
+                    ws_.keys.text(Command::mix_lights)));
     return Change::redraw;
 }
 

@@ -232,7 +232,9 @@ scene::Bounds Navigate::selection() const {
 }
 
 Changes Navigate::draw_section() {
-    if (!ImGui::CollapsingHeader("Camera", ImGuiTreeNodeFlags_DefaultOpen)) return {};
+    const bool is_unfolded = ImGui::CollapsingHeader("Camera", ImGuiTreeNodeFlags_DefaultOpen);
+    tooltip("cameras of the file, and the view");
+    if (!is_unfolded) return {};
     Changes changes;
     CameraController& camera = *ws_.camera;
     const auto& cameras = ws_.scene->stage().scene.cameras;
@@ -250,6 +252,7 @@ Changes Navigate::draw_section() {
         camera.move_to(view);
         changes |= Change::camera;
     }
+    tooltip("the full vertical field of view [degrees]; a click with Ctrl types it");
     bool is_first = true;
     for (const auto& [label, command] : {std::pair("frame all", Command::frame_all),
                                          {"level", Command::level},
@@ -257,6 +260,7 @@ Changes Navigate::draw_section() {
                                          {"paste", Command::paste_view}}) {
         if (!std::exchange(is_first, false)) ImGui::SameLine();
         if (ImGui::Button(label)) changes |= execute(command).value_or(Changes());
+        tooltip(ws_.keys.hint(info_of(command).what, command));
     }
     ImGui::TextDisabled("--camera %s", camera.argument().c_str());
     return changes;

@@ -54,12 +54,14 @@ std::optional<Changes> PlaceCamera::handle(const Event& event) {
     case Command::keep_bookmark: {
         const std::string& name = bookmarks_->keep(ws_.camera->look_at_text());
         next_ = 0;
-        ws_.messages.notify(fmt::format("Kept as {}. Shift B goes to the bookmarks in turn.", name));
+        ws_.messages.notify(fmt::format("Kept as {}. {} goes to the bookmarks in turn.", name,
+                                        ws_.keys.text(Command::next_bookmark)));
         return Change::redraw;
     }
     case Command::next_bookmark:
         if (!bookmarks_->all().empty()) return recall(next_ % bookmarks_->all().size());
-        ws_.messages.notify("This file has no bookmarks. Ctrl B keeps the view as one.");
+        ws_.messages.notify(fmt::format("This file has no bookmarks. {} keeps the view as one.",
+                                        ws_.keys.text(Command::keep_bookmark)));
         return Change::redraw;
     default: return std::nullopt;
     }
@@ -121,7 +123,7 @@ Changes PlaceCamera::draw_field(const Field& field, bool is_first, const scene::
         ImGui::InputText(field.label, text.data(), text.size(),
                          ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
     if (is_first) focus_.update(ImGui::IsItemActive());
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", field.tip);
+    tooltip(field.tip);
     if (!is_entered) {
         if (ImGui::IsItemActive() && !is_edited) {
             edited_ = field.label;
@@ -144,7 +146,9 @@ Changes PlaceCamera::draw_field(const Field& field, bool is_first, const scene::
 
 Changes PlaceCamera::draw_section() {
     if (std::exchange(is_requested_, false)) ImGui::SetNextItemOpen(true);
-    if (!ImGui::CollapsingHeader("Position and bookmarks")) return {};
+    const bool is_unfolded = ImGui::CollapsingHeader("Position and bookmarks");
+    tooltip("the camera as numbers with units, and views of this file that were kept");
+    if (!is_unfolded) return {};
     const CameraController& camera = *ws_.camera;
     const scene::LookAt view = scene::parse_look_at(camera.look_at_text(), camera.origin());
     Changes changes;
@@ -159,16 +163,16 @@ Changes PlaceCamera::draw_bookmarks() {
     Changes changes;
     if (ImGui::Button("keep the view"))
         changes |= handle(CommandEvent{Command::keep_bookmark}).value_or(Changes());
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("as a bookmark of this file (Ctrl B)");
+    tooltip(ws_.keys.hint("as a bookmark of this file", Command::keep_bookmark));
     std::optional<std::size_t> removed;
     for (std::size_t i = 0; i < bookmarks_->all().size(); ++i) {
         const Bookmark& bookmark = bookmarks_->all()[i];
         ImGui::PushID(static_cast<int>(i));
         if (ImGui::SmallButton("x")) removed = i;
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("remove this bookmark");
+        tooltip("remove this bookmark");
         ImGui::SameLine();
         if (ImGui::Selectable(bookmark.name.c_str())) changes |= recall(i);
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", bookmark.look_at.c_str());
+        tooltip(bookmark.look_at.c_str());
         ImGui::PopID();
     }
     if (!removed) return changes;

@@ -139,7 +139,9 @@ bool Tick::is_busy() const {
     if (ws_.loading)
         ws_.messages.notify("A file is loading. Try again when it is done.");
     else if (opens && ws_.scene->lights().is_unsaved())
-        ws_.messages.notify("The scene has unsaved edits. Save them (Ctrl S) or undo them (Ctrl Z) first.");
+        ws_.messages.notify(
+            fmt::format("The scene has unsaved edits. Save them ({}) or undo them ({}) first.",
+                        ws_.keys.text(Command::save_as), ws_.keys.text(Command::undo_light)));
     else
         return false;
     return true;
@@ -249,13 +251,14 @@ void Tick::draw_question(const TickQuestion& question) {
     put(question["ask"]);
     ImGui::Separator();
     if (!shows_answer_)
-        ImGui::TextDisabled("U shows the answer.");
+        ImGui::TextDisabled("%s shows the answer.", ws_.keys.text(Command::show_answer).c_str());
     else
         for (const TickQuestion& line : question["answer"]) put("- " + line.get<std::string>());
     ImGui::Separator();
-    ImGui::TextDisabled(question["kind"] == "pixel" ? "I probes the pixel."
-                                                    : "I makes the change, and takes it back.");
-    ImGui::TextDisabled("J goes to the next question.");
+    ImGui::TextDisabled("%s %s", ws_.keys.text(Command::try_question).c_str(),
+                        question["kind"] == "pixel" ? "probes the pixel."
+                                                    : "makes the change, and takes it back.");
+    ImGui::TextDisabled("%s goes to the next question.", ws_.keys.text(Command::next_question).c_str());
 }
 
 Changes Tick::draw(const Overlay& overlay) {

@@ -76,9 +76,13 @@ std::unique_ptr<Tool> make_files(Workspace& workspace);
 std::unique_ptr<Tool> make_inspect(Workspace& workspace);
 std::unique_ptr<Tool> make_keep_edits(Workspace& workspace);
 std::unique_ptr<Tool> make_look_at_pixels(Workspace& workspace);
+std::unique_ptr<Tool> make_measure_illuminance(Workspace& workspace);
 std::unique_ptr<Tool> make_mix_lights(Workspace& workspace);
 std::unique_ptr<Tool> make_place_camera(Workspace& workspace);
 std::unique_ptr<Tool> make_probe(Workspace& workspace);
+std::unique_ptr<Tool> make_revisit_views(Workspace& workspace);
+std::unique_ptr<Tool> make_show_grid(Workspace& workspace);
 std::unique_ptr<Tool> make_turntable(Workspace& workspace);
+std::unique_ptr<Tool> make_view_light(Workspace& workspace);
 
 } // namespace sr::viewer

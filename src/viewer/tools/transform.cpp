@@ -16,7 +16,6 @@
 namespace sr::viewer {
 namespace {
 
-constexpr std::array axis_names{"X", "Y", "Z"};
 constexpr float min_factor = 0.01f; // of a size
 
 /// Unit vector from a point to the camera.

@@ -8,6 +8,8 @@
 
 namespace sr::viewer {
 
+inline constexpr std::array axis_names{"X", "Y", "Z"};
+
 /// Unit vector along an axis of the world.
 vec3 axis_direction(int axis);
 

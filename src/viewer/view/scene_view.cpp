@@ -82,6 +82,7 @@ void SceneView::set_visibility(Options& options, render::Visibility visibility, 
     reference_.reset();
     try {
         gpu_ = uploaded(loaded_, options, upload_seconds_);
+        if (alone_) upload_lights(loaded_.base.meshes, false);
         restart(options, camera, width, height);
     } catch (...) {
         options.visibility = before;
@@ -93,8 +94,19 @@ void SceneView::set_visibility(Options& options, render::Visibility visibility, 
 
 void SceneView::relight(bool shadows_change) {
     lights_.apply(loaded_);
-    gpu_.relight(loaded_.stage.scene, loaded_.stage.lights, loaded_.base.meshes, shadows_change);
+    upload_lights(loaded_.base.meshes, shadows_change);
     lights_changed();
+}
+
+void SceneView::upload_lights(std::size_t first_mesh, bool shadows_change) {
+    const bool is_alone = alone_ && *alone_ < lights_.entries().size();
+    if (is_alone) {
+        LightEditor shown = lights_;
+        for (std::size_t i = 0; i < lights_.entries().size(); ++i) shown.enable(i, i == *alone_);
+        shown.apply(loaded_);
+    }
+    gpu_.relight(loaded_.stage.scene, loaded_.stage.lights, first_mesh, shadows_change);
+    if (is_alone) lights_.apply(loaded_);
 }
 
 void SceneView::light_by(LightEditor edits) {
@@ -120,7 +132,7 @@ void SceneView::pose(const gltf::AnimationTime& moment) {
     lights_.rebase(loaded_);
     lights_.apply(loaded_);
     const bool deforms = loaded_.contents.skins > 0 || loaded_.contents.morph_targets > 0;
-    gpu_.relight(loaded_.stage.scene, loaded_.stage.lights, deforms ? 0 : loaded_.base.meshes, true);
+    upload_lights(deforms ? 0 : loaded_.base.meshes, true);
     lights_changed();
     if (failure) std::rethrow_exception(failure);
 }

@@ -4,6 +4,7 @@
 #include "viewer/view/progressive_render.hpp"
 
 #include <memory>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -39,6 +40,11 @@ public:
     /// Error
     void light_by(LightEditor edits);
 
+    /// Lights the picture by one entry of lights() alone, enabled or not, or by all if it is absent, once
+    /// relight() runs. No edit: stage() has all lights.
+    void light_alone(std::optional<std::size_t> entry) { alone_ = entry; }
+    std::optional<std::size_t> alone() const { return alone_; }
+
     /// Adds samples to the render with Options::reference_path, which the first call makes. @throws Error,
     /// ShaderError
     void advance_reference(const Options& options, const scene::Camera& camera, int width, int height);
@@ -70,12 +76,14 @@ public:
 
 private:
     void lights_changed();
+    void upload_lights(std::size_t first_mesh, bool shadows_change);
 
     LoadedScene loaded_;
     double upload_seconds_ = 0.0;
     double compile_seconds_ = 0.0;
     render::GpuScene gpu_;
     LightEditor lights_;
+    std::optional<std::size_t> alone_; // entry that lights the picture
     std::unique_ptr<ProgressiveRender> render_;
     std::unique_ptr<ProgressiveRender> reference_;
     render::Estimator reference_estimator_ = render::Estimator::sampled;

@@ -6,6 +6,8 @@
 #include "support/gl.hpp"
 #include "support/scenes.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <string>
 #include <utility>
@@ -55,6 +57,31 @@ const Test terms("unit.cli.views.are_the_terms", [] {
     EXPECT_NEAR(middle_of("irradiance", plane, light)[0], 0.8f / 1.5625f, 1e-4f);
     EXPECT_NEAR(middle_of("luminance", plane, light)[1], 0.8f / 1.5625f / pi, 1e-4f);
     EXPECT_EQ(output::view_named("beauty"), nullptr);
+});
+
+// A square of two triangles fills the picture: its diagonal is an edge, and nothing else is.
+const Test wireframe("unit.cli.views.the_wireframe_has_the_edges", [] {
+    context();
+    const scene::Scene square = lambert_plane(1.0f);
+    const std::vector<scene::Light> no_lights;
+    const render::GpuScene gpu_scene(square, no_lights);
+    render::RenderOptions options;
+    options.width = options.height = view_size;
+    options.samples = 1;
+    options.shader = output::view_named("wireframe")->shader;
+    render::Renderer renderer(gpu_scene, camera_from_above(1.0f), options);
+    renderer.add_sample();
+    const image::Image film = renderer.read_film();
+    const auto edge_at = [&](int x, int y) { return film.at(x, y)[0]; };
+    const bool falls = edge_at(4, 4) > 0.5f; // the diagonal goes down to the right
+    for (int i = 2; i < view_size - 2; ++i) {
+        const int on_edge = falls ? i : view_size - 1 - i;
+        EXPECT_NEAR(edge_at(on_edge, i), 1.0f, 1e-3f) << i;
+        for (int x = 2; x < view_size - 2; ++x) {
+            const float distance = std::abs(static_cast<float>(x - on_edge)) / std::sqrt(2.0f); // [pixels]
+            EXPECT_NEAR(edge_at(x, i), std::clamp(1.25f - distance, 0.0f, 1.0f), 1e-3f) << x << "," << i;
+        }
+    }
 });
 
 const Test surfaces("unit.cli.views.are_the_values_of_the_material", [] {

@@ -34,7 +34,9 @@ class Display:
         if not number:
             raise RuntimeError("Xvfb did not start")
         self.environment = {**os.environ, "DISPLAY": f":{number}", "XDG_CONFIG_HOME": str(folder / "config"),
-                            "XDG_STATE_HOME": str(folder / "state")}
+                            "XDG_STATE_HOME": str(folder / "state"), "XDG_CACHE_HOME": str(folder / "cache"),
+                            # The driver's compiled shaders stay where other runs find them.
+                            "MESA_SHADER_CACHE_DIR": os.environ.get("XDG_CACHE_HOME") or str(Path.home() / ".cache")}
         self.environment.pop("WAYLAND_DISPLAY", None)
 
     def __enter__(self):

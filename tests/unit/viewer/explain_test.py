@@ -43,7 +43,7 @@ def choosing(viewer: Viewer):
     viewer.click(right + (right - left) // 2, (top + bottom) // 2)
     viewer.said("Explained: L of softbox, shaders/light/rectangle.glsl:")
     viewer.key("shift+e")
-    viewer.said("Explained: V of softbox, shaders/visibility/resolve.glsl:")
+    viewer.said("Explained: V of softbox, shaders/visibility/ray.glsl:")
 
 
 def is_of(viewer: Viewer, left, right) -> bool:

@@ -60,6 +60,10 @@ def editing(viewer: Viewer, slider: tuple[int, int]):
     assert same(viewer.shot(), before)
     viewer.changed_by(lambda: viewer.key("ctrl+y"))
     assert same(viewer.shot(), edited)
+    viewer.click(slider[0], slider[1] + 40)  # the branch "clearcoat", and its first slider
+    viewer.pause()
+    viewer.changed_by(lambda: viewer.pull((slider[0] - 20, slider[1] + 60), (slider[0] + 20, slider[1] + 60)))
+    assert not same(viewer.shot(), edited), "the material has no coat"
     target = SCRATCH / "saved.gltf"
     viewer.key("ctrl+s")
     viewer.type(str(target))
@@ -76,10 +80,12 @@ def main() -> int:
         viewer.done()
         name = inspecting(viewer)
         hiding(viewer)
-        saved = editing(viewer, (760, 461))
+        saved = editing(viewer, (800, 461))
         file = json.loads((SCENES / "spheres.gltf").read_text())
         changed = [new["name"] for old, new in zip(file["materials"], saved["materials"]) if old != new]
         assert len(changed) == 1 and name, (name, changed)
+        coats = [m["extensions"]["KHR_materials_clearcoat"] for m in saved["materials"] if m["name"] == changed[0]]
+        assert coats[0]["clearcoatFactor"] > 0 and "KHR_materials_clearcoat" in saved["extensionsUsed"], coats
         for key in "o", "o", "o", "o":
             viewer.key(key)
         viewer.close()

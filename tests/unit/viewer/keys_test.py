@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-"""Keys of the viewer under other keyboard layouts, and keys that must do nothing. Exit status 77: there is no Xvfb, xdotool or
+"""Keys of the viewer that a file changes, under other keyboard layouts, and keys that must do nothing. Exit status 77: there is no Xvfb, xdotool or
 setxkbmap.
 
 usage: keys_test.py STERADIAN SCENES_FOLDER SCRATCH_FOLDER
 """
+import json
 import re
 import shutil
 import subprocess
@@ -28,7 +29,8 @@ def camera_of(viewer: Viewer) -> str:
 
 def azerty(viewer: Viewer):
     """A is where Q is on a US keyboard. Ctrl A does not quit, A frames all; Z flies, because it is where W is."""
-    viewer.key("h", "ctrl+a", "t")
+    viewer.key("h", "ctrl+a", "t")  # T copies the view, as the file of keys says
+    viewer.said("Copied: --camera")
     viewer.changed_by(lambda: viewer.key("a"))
     assert viewer.process.poll() is None and "eye=" in camera_of(viewer), camera_of(viewer)
     framed = camera_of(viewer)
@@ -114,7 +116,7 @@ def finding(viewer: Viewer):
 
     viewer.key("Escape", "Escape")
     look_for("cop", "Return")
-    viewer.said("Copied: --camera")
+    viewer.said("Copied: --camera", 2)
     viewer.changed_by(lambda: look_for("view from", "Down", "Down", "Return"))  # front, back, right
     eye, target = ([float(x) for x in re.search(rf"{name}=([^;']*)", camera_of(viewer))[1].split(",")] for name in ("eye", "target"))
     assert eye[0] > target[0] and abs(eye[2] - target[2]) < 1e-3, camera_of(viewer)
@@ -123,10 +125,30 @@ def finding(viewer: Viewer):
     assert viewer.errors().count("Reference kept.") == framed, "a letter that was typed is a command"
 
 
+def remapped(display: Display):
+    """A file gives commands other keys. One that is wrong is refused with its place; the built-in keys work then."""
+    folder = Path(display.environment["XDG_CONFIG_HOME"]) / "steradian"
+    folder.mkdir(parents=True, exist_ok=True)
+    (folder / "keys.json").write_text('{"Next tone curve": "F8",\n "Copy the view": "T",\n "Pixels": "ctrl+q"}')
+    broken = f'{folder}/keys.json:3:12: Ctrl Q is the key of "Quit", too: give one of the two another key, or none: []'
+    printed = subprocess.run([STERADIAN, "view", "--print-keys"], env=display.environment, capture_output=True, text=True)
+    assert (printed.returncode, printed.stderr.strip()) == (3, broken), (printed.returncode, printed.stderr)
+    viewer = Viewer(display, STERADIAN, SCRATCH / "broken", SCENES / "cornell.gltf", *OPTIONS)
+    viewer.done()
+    viewer.said(broken)
+    viewer.key("ctrl+c")
+    viewer.said("Copied: --camera")
+    viewer.close()
+    (folder / "keys.json").write_text('{"Next tone curve": "F8",\n "Copy the view": "T"}')
+    printed = json.loads(subprocess.run([STERADIAN, "view", "--print-keys"], env=display.environment, capture_output=True).stdout)
+    assert printed["Copy the view"] == "T" and printed["Quit"] == "Ctrl Q", printed
+
+
 def main() -> int:
     skip_without("setxkbmap")
     shutil.rmtree(SCRATCH, ignore_errors=True)
     with Display(SCRATCH / "display", 800, 600) as display:
+        remapped(display)
         layout(display, "fr")
         viewer = Viewer(display, STERADIAN, SCRATCH / "fr", SCENES / "cornell.gltf", *OPTIONS)
         viewer.done()

@@ -1,5 +1,6 @@
 // Pictures of single lights, and their sum.
 #include "viewer/document/light_layers.hpp"
+#include "viewer/panels/mixer.hpp"
 
 #include "support/address.hpp"
 
@@ -38,6 +39,22 @@ const Test refined_layers("unit.viewer.layers.samples_are_averaged_by_their_numb
     layers.add(0, one_pixel({5.0f, 2.0f, 7.0f}), 12);
     EXPECT_EQ(layers.samples(), 16);
     EXPECT_EQ(layers.mix({}).pixels, (std::vector<float>{4.0f, 2.0f, 6.0f}));
+});
+
+const Test groups("unit.viewer.layers.lights_that_differ_in_a_number_are_a_group", [] {
+    std::vector<LightEntry> entries;
+    for (const char* name : {"panel 1", "lamp", "panel 2", "panel 10", "key.001", "key.002", "7", "panel"}) {
+        entries.emplace_back();
+        entries.back().name = name;
+    }
+    const std::vector<MixerGroup> all = mixer_groups(entries);
+    ASSERT_EQ(all.size(), 4u);
+    EXPECT_EQ(all[0].name, "panel");
+    EXPECT_EQ(all[0].entries, (std::vector<std::size_t>{0, 2, 3, 7}));
+    EXPECT_EQ(all[1].entries, (std::vector<std::size_t>{1}));
+    EXPECT_EQ(all[2].name, "key");
+    EXPECT_EQ(all[2].entries, (std::vector<std::size_t>{4, 5}));
+    EXPECT_EQ(all[3].entries, (std::vector<std::size_t>{6})) << "a number is a name";
 });
 
 } // namespace

@@ -54,6 +54,12 @@ def docking(size: str, scene: str, scale: int = 1):
         x, _, shown, _ = picture_of(viewer)
         assert x + shown == width, (x, shown)
         assert x == min(COLUMN * scale, width - 330 * scale), x
+        viewer.changed_by(lambda: viewer.key("w"))
+        right = int(max(min(230 * scale, 0.34 * width), min(420 * scale, 0.27 * width)))
+        x, _, shown, _ = picture_of(viewer)
+        assert abs(x + shown - (width - right)) <= 1, f"the Pixels panel has {width - x - shown} pixels of {width}, not {right}"
+        viewer.move(5, height - 3)
+        viewer.wait(lambda: is_bare(viewer), f"a picture beside a panel, {size}, scale {scale}", 20)
         viewer.close()
 
 

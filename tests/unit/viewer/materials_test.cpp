@@ -3,11 +3,15 @@
 #include "support/address.hpp"
 #include "viewer/document/journal.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <filesystem>
+#include <set>
 #include <string>
+#include <string_view>
 #include <unistd.h>
+#include <variant>
 
 using namespace sr;
 using namespace sr::viewer;
@@ -48,6 +52,44 @@ const Test edited("unit.viewer.materials.factors_are_set_undone_and_saved", [] {
     EXPECT_EQ(materials[last].roughness, file.roughness);
 });
 
+// Each factor in turn: in the scene, in a saved copy that is read again, and gone after an undo.
+const Test others("unit.viewer.materials.each_other_factor_is_saved_where_gltf_has_it", [] {
+    LoadedScene loaded = load_scene(STERADIAN_SCENES "/brdfs.gltf", Options(), 1.0f);
+    LightEditor editor(loaded, false);
+    const auto& materials = loaded.stage.scene.materials;
+    const fs::path target =
+        fs::temp_directory_path() / ("steradian_factors_" + std::to_string(getpid()) + ".gltf");
+    std::set<std::string_view> tried;
+    for (std::size_t i = 0; i < gltf::editable_factors.size(); ++i) {
+        const gltf::EditableFactor& factor = gltf::editable_factors[i];
+        const auto material = static_cast<std::size_t>(
+            std::ranges::find_if(materials.begin(),
+                                 materials.begin() + static_cast<std::ptrdiff_t>(loaded.base.materials),
+                                 [&](const scene::Material& m) { return factor.is_of(m); })
+            - materials.begin());
+        if (material == loaded.base.materials) continue; // this scene has none
+        const vec3 before = value_of(factor, materials[material]);
+        const bool is_number = std::holds_alternative<float scene::Material::*>(factor.member);
+        const float middle = 0.375f * factor.min + 0.625f * factor.max;
+        const vec3 value = is_number ? vec3(middle, 0.0f, 0.0f) : vec3(0.25f, 0.5f, 0.75f);
+        MaterialFactors factors;
+        factors.others[i] = value;
+        editor.begin_step();
+        editor.set_factors(material, factors);
+        editor.apply(loaded);
+        EXPECT_EQ(value_of(factor, materials[material]), value) << factor.key;
+        editor.save(loaded, nullptr, target.string());
+        const LoadedScene saved = load_scene(target.string(), Options(), 1.0f);
+        EXPECT_EQ(value_of(factor, saved.stage.scene.materials[material]), value) << factor.key;
+        EXPECT_TRUE(editor.undo()) << factor.key;
+        editor.apply(loaded);
+        EXPECT_EQ(value_of(factor, materials[material]), before) << factor.key;
+        tried.insert(factor.group);
+    }
+    fs::remove(target);
+    EXPECT_GE(tried.size(), 5u) << "the scene has too few kinds of materials";
+});
+
 const Test recovered("unit.viewer.materials.a_journal_has_the_factors", [] {
     const fs::path folder =
         fs::temp_directory_path() / ("steradian_material_journal_" + std::to_string(getpid()));
@@ -55,7 +97,7 @@ const Test recovered("unit.viewer.materials.a_journal_has_the_factors", [] {
     setenv("XDG_STATE_HOME", folder.c_str(), 1);
     const LoadedScene loaded = load_scene(scene_file, Options(), 1.0f);
     LightEditor editor(loaded, false), fresh(loaded, false);
-    editor.set_factors(1, {.metallic = 0.25f});
+    editor.set_factors(1, {.metallic = 0.25f, .others = {{2, vec3(1.25f, 0.0f, 0.0f)}}});
     Journal(scene_file).write(editor);
     const auto lost = Journal(scene_file).find(fresh.edits());
     ASSERT_TRUE(lost.has_value());

@@ -2,6 +2,7 @@
 #include "core/error.hpp"
 #include "support/address.hpp"
 #include "viewer/document/bookmarks.hpp"
+#include "viewer/document/view_history.hpp"
 #include "viewer/view/camera_values.hpp"
 
 #include <cmath>
@@ -58,6 +59,27 @@ const Test kept("unit.viewer.places.bookmarks_are_kept_for_each_file", [] {
     broken.keep("eye=1,0,0;target=0,0,0");
     EXPECT_EQ(Bookmarks("a.gltf", store).all().size(), 1u);
     std::filesystem::remove_all(folder);
+});
+
+const Test history("unit.viewer.places.views_are_gone_back_to_and_forward_again", [] {
+    ViewHistory views;
+    EXPECT_FALSE(views.earlier());
+    for (const char* view : {"a", "b", "b", "c"}) views.visit(view);
+    EXPECT_FALSE(views.later());
+    EXPECT_EQ(views.earlier(), "b");
+    EXPECT_EQ(views.earlier(), "a");
+    EXPECT_FALSE(views.earlier());
+    EXPECT_EQ(views.later(), "b");
+    views.visit("b"); // where it is already
+    EXPECT_EQ(views.later(), "c");
+    EXPECT_EQ(views.earlier(), "b");
+    views.visit("d"); // in the place of what came after
+    EXPECT_FALSE(views.later());
+    EXPECT_EQ(views.earlier(), "b");
+    for (int i = 0; i < 300; ++i) views.visit(std::to_string(i));
+    int count = 1;
+    while (views.earlier()) ++count;
+    EXPECT_EQ(count, 200);
 });
 
 } // namespace

@@ -80,6 +80,41 @@ def bookmarks(viewer: Viewer):
     return kept
 
 
+def history(viewer: Viewer):
+    """Backspace goes back to the view before, Shift Backspace forward again; Undo is for edits."""
+    first = camera_of(viewer)
+    viewer.changed_by(lambda: viewer.key("Right"))
+    second = camera_of(viewer)
+    viewer.key("ctrl+z")
+    viewer.said("Nothing to undo.")
+    viewer.changed_by(lambda: viewer.key("BackSpace"))
+    assert camera_of(viewer) == first, (camera_of(viewer), first)
+    viewer.changed_by(lambda: viewer.key("shift+BackSpace"))
+    assert camera_of(viewer) == second, (camera_of(viewer), second)
+    viewer.key("shift+BackSpace")
+    viewer.said("There is no later view.")
+
+
+def grid(viewer: Viewer):
+    """Shift G draws a grid and axes over the picture, and takes them away again."""
+    viewer.move(5, 395)
+    viewer.pause()
+    axis = 86, 180, 233
+    assert viewer.count(axis) < 20
+    viewer.key("shift+g")
+    viewer.said("Grid: lines each ")
+    viewer.wait(lambda: viewer.count(axis) > 40, "an axis")
+    viewer.key("shift+g")
+    viewer.said("No grid.")
+    viewer.wait(lambda: viewer.count(axis) < 20, "the picture alone")
+
+
+def has_picture(viewer: Viewer) -> bool:
+    """Whether the first recent file has a picture: the red wall of the Cornell box."""
+    red, green, blue = viewer.screen(54, 245)
+    return red > 60 and red > 2 * green and red > 2 * blue
+
+
 def main() -> int:
     skip_without()
     shutil.rmtree(SCRATCH, ignore_errors=True)
@@ -95,9 +130,14 @@ def main() -> int:
         neighbours(viewer)
         placing(viewer)
         kept = bookmarks(viewer)
+        history(viewer)
+        grid(viewer)
         viewer.close()
         viewer = Viewer(display, STERADIAN, SCRATCH / "run", *OPTIONS)
         viewer.said("text field focused")
+        viewer.wait(lambda: has_picture(viewer), "a thumbnail of the file")
+        pictures = {file.name: file.stat().st_mtime_ns for file in (SCRATCH / "display/cache/steradian/thumbnails").glob("*[0-9a-f].png")}
+        assert pictures, "the thumbnail is not in the cache"
         viewer.click(44, 224)  # the first of the recent files
         viewer.done()
         assert viewer.title().startswith("b.gltf"), viewer.title()

@@ -1,0 +1,34 @@
+#version 410 core
+// The edges of the triangles, 1.5 pixels wide: 1 on an edge, 0 away from it, and a slope of a pixel between.
+#include "surface/at_fragment.glsl"
+
+uniform samplerBuffer mesh_positions; // of the vertices, in object space [m]
+uniform usamplerBuffer mesh_indices;  // three a triangle
+
+out vec4 film;
+
+const float half_width = 0.75; // [pixels]
+
+vec3 corner(int i) {
+    int vertex = int(texelFetch(mesh_indices, 3 * gl_PrimitiveID + i).r);
+    return (world_from_object * vec4(texelFetch(mesh_positions, vertex).xyz, 1.0)).xyz;
+}
+
+// Each is 1 at its corner, and 0 on the edge between the two others.
+vec3 barycentric(vec3 p) {
+    vec3 a = corner(0);
+    vec3 ab = corner(1) - a, ac = corner(2) - a, n = cross(ab, ac);
+    float v = dot(cross(p - a, ac), n) / dot(n, n);
+    float w = dot(cross(ab, p - a), n) / dot(n, n);
+    return vec3(1.0 - v - w, v, w);
+}
+
+void main() {
+    vec3 b = barycentric(vertex_position); // before any discard, which would end the derivatives
+    vec3 slope = sqrt(dFdx(b) * dFdx(b) + dFdy(b) * dFdy(b)); // a pixel
+    vec3 pixels = b / max(slope, vec3(1e-20));
+    float distance_to_edge = min(pixels.x, min(pixels.y, pixels.z));
+    float edge = is_line || is_point ? 1.0 : clamp(half_width + 0.5 - distance_to_edge, 0.0, 1.0);
+    Surface x = surface_at_fragment();
+    film = vec4(vec3(edge) * x.coverage, x.coverage);
+}

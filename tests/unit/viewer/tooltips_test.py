@@ -1,0 +1,45 @@
+#!/usr/bin/env python3
+"""Every field, button and head of the viewer's panels has a tooltip, as its sources say.
+
+usage: tooltips_test.py VIEWER_SOURCES
+"""
+import re
+import sys
+from pathlib import Path
+
+# What a person sees a value in, sets one by, or reads a column by. Rows of lists are texts of the file.
+FIELD = re.compile(r"ImGui::(Checkbox|RadioButton|Slider\w+|Drag(?:Float|Int)\w*|Input(?:Text|Float|Int)\w*|ColorEdit\d|ColorButton|Combo|BeginCombo|"
+                   r"Button|SmallButton|ArrowButton|CollapsingHeader|BeginTabItem|TableHeader|PlotHistogram)\(")
+TIP = re.compile(r"\btooltip\(")
+# A block ends where its function does, or where a field follows.
+END = re.compile(r"^}", re.MULTILINE)
+
+
+def missing_in(source: str) -> list[int]:
+    """Lines of fields that no tooltip follows before the next field. Two fields in one condition share a tooltip."""
+    lines = []
+    starts = [found.start() for found in FIELD.finditer(source)]
+    for start, following in zip(starts, [*starts[1:], len(source)]):
+        end = END.search(source, start)
+        part = source[start:min(following, end.start() if end else len(source))]
+        is_shared = ";" not in part  # cond ? ColorEdit4(...) : ColorEdit3(...)
+        if not is_shared and not TIP.search(part):
+            lines.append(source.count("\n", 0, start) + 1)
+    return lines
+
+
+def main() -> int:
+    wrong = 'void f() {\n    if (ImGui::Button("a")) g();\n    ImGui::Checkbox("b", &b);\n    tooltip("of b");\n}\n'
+    assert missing_in(wrong) == [2], "the rule does not see a button without a tooltip"
+    assert not missing_in(wrong.replace("g();", 'g();\n    tooltip("of a");'))
+    sources = sorted(Path(sys.argv[1]).rglob("*.cpp"))
+    fields = sum(len(FIELD.findall(source.read_text())) for source in sources)
+    assert fields > 60, f"only {fields} fields were found"
+    missing = [f"{source}:{line}" for source in sources for line in missing_in(source.read_text())]
+    for place in missing:
+        print(f"{place}: a field without a tooltip that says its meaning and unit", file=sys.stderr)
+    return 1 if missing else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
