@@ -7,7 +7,6 @@
 #include "surface/surface.glsl"
 #include "integrator/power_heuristic.glsl"
 #include "interface/estimator.glsl"
-#include "interface/frame.glsl"
 #include "light/mesh_along.glsl"
 #include "light/sample_light.glsl"
 #include "light/tree.glsl"
@@ -82,6 +81,3 @@ MetLight met_light(Surface x, LitPoint lit, vec3 w, float p_w, float u) {
     if (kept.k >= 0) kept.weight = weight_of_direction(kept.k, lit, kept.light, p_w) * (sum / L_kept);
     return kept;
 }
-
-// Returns whether light k is at work (Frame).
-bool is_at_work(int k) { return k >= first_light && k < end_light; }

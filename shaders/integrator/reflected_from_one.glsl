@@ -9,6 +9,7 @@
 // (Frame) are chosen too, and add nothing.
 #include "surface/surface.glsl"
 #include "brdf/brdf.glsl"
+#include "integrator/at_work.glsl"
 #include "integrator/cosine.glsl"
 #include "integrator/integrand.glsl"
 #include "integrator/met_light.glsl"
