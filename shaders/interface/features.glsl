@@ -12,6 +12,7 @@ const int tube_light = 6;
 const int polygon_light = 7;
 const int mesh_light = 8;
 const int environment_light = 9;
+const int light_kinds = 10;
 const bool has_point_lights = true;
 const bool has_spot_lights = true;
 const bool has_directional_lights = true;

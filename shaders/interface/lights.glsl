@@ -1,5 +1,5 @@
-// The emitters, eight texels each in a buffer texture, behind them the light tree (light/tree.glsl), and then what some
-// of the emitters point to. Keep in sync with pack_lights() in src/render/gpu/light_table.cpp.
+// The emitters, eight texels each in a buffer texture, behind them the light tree (light/tree.glsl), then what some of the
+// emitters point to, and lists of the lights of each kind. Keep in sync with pack_lights() in src/render/gpu/light_table.cpp.
 #include "interface/features.glsl"
 
 uniform samplerBuffer light_table;
@@ -66,3 +66,8 @@ int leaf_of(int index) { return int(texelFetch(light_table, 8 * index + 6).w); }
 
 // The first texel of the light tree, and its number of nodes.
 ivec2 light_tree() { return ivec2(texelFetch(light_table, textureSize(light_table) - 1).xy); }
+
+// The lights of a kind in their order: the first one, and the next one after k. 2^30: there is none.
+int lists_of_kinds() { return int(texelFetch(light_table, textureSize(light_table) - 1).z); }
+int first_in_table(int kind) { return int(texelFetch(light_table, lists_of_kinds() + kind).x); }
+int next_in_table(int k) { return int(texelFetch(light_table, lists_of_kinds() + light_kinds + k).x); }

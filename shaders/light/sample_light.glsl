@@ -15,9 +15,13 @@ const bool has_lights_to_meet = has_rectangle_lights || has_disk_lights || has_s
                              || has_polygon_lights || has_sun_disks || has_environment_lights;
 const bool has_area_lights = has_lights_to_meet || has_mesh_lights;
 
+// Returns whether a direction of the BRDF's choice can meet a light of this kind, or of an unknown one.
+bool is_met(int kind) {
+    return kind == directional_light ? has_sun_disks : kind != point_light && kind != spot_light && kind != mesh_light;
+}
+
 // In a direction of the light's choice; emitters without extent ignore the random numbers u.
-LightSample sample_light(int k, vec3 x, vec2 u) {
-    Light light = light_at(k);
+LightSample sample_light(Light light, vec3 x, vec2 u) {
     if (has_rectangle_lights && light.kind == rectangle_light) return sample_rectangle(light, x, u);
     if (has_disk_lights && light.kind == disk_light) return sample_disk(light, x, u);
     if (has_sphere_lights && light.kind == sphere_light) return sample_sphere(light, x, u);
@@ -32,8 +36,7 @@ LightSample sample_light(int k, vec3 x, vec2 u) {
 }
 
 // In the direction wi: p = 0 where the light is not met.
-LightSample light_along(int k, vec3 x, vec3 wi) {
-    Light light = light_at(k);
+LightSample light_along(Light light, vec3 x, vec3 wi) {
     if (has_rectangle_lights && light.kind == rectangle_light) return rectangle_along(light, x, wi);
     if (has_disk_lights && light.kind == disk_light) return disk_along(light, x, wi);
     if (has_sphere_lights && light.kind == sphere_light) return sphere_along(light, x, wi);
@@ -43,3 +46,6 @@ LightSample light_along(int k, vec3 x, vec3 wi) {
     if (has_environment_lights && light.kind == environment_light) return environment_along(light, wi);
     return no_light;
 }
+
+LightSample sample_light(int k, vec3 x, vec2 u) { return sample_light(light_at(k), x, u); }
+LightSample light_along(int k, vec3 x, vec3 wi) { return light_along(light_at(k), x, wi); }

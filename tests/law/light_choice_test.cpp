@@ -76,13 +76,21 @@ std::vector<Row> places(int count, std::uint64_t seed, std::size_t light_count) 
     return rows;
 }
 
+/// The places as the tree sees them, with peaks of all widths.
+const std::string lit_place = R"(
+    #include "light/tree.glsl"
+    LitPoint lit_place(vec4 a, vec4 b) {
+        return LitPoint(a.xyz, b.xyz, normalize(b.yzx + b.xyz), exp(20.0 * b.w - 10.0), exp(-15.0 * b.w));
+    })";
+
 const Test sum("law.light_choice.probabilities_sum_to_one", [] {
     const auto lights = mixed_lights(8, 1);
     context();
     const render::GpuScene scene(scene::Scene{}, lights);
-    const auto sums = evaluate("#include \"light/tree.glsl\"", R"(
+    const auto sums = evaluate(lit_place, R"(
+        LitPoint lit = lit_place(a, b);
         float sum = 0.0;
-        for (int k = 0; k < int(a.w); ++k) sum += p_light(k, a.xyz, b.xyz);
+        for (int k = 0; k < int(a.w); ++k) sum += p_light(k, lit);
         return vec4(sum);)",
                                places(4096, 2, lights.size()), &scene);
     for (const vec4 answer : sums) ASSERT_NEAR(answer.x, 1.0f, 1e-4f);
@@ -94,17 +102,18 @@ const Test reach("law.light_choice.every_light_that_shines_can_be_chosen", [] {
     const auto lights = mixed_lights(4, 3);
     context();
     const render::GpuScene scene(scene::Scene{}, lights);
-    const auto answers = evaluate("#include \"light/tree.glsl\"\n#include \"light/sample_light.glsl\"", R"(
-        float lost = 0.0, lit = 0.0, lowest = 1e30;
+    const auto answers = evaluate(lit_place + "\n#include \"light/sample_light.glsl\"", R"(
+        LitPoint lit = lit_place(a, b);
+        float lost = 0.0, shining = 0.0, lowest = 1e30;
         for (int k = 0; k < int(a.w); ++k) {
             LightSample s = sample_light(k, a.xyz, c.xy);
             if (!(dot(s.wi, b.xyz) > 0.0) || s.Li_over_p == vec3(0.0)) continue;
-            float P = p_light(k, a.xyz, b.xyz);
-            lit += 1.0;
+            float P = p_light(k, lit);
+            shining += 1.0;
             if (!(P > 0.0)) { lost += 1.0; continue; }
-            lowest = min(lowest, importance(light_tree().x + 4 * leaf_of(k), a.xyz, b.xyz));
+            lowest = min(lowest, importance(node_of(leaf_of(k)), lit));
         }
-        return vec4(lost, lit, lowest, 0.0);)",
+        return vec4(lost, shining, lowest, 0.0);)",
                                   places(8192, 4, lights.size()), &scene);
     float lit = 0.0f;
     for (const vec4 answer : answers) {
@@ -121,10 +130,11 @@ std::vector<vec4> choices(const render::GpuScene& scene, const Row& place, int c
     std::vector<Row> rows;
     for (int i = 0; i < count; ++i)
         rows.push_back({place[0], place[1], vec4(random.unit(), random.unit(), random.unit(), 0.0)});
-    return evaluate("#include \"light/tree.glsl\"", R"(
+    return evaluate(lit_place, R"(
+        LitPoint lit = lit_place(a, b);
         vec2 u = c.xy;
-        LightChoice chosen = choose_light(a.xyz, b.xyz, u, c.z);
-        return vec4(float(chosen.light), chosen.P, u.x, p_light(chosen.light, a.xyz, b.xyz));)",
+        LightChoice chosen = choose_light(lit, u, c.z);
+        return vec4(float(chosen.light), chosen.P, u.x, p_light(chosen.light, lit));)",
                     rows, &scene);
 }
 
@@ -133,8 +143,8 @@ std::vector<double> probabilities(const render::GpuScene& scene, const Row& plac
     for (std::size_t k = 0; k < light_count; ++k)
         rows.push_back({place[0], place[1], vec4(static_cast<float>(k), 0.0f, 0.0f, 0.0f)});
     std::vector<double> p;
-    for (const vec4 answer : evaluate("#include \"light/tree.glsl\"",
-                                      "return vec4(p_light(int(c.x), a.xyz, b.xyz));", rows, &scene))
+    for (const vec4 answer :
+         evaluate(lit_place, "return vec4(p_light(int(c.x), lit_place(a, b)));", rows, &scene))
         p.push_back(answer.x);
     return p;
 }

@@ -94,6 +94,7 @@ std::string Features::glsl() const {
         text += fmt::format("const int {0}_light = {1};\nconst bool has_{0}_lights = {2};\n", name, kind,
                             has_lights[kind]);
     }
+    text += fmt::format("const int light_kinds = {};\n", scene::light_kind_count);
     append(light_flags);
     for (std::size_t slot = 0; slot < scene::slot_count; ++slot)
         text += fmt::format("const bool has_{}_texture = {};\n", scene::texture_inputs[slot].name,

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <utility>
 
 namespace sr::render {
 namespace {
@@ -235,6 +236,19 @@ std::vector<AliasEntry> alias_table(std::span<const double> weights) {
     return table; // what is left over is full but for rounding, and keeps its share
 }
 
+/// Appends the first light of each kind, and the next one of its kind after each light:
+/// shaders/interface/lights.glsl. `kinds`: of the lights, as the shaders number them.
+static void append_lists_of_kinds(std::span<const std::size_t> kinds, std::vector<vec4>& table) {
+    constexpr float none = 1 << 30;
+    std::array<float, scene::light_kind_count> first;
+    first.fill(none);
+    std::vector<float> next(kinds.size());
+    for (std::size_t k = kinds.size(); k-- > 0;)
+        next[k] = std::exchange(first[kinds[k]], static_cast<float>(k));
+    for (const float k : first) table.emplace_back(k, 0.0f, 0.0f, 0.0f);
+    for (const float k : next) table.emplace_back(k, 0.0f, 0.0f, 0.0f);
+}
+
 std::vector<vec4> pack_lights(const scene::Scene& scene, std::span<const scene::Light> lights,
                               EmissionMaps& maps, EnvironmentTexels& environments) {
     maps.rewind();
@@ -246,16 +260,20 @@ std::vector<vec4> pack_lights(const scene::Scene& scene, std::span<const scene::
         if (tree[i].is_leaf()) leaf[static_cast<std::size_t>(tree[i].light)] = static_cast<float>(i);
     Packer packer(scene, maps, environments, first_of_tree + tree_texels.size());
     std::vector<vec4> table;
+    std::vector<std::size_t> kinds;
     table.reserve(first_of_tree + tree_texels.size());
     for (std::size_t k = 0; k < lights.size(); ++k) {
         Texels texels = std::visit([&](const auto& any) { return packer(any); }, lights[k]);
         if (passes_back_faces(lights[k])) texels[4].w += 2.0f; // beside 1 for two sides
         texels[6].w = leaf[k];
+        kinds.push_back(static_cast<std::size_t>(texels[0].w));
         table.insert(table.end(), texels.begin(), texels.end());
     }
     table.insert(table.end(), tree_texels.begin(), tree_texels.end());
     table.insert(table.end(), packer.payload().begin(), packer.payload().end());
-    table.emplace_back(static_cast<float>(first_of_tree), tree.size(), 0.0f, 0.0f);
+    const std::size_t lists = table.size();
+    append_lists_of_kinds(kinds, table);
+    table.emplace_back(static_cast<float>(first_of_tree), tree.size(), lists, 0.0f);
     return table;
 }
 

@@ -9,9 +9,10 @@
 namespace sr::render {
 
 /// Eight RGBA texels a light, behind them the light tree, then the corners, triangles, profiles and
-/// descriptions of emission maps that they point to: the twin of shaders/interface/lights.glsl. The last
-/// texel has the place of the tree and its number of nodes. Textures and profiles are the scene's; the
-/// textures in use go to `maps`, the pictures of environments to `environments`.
+/// descriptions of emission maps that they point to, and lists of the lights of each kind: the twin of
+/// shaders/interface/lights.glsl. The last texel has the place of the tree, its number of nodes, and the
+/// place of the lists. Textures and profiles are the scene's; the textures in use go to `maps`, the pictures
+/// of environments to `environments`.
 inline constexpr int texels_per_light = 8;
 std::vector<vec4> pack_lights(const scene::Scene& scene, std::span<const scene::Light> lights,
                               EmissionMaps& maps, EnvironmentTexels& environments);

@@ -301,11 +301,13 @@ std::vector<vec4> pack_light_tree(std::span<const LightNode> nodes) {
         const int form = (node.is_two_sided ? 1 : 0) + (node.is_far ? 2 : 0) + (node.is_met ? 4 : 0)
                          + (node.has_mesh ? 8 : 0) + (faces_one_way(node) ? 16 : 0);
         const int link = node.is_leaf() ? -1 - node.light : node.second_child;
-        texels.emplace_back(box.min, node.power);
-        texels.emplace_back(box.max, static_cast<float>(link));
+        const vec3 half_size = 0.5f * (box.max - box.min);
+        texels.emplace_back(box.center(), node.power);
+        texels.emplace_back(half_size, static_cast<float>(link));
         texels.emplace_back(node.axis, static_cast<float>(form));
-        texels.emplace_back(std::cos(node.theta_o), std::cos(std::min(node.theta_e, pi)) - cone_margin,
-                            static_cast<float>(node.end), static_cast<float>(node.parent));
+        texels.emplace_back(std::cos(node.theta_o), std::sin(node.theta_o),
+                            std::cos(std::min(node.theta_e, pi)) - cone_margin, glm::length(half_size));
+        texels.emplace_back(static_cast<float>(node.end), static_cast<float>(node.parent), 0.0f, 0.0f);
     }
     return texels;
 }

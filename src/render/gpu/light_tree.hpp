@@ -33,7 +33,7 @@ std::vector<LightNode> build_light_tree(const scene::Scene& scene, std::span<con
 
 /// Keep in sync with shaders/light/tree.glsl.
 inline constexpr int max_light_tree_depth = 64;
-inline constexpr int texels_per_light_node = 4;
+inline constexpr int texels_per_light_node = 5;
 
 /// Returns the texels of the nodes, as shaders/light/tree.glsl reads them.
 std::vector<vec4> pack_light_tree(std::span<const LightNode> nodes);

@@ -82,13 +82,14 @@ struct Omission {
 };
 
 std::vector<Omission> omissions_of(int left_out) {
-    const std::string each = "for (int k = first_light; k < end_light; ++k) {";
-    const std::string others = fmt::format("{} if (k == {}) continue;", each, left_out);
+    const std::string each = "for (int k = first_at_work(kind); k < end_light; k = next_at_work(k)) {";
+    const std::string each_mirrored = "for (int k = first_light; k < end_light; ++k) {";
+    const std::string others = fmt::format(" if (k == {}) continue;", left_out);
     return {{EquationTerm::emission, "integrator/emitted.glsl", "return x.emission;", "return vec3(0.0);"},
             {EquationTerm::f_r, integrand, "f_r(x, light.wi, wo) * light", "light"},
             {EquationTerm::f_r, mirror_sum, mirror_reflectance, "vec3 L_k = light", true},
-            {EquationTerm::light, sum, each, others},
-            {EquationTerm::light, mirror_sum, each, others, true},
+            {EquationTerm::light, sum, each, each + others},
+            {EquationTerm::light, mirror_sum, each_mirrored, each_mirrored + others, true},
             {EquationTerm::visibility, "visibility/seen.glsl", "L * visibility(x, wi, distance, light, ray)",
              "L"},
             {EquationTerm::cosine, integrand, " * cos_i, x", ", x"}};
