@@ -230,8 +230,10 @@ std::string history_text(const std::vector<PastRun>& runs) {
     for (const TestHistory& test : histories(runs)) {
         std::string letters;
         for (const TestResult* result : test.results) letters += letter_of(result);
-        text += fmt::format("{:<28} {}  {} of {} passed", test.name, letters, test.count(Outcome::passed),
-                            test.run_count());
+        text += fmt::format("{:<28} {}  ", test.name, letters);
+        text += test.run_count() == 0
+                    ? "not run" // a filter left it out
+                    : fmt::format("{} of {} passed", test.count(Outcome::passed), test.run_count());
         if (const int n = test.count(Outcome::flaky)) text += fmt::format(", {} flaky", n);
         if (!test.seconds.empty()) text += fmt::format("  {:.2f} s", test.median_seconds());
         text += '\n';

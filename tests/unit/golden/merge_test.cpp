@@ -293,6 +293,13 @@ const Test history("unit.golden.history.shows_outcomes_from_the_earliest_run", [
                                                       "{:<28} -M  0 of 1 passed  1.00 s\n",
                                                       "a", "b"));
     EXPECT_EQ(golden::history_json(runs)["tests"][1]["outcomes"].dump(), "[null,\"missing\"]");
+    golden::RunResult filtered{"s", "s.json", {}};
+    filtered.tests.emplace_back().name = "a";
+    filtered.tests.back().is_earlier = true;
+    fs::create_directories(folder / "filtered");
+    golden::write_results(filtered, folder / "filtered");
+    EXPECT_EQ(golden::history_text(golden::read_history({folder / "filtered"})),
+              fmt::format("{:<28} -  not run\n", "a"));
 });
 
 const Test summary("unit.golden.summary.escapes_and_stays_short", [] {
