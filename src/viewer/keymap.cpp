@@ -1,10 +1,12 @@
 #include "viewer/keymap.hpp"
 
+#include "core/file.hpp"
 #include "core/json.hpp"
 #include "viewer/config.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <set>
 
 namespace sr::viewer {
 namespace {
@@ -37,14 +39,30 @@ ReadBinding binding_at(const nlohmann::json& value, Command command, const JsonF
     return {{key->first, key->second, command}, file.place_of(at)};
 }
 
+/// JSON keeps one of two members with the same name, and says nothing.
+void refuse_doubles(const JsonFile& file, const std::string& text) {
+    std::set<std::string> names;
+    const auto look = [&](int depth, nlohmann::json::parse_event_t event, nlohmann::json& parsed) {
+        if (depth != 1 || event != nlohmann::json::parse_event_t::key) return true;
+        const auto name = parsed.get<std::string>();
+        if (!names.insert(name).second)
+            throw Error(file.place_of(Pointer() / name), fmt::format("\"{}\" stands here twice", name),
+                        "write its keys as one list: [\"W\", \"F9\"]");
+        return true;
+    };
+    require(nlohmann::json::parse(text, look).is_object(), "the file has been parsed already");
+}
+
 } // namespace
 
 Keymap::Keymap() : bindings_(bindings().begin(), bindings().end()) {}
 
 Keymap Keymap::read(const std::filesystem::path& path) {
-    const JsonFile file(path);
+    const std::string text = read_text(path);
+    const JsonFile file(path, text);
     if (!file.root().is_object())
         throw Error(file.place_of(Pointer()), "is no object", "write {\"Frame all\": \"Ctrl Home\"}");
+    refuse_doubles(file, text);
     Keymap map;
     std::vector<ReadBinding> given;
     for (const auto& [name, value] : file.root().items()) {

@@ -120,6 +120,27 @@ bool draw_other_factors(LightEditor& edits, MaterialFactors& factors, const scen
     return has_changed;
 }
 
+/// Field of what a material emits, if it does: the same edit as among the lights.
+Changes draw_emission(LightEditor& edits, const LoadedScene& loaded, std::size_t material) {
+    const auto is_of_material = [&](const LightEntry& entry) {
+        return entry.kind == LightEdit::Kind::material && edits.edits()[entry.edit].material == material;
+    };
+    const auto entry = std::ranges::find_if(edits.entries(), is_of_material);
+    if (entry == edits.entries().end()) return {};
+    vec3 emission = edits.edits()[entry->edit].emission;
+    const float brightest = std::max({emission.r, emission.g, emission.b, 1e-3f});
+    const std::string unit = with_superscripts(std::string(scene::radiance_unit(loaded.stage.scene.units)));
+    const bool is_changed =
+        ImGui::DragFloat3(fmt::format("emission##{}", material).c_str(), &emission.x, 0.005f * brightest,
+                          0.0f, 1e9f, "%.4g", ImGuiSliderFlags_AlwaysClamp);
+    if (ImGui::IsItemActivated()) edits.begin_step();
+    tooltip(fmt::format("what it emits, red, green and blue [{}], times its texture; also among the lights",
+                        unit));
+    if (!is_changed || emission == vec3(0.0f)) return {}; // a light is switched off among the lights
+    edits.set_quantity(static_cast<std::size_t>(entry - edits.entries().begin()), emission);
+    return Change::lights;
+}
+
 } // namespace
 
 std::string name_or_number(const std::string& name, const char* kind, std::size_t number) {
@@ -171,6 +192,7 @@ Changes draw_material(LightEditor& edits, const LoadedScene& loaded, std::size_t
         // Alpha and glass change shadows, and the mixer's pictures have the old material.
         if (has_changed) changes = Change::lights | Change::shadows;
     }
+    changes |= draw_emission(edits, loaded, material);
     if (const auto chosen = draw_texture_rows(loaded, shown)) texture = chosen;
     return changes;
 }

@@ -99,9 +99,7 @@ Changes LightsPanel::draw_value(LightEditor& editor, const LoadedScene& loaded, 
     const bool is_entered = ImGui::InputTextWithHint("value", "800 lm, 6500 K", typed_.data(), typed_.size(),
                                                      ImGuiInputTextFlags_EnterReturnsTrue);
     focus_.update(ImGui::IsItemActive());
-    tooltip("a number with the unit of such a light or another one (cd, lm, lx, cd/m^2, W, ...), or kelvins "
-            "for its "
-            "colour; Enter takes it");
+    tooltip("a number with a unit (cd, lm, lx, cd/m^2, W, ...), or kelvins for its colour; Enter takes it");
     if (is_entered) {
         try {
             const vec3 quantity = parse_quantity(typed_.data(), group);
@@ -177,7 +175,7 @@ Changes LightsPanel::draw_sizes(LightEditor& editor, std::size_t selected) {
         const bool is_changed = ImGui::DragFloat(label.c_str(), &size, 0.01f * size, 1e-4f, 1e4f, "%.4g",
                                                  ImGuiSliderFlags_AlwaysClamp);
         if (ImGui::IsItemActivated()) editor.begin_step();
-        tooltip("an extent of the light [m]; its radiance or its flux stays, whichever the light states");
+        tooltip("an extent of the light [m]; its radiance stays, so that a larger light gives more");
         if (!is_changed) continue;
         editor.set_size(selected, i, size);
         change |= shape;

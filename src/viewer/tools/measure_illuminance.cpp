@@ -25,7 +25,8 @@ public:
     void notice(Changes changes) override;
     Changes draw(const Overlay& overlay) override;
     Activity activity() const override {
-        return is_open_ && (render_ || !is_measured_) ? Activity::active : Activity::idle;
+        if (!is_open_ || is_measured_ || ws_.is_mixing) return Activity::idle;
+        return render_ ? Activity::active : Activity::waiting;
     }
 
 private:

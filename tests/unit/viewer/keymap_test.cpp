@@ -81,6 +81,9 @@ const Test refusals("unit.viewer.keymap.a_wrong_file_is_refused_with_its_place",
     EXPECT_EQ(refusal_of("{\"Pixels\": \"F9\", \"Scene\": \"F9\"}").substr(0, 61),
               "keys.json:1:27: F9 is the key of \"Pixels\", too: give one of t");
     EXPECT_EQ(refusal_of("{\"Pixels\": 3}").substr(0, 34), "keys.json:1:12: a key is no text: ");
+    EXPECT_NE(refusal_of("{\"Pixels\": \"F9\", \"Scene\": \"O\",\n\"Pixels\": \"F8\"}")
+                  .find("\"Pixels\" stands here twice: write its"),
+              std::string::npos);
     EXPECT_EQ(refusal_of("[]").substr(0, 29), "keys.json:1:1: is no object: ");
     EXPECT_NE(refusal_of("{\"Pixels\" \"W\"}").find("keys.json:1:"), std::string::npos) << "no JSON";
 });
