@@ -7,7 +7,7 @@ const int kinds_of_lights = int(has_point_lights) + int(has_spot_lights) + int(h
                           + int(has_rectangle_lights) + int(has_disk_lights) + int(has_sphere_lights) + int(has_tube_lights)
                           + int(has_polygon_lights) + int(has_mesh_lights) + int(has_environment_lights);
 
-// Kinds have loops of their own if they are few: each takes the compiler as long as all in one.
+// Kinds have loops of their own if they are few, since each loop takes the compiler time.
 const bool has_loop_for_each_kind = kinds_of_lights > 1 && kinds_of_lights <= 4;
 const int any_kind = -1;
 

@@ -7,11 +7,12 @@
 // after Conty Estevez & Kulla 2018, section 5.1, and Pharr, Jakob & Humphreys 2023, section 12.6.3: Φ is the intensity of
 // the node's lights, d and w lead to the middle of its box, r is half the box's diagonal, sinθ_b = r / d, θ_o is half
 // the cone of normals, θ_e how far from its normal an emitter sends light. Those bound the amount; noise is less where it
-// is a mean over the node: d² + r²/3 is the mean square of the distance to a ball's points or less, cosθ_i is halfway between
-// those of the highest point and the middle, cosθ between cosθ' and that of the axis, the nearer to cosθ' the wider the cone. f is f_r over its diffuse part: GGX's
-// D (Walter et al. 2007, Eq. 33), widened by the node's size, of the half vector. Of the peak a fifth counts, since
-// the BRDF's own direction finds it, too. Lights at infinity have the irradiance E cosθ_i f. Only what cannot shine on x is dark;
-// a cosine is min_cosine at least. Keep in sync with src/render/gpu/light_tree.hpp.
+// is a mean over the node: d² + r²/3 is the mean square of the distance to the points of the box, cosθ_i is halfway
+// between those of the highest point and the middle, and cosθ between cosθ' and that of the axis, the nearer to cosθ'
+// the wider the cone. f is f_r over its diffuse part: GGX's D (Walter et al. 2007, Eq. 33), widened by the node's size,
+// of the half vector. Of the peak a fifth counts, since the BRDF's own direction finds it, too. Lights at infinity have
+// the irradiance E cosθ_i f. Only what cannot shine on x is dark; a cosine is min_cosine at least. Keep in sync with
+// src/render/gpu/light_tree.hpp.
 #include "interface/features.glsl"
 #include "interface/lights.glsl"
 

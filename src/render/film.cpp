@@ -41,10 +41,20 @@ RenderTarget::RenderTarget(const char* name, int width, int height, bool has_dep
         allocate(GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, width, height);
         glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth_.id(), 0);
     }
+    require_complete();
+}
+
+RenderTarget::RenderTarget(const char* name, const RenderTarget& with_depth)
+    : RenderTarget(name, with_depth.width(), with_depth.height(), false) {
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, with_depth.depth().id(), 0);
+    require_complete();
+}
+
+void RenderTarget::require_complete() const {
     const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
     if (status != GL_FRAMEBUFFER_COMPLETE || glGetError() == GL_OUT_OF_MEMORY)
-        throw Error(fmt::format("the driver refuses a float picture of {}×{} pixels (status {:#x})", width,
-                                height, status),
+        throw Error(fmt::format("the driver refuses a float picture of {}×{} pixels (status {:#x})", width_,
+                                height_, status),
                     "choose a smaller --size, or another --backend");
 }
 

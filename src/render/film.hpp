@@ -13,6 +13,9 @@ class RenderTarget {
 public:
     /// @throws Error if the driver does not take the size.
     RenderTarget(const char* name, int width, int height, bool has_depth);
+    /// One of the same size that is drawn into under the depth of another, which outlives it.
+    /// @throws Error as above
+    RenderTarget(const char* name, const RenderTarget& with_depth);
 
     /// Makes it the target of drawing, whole.
     void bind() const;
@@ -27,6 +30,8 @@ public:
     std::array<float, 4> read(int column, int row) const;
 
 private:
+    void require_complete() const;
+
     int width_;
     int height_;
     gl::Texture color_;

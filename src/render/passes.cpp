@@ -56,6 +56,25 @@ void begin_nearest(const RenderTarget& frame, vec3 background) {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 
+/// Draws a triangle over the scissor that adds to the target; not to pixels that mask_pass() closed, if there
+/// are any. Their depth is 0. A driver on the CPU then leaves out whole blocks of pixels.
+void add_everywhere(bool but_closed) {
+    glDisable(GL_CULL_FACE);
+    glEnable(GL_BLEND);
+    glBlendEquation(GL_FUNC_ADD);
+    glBlendFunc(GL_ONE, GL_ONE);
+    if (but_closed) {
+        glEnable(GL_DEPTH_TEST);
+        glDepthFunc(GL_NOTEQUAL);
+        glDepthMask(GL_FALSE);
+        glDepthRangef(0.0f, 0.0f);
+    } else {
+        glDisable(GL_DEPTH_TEST);
+    }
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glDepthRangef(0.0f, 1.0f);
+}
+
 /// Clears the attachments in the rows of the scissor, at all columns of the viewport: these rows are read
 /// back whole.
 void clear_rows(int attachments) {
@@ -127,15 +146,10 @@ void forward_pass(const RenderTarget& frame, const GpuScene& scene, ShaderLibrar
     draw_visible(scene, shaders, shader, terms);
 }
 
-void add_pass(const RenderTarget& frame, ShaderLibrary& shaders) {
+void add_pass(const RenderTarget& frame, ShaderLibrary& shaders, bool has_closed) {
     frame.bind();
-    glDisable(GL_DEPTH_TEST);
-    glDisable(GL_CULL_FACE);
-    glEnable(GL_BLEND);
-    glBlendEquation(GL_FUNC_ADD);
-    glBlendFunc(GL_ONE, GL_ONE);
     shaders.fullscreen_program("deferred_sum.frag").use();
-    glDrawArrays(GL_TRIANGLES, 0, 3);
+    add_everywhere(has_closed);
 }
 
 void blend_pass(const RenderTarget& frame, const GpuScene& scene, ShaderLibrary& shaders,
@@ -167,17 +181,13 @@ void blend_pass(const RenderTarget& frame, const GpuScene& scene, ShaderLibrary&
     }
 }
 
-void accumulate_pass(const RenderTarget& film, const RenderTarget& frame, ShaderLibrary& shaders) {
+void accumulate_pass(const RenderTarget& film, const RenderTarget& frame, ShaderLibrary& shaders,
+                     bool has_closed) {
     film.bind();
-    glDisable(GL_DEPTH_TEST);
-    glDisable(GL_CULL_FACE);
-    glEnable(GL_BLEND);
-    glBlendEquation(GL_FUNC_ADD);
-    glBlendFunc(GL_ONE, GL_ONE);
     shaders.fullscreen_program("accumulate.frag").use();
     frame.color().bind(0);
     glBindSampler(0, 0);
-    glDrawArrays(GL_TRIANGLES, 0, 3);
+    add_everywhere(has_closed);
 }
 
 void seen_pass(const RenderTarget& frame, const GpuScene& scene, ShaderLibrary& shaders) {

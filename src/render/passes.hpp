@@ -27,8 +27,8 @@ void forward_pass(const RenderTarget& frame, const GpuScene& scene, ShaderLibrar
                   const std::string& shader, ProgramTerms terms);
 
 /// Adds what the CPU summed for the pixels of the scissor (DeferredVisibility) to the frame, under a vertex
-/// array without vertices.
-void add_pass(const RenderTarget& frame, ShaderLibrary& shaders);
+/// array without vertices. `has_closed`: a mask_pass() closed pixels, which are left out.
+void add_pass(const RenderTarget& frame, ShaderLibrary& shaders, bool has_closed);
 
 /// The fragment shader that draws this in the place of `shader`: glass multiplies what is behind it by a
 /// colour, which takes glass.frag instead of forward.frag.
@@ -43,7 +43,8 @@ void blend_pass(const RenderTarget& frame, const GpuScene& scene, ShaderLibrary&
 /// included.
 void seen_pass(const RenderTarget& frame, const GpuScene& scene, ShaderLibrary& shaders);
 
-/// Adds the frame to the film.
-void accumulate_pass(const RenderTarget& film, const RenderTarget& frame, ShaderLibrary& shaders);
+/// Adds the frame to the film, which has the frame's depth. `has_closed` as in add_pass().
+void accumulate_pass(const RenderTarget& film, const RenderTarget& frame, ShaderLibrary& shaders,
+                     bool has_closed);
 
 } // namespace sr::render

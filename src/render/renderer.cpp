@@ -65,9 +65,9 @@ Renderer::Renderer(const GpuScene& scene, const scene::Camera& camera, const Ren
       end_light_(scene.light_count()),
       shaders_(shaders ? std::move(shaders) : programs(options)),
       frame_("frame", options.width, options.height, true),
-      film_("film", options.width, options.height, false),
+      film_("film", frame_),
       converged_(options.width, options.height) {
-    if (options.estimates_error) first_half_.emplace("first half", options.width, options.height, false);
+    if (options.estimates_error) first_half_.emplace("first half", frame_);
     ask_for_shadows();
     clear();
 }
@@ -77,8 +77,8 @@ void Renderer::resize(int width, int height, int samples) {
     shadow_rays_.reset(); // its framebuffer holds on to the frame's depth
     if (width != options_.width || height != options_.height) {
         frame_ = RenderTarget("frame", width, height, true);
-        film_ = RenderTarget("film", width, height, false);
-        if (first_half_) first_half_.emplace("first half", width, height, false);
+        film_ = RenderTarget("film", frame_);
+        if (first_half_) first_half_.emplace("first half", frame_);
     }
     options_.width = width;
     options_.height = height;
@@ -226,8 +226,10 @@ bool Renderer::shows_environment() const {
 
 void Renderer::accumulate() {
     glBindVertexArray(no_vertices_.id());
-    accumulate_pass(film_, frame_, *shaders_);
-    if (first_half_ && half_of(sample_count_) == 0) accumulate_pass(*first_half_, frame_, *shaders_);
+    const bool has_closed = converged_.any(sample_count_);
+    accumulate_pass(film_, frame_, *shaders_, has_closed);
+    if (first_half_ && half_of(sample_count_) == 0)
+        accumulate_pass(*first_half_, frame_, *shaders_, has_closed);
 }
 
 PixelRect Renderer::window() const {
@@ -270,7 +272,8 @@ ProgramTerms Renderer::blended_terms() const {
 
 void Renderer::shade_opaque(const PixelRect& window) {
     if (deferred_ && first_light_ != end_light_)
-        return deferred_->shade(frame_, window, first_light_, end_light_, frame_data_, *shaders_);
+        return deferred_->shade(frame_, window, first_light_, end_light_, frame_data_, *shaders_,
+                                converged_.any(sample_count_));
     if (!shadow_rays_ || first_light_ == end_light_) {
         forward_pass(frame_, scene_, *shaders_, options_.shader, opaque_terms());
         return;

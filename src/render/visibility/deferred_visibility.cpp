@@ -87,7 +87,8 @@ void DeferredVisibility::compile(ShaderLibrary& shaders) const {
 }
 
 void DeferredVisibility::shade(const RenderTarget& frame, const PixelRect& window, int first_light,
-                               int end_light, FrameData& frame_data, ShaderLibrary& shaders) {
+                               int end_light, FrameData& frame_data, ShaderLibrary& shaders,
+                               bool has_closed) {
     const int first_row = frame.height() - window.row - window.height; // GL counts rows from below
     glEnable(GL_SCISSOR_TEST);
     for (int row = 0; row < window.height; row += rows_at_once_) {
@@ -104,7 +105,7 @@ void DeferredVisibility::shade(const RenderTarget& frame, const PixelRect& windo
             forward_pass(frame, scene_, shaders, "deferred.frag", terms());
             add_seen(band);
         }
-        add_sums(frame, shaders);
+        add_sums(frame, shaders, has_closed);
     }
     glDisable(GL_SCISSOR_TEST);
     frame_data.select_lights(first_light, end_light);
@@ -138,7 +139,9 @@ void DeferredVisibility::add_seen(RowRange band) {
 std::size_t DeferredVisibility::add_seen_of_row(std::int32_t* words, std::size_t first, std::size_t plane) {
     Samples samples;
     for (std::size_t pixel = first; pixel < first + static_cast<std::size_t>(width_); ++pixel) {
-        const int count = std::exchange(words[pixel], 0);
+        const int count = words[pixel];
+        if (count == 0) continue;
+        words[pixel] = 0;
         const std::int32_t* receiver = words + plane + pixel * pixel_words();
         const vec3 x = floats(receiver);
         for (int i = 0; i < count; ++i) {
@@ -164,11 +167,11 @@ std::size_t DeferredVisibility::add_seen_of_row(std::int32_t* words, std::size_t
     return V.size();
 }
 
-void DeferredVisibility::add_sums(const RenderTarget& frame, ShaderLibrary& shaders) {
+void DeferredVisibility::add_sums(const RenderTarget& frame, ShaderLibrary& shaders, bool has_closed) {
     sums_.upload(L_r_, "choose a smaller --size");
     sums_.bind(ray_visibility_unit);
     glBindVertexArray(no_vertices_.id());
-    add_pass(frame, shaders);
+    add_pass(frame, shaders, has_closed);
 }
 
 } // namespace sr::render

@@ -24,9 +24,9 @@ public:
     void compile(ShaderLibrary& shaders) const;
 
     /// Writes L_o of the opaque surfaces under the lights [first, end), where their depth lies in `frame`, in
-    /// these columns and rows of the scissor. `frame_data` then has these lights.
+    /// these columns and rows of the scissor. `frame_data` then has these lights. `has_closed`: add_pass().
     void shade(const RenderTarget& frame, const PixelRect& window, int first_light, int end_light,
-               FrameData& frame_data, ShaderLibrary& shaders);
+               FrameData& frame_data, ShaderLibrary& shaders, bool has_closed);
 
     const TracedRays& traced() const { return traced_; } // so far
 
@@ -35,7 +35,7 @@ private:
     std::size_t pixel_words() const; // of its samples, in shaders/interface/deferred.glsl
     void add_seen(RowRange band);
     std::size_t add_seen_of_row(std::int32_t* words, std::size_t first, std::size_t plane);
-    void add_sums(const RenderTarget& frame, ShaderLibrary& shaders);
+    void add_sums(const RenderTarget& frame, ShaderLibrary& shaders, bool has_closed);
 
     const GpuScene& scene_;
     int width_;
