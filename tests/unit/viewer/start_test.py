@@ -38,7 +38,9 @@ def first_page(viewer: Viewer, folder: Path):
     viewer.pause()
     viewer.display.do("type", "--delay", "20", "b")
     viewer.pause()
-    viewer.key("Tab", "Return")
+    viewer.key("Tab")
+    viewer.pause()
+    viewer.key("Return")
     viewer.done()
     assert viewer.title().startswith("b.gltf"), viewer.title()
 
