@@ -71,7 +71,7 @@ void KeepEdits::offer() {
         ws_.answered |= Change::lights | Change::shadows;
     };
     ws_.ask({fmt::format("An earlier run ended without saving {} edited {} of {}.{}", lost->count,
-                         lost->count == 1 ? "light" : "lights",
+                         lost->count == 1 ? "light or material" : "lights or materials",
                          std::filesystem::path(ws_.scene->loaded().file).filename().string(),
                          lost->has_file_changed ? " The file has changed since." : ""),
              {{GLFW_KEY_R, "Recover them", recover},

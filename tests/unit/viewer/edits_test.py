@@ -111,6 +111,17 @@ def saving(viewer: Viewer, scene: Path):
     viewer.key("ctrl+shift+z")
     viewer.said("Redone: disabling ")
     is_unsaved(viewer, False)
+    asked = viewer.errors().count("exists already. Replace it?")
+    viewer.write(edited, "{}")  # another program changes what was saved
+    viewer.key("ctrl+s")
+    viewer.type("")
+    viewer.said("scene_edited.gltf exists already. Replace it?", 1)
+    viewer.key("r")
+    viewer.said(f"Saved {edited}.", 2)
+    viewer.key("ctrl+s")
+    viewer.type("")
+    viewer.said(f"Saved {edited}.", 3)
+    assert viewer.errors().count("exists already. Replace it?") == asked + 1, "asked about its own file"
 
 
 def opening(viewer: Viewer, other: Path):
@@ -132,7 +143,7 @@ def crashing(viewer: Viewer, display: Display, scene: Path):
     viewer.process.kill()
     viewer.process.wait()
     viewer = Viewer(display, STERADIAN, SCRATCH / "again", scene, *OPTIONS)
-    viewer.said("Asked: An earlier run ended without saving 1 edited light of veach.gltf.")
+    viewer.said("Asked: An earlier run ended without saving 1 edited light or material of veach.gltf.")
     viewer.key("r")
     viewer.said("The edits are recovered.")
     is_unsaved(viewer, True)
