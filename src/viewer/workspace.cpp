@@ -123,7 +123,14 @@ bool Workspace::write(const std::string& file) {
     std::error_code ignored;
     written.push_back({file, std::filesystem::last_write_time(file, ignored)});
     answered |= Change::lights; // the journal is out of date
-    messages.notify(fmt::format("Saved {}.", file));
+    const std::string& open_file = scene->loaded().file;
+    const bool is_same = std::filesystem::last_write_time(open_file, ignored) == shown_time;
+    messages.notify(
+        fmt::format("Saved {}.{}", file,
+                    is_same ? ""
+                            : fmt::format(" {} has changed since it was opened, and the edits are set "
+                                          "into what it has now: check them.",
+                                          file_name(open_file))));
     return true;
 }
 
@@ -200,6 +207,8 @@ void Workspace::show(LoadedScene loaded) {
         write_remark(remark);
     }
     has_new_files = true;
+    std::error_code ignored;
+    shown_time = std::filesystem::last_write_time(scene->loaded().file, ignored);
     remember_file(scene->loaded().file);
 }
 

@@ -89,7 +89,8 @@ struct Workspace {
     bool is_closing = false;
     std::string
         seen_file{}; // the next frame is written there, as it is seen without panels; empty: it is not
-    std::vector<WrittenFile> written{}; // scene files that this run has saved, the last one last
+    std::filesystem::file_time_type shown_time{}; // of the last change of the open file when it was shown
+    std::vector<WrittenFile> written{};           // scene files that this run has saved, the last one last
 
     /// Size of the window, in the unit of the pointer.
     vec2 window_size() const { return input.window_size(); }

@@ -122,6 +122,14 @@ def saving(viewer: Viewer, scene: Path):
     viewer.type("")
     viewer.said(f"Saved {edited}.", 3)
     assert viewer.errors().count("exists already. Replace it?") == asked + 1, "asked about its own file"
+    asked = viewer.errors().count("unsaved edits. Reload it?")
+    viewer.key("ctrl+period")  # brightens the light
+    is_unsaved(viewer, True)
+    viewer.write(scene, scene.read_text() + "\n")  # another program changes what the edits start from
+    viewer.said("unsaved edits. Reload it?", asked + 1)
+    viewer.key("Escape", "ctrl+s")
+    viewer.type("")
+    viewer.said(f"Saved {edited}. scene.gltf has changed since it was opened")
 
 
 def opening(viewer: Viewer, other: Path):
