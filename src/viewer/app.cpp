@@ -102,15 +102,22 @@ App::App(Options options)
             workspace_.keys.hint("No scene is open. A list finds all commands", Command::find_command) + ".");
     else
         workspace_.open(options.scene);
-    if (keys_problem_.empty()) return;
-    if (!options.is_verbose) write_remark(keys_problem_);
-    workspace_.messages.fail("Your keys are not used, but the built-in ones.", keys_problem_);
+    if (!keys_problem_.empty() && !options.is_verbose) write_remark(keys_problem_);
+    if (workspace_.has_first_page) report_keys();
 }
 
 App::~App() {
     if (workspace_.options.is_fullscreen || glfwGetWindowMonitor(window_.handle())) return;
     const vec2 size = input_.window_size();
     remember_size({static_cast<int>(size.x), static_cast<int>(size.y)});
+}
+
+/// Shows once what is wrong with the file of keys. A scene that has been loaded ends the error of an earlier
+/// one, so the first scene comes first.
+void App::report_keys() {
+    if (keys_problem_.empty()) return;
+    workspace_.messages.fail("Your keys are not used, but the built-in ones.",
+                             std::exchange(keys_problem_, {}));
 }
 
 void App::run(const std::stop_token& stop) {
@@ -125,6 +132,7 @@ void App::run(const std::stop_token& stop) {
         apply(std::exchange(drawn, {}));
         if (const Changes loaded = workspace_.take_loaded(); loaded.any()) {
             apply(loaded);
+            report_keys();
             if (loaded == everything) apply(follow_shape()); // the window may have changed while it loaded
         }
         apply(update(seconds));

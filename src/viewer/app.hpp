@@ -29,6 +29,7 @@ private:
     void resize();
     Changes follow_shape();
     void log_picture() const;
+    void report_keys();
     Changes update(double seconds);
     Changes dispatch(const Event& event);
     Changes dispatch_to_tools(const Event& event);
@@ -48,7 +49,7 @@ private:
     gl::Window window_;
     WindowInput input_;
     Ui ui_;
-    std::string keys_problem_; // of the file of keys
+    std::string keys_problem_; // of the file of keys; empty once it is shown
     Workspace workspace_;
     Presenter presenter_;
     Panels panels_;

@@ -49,16 +49,21 @@ fs::path folder_named(const char* variable, const char* in_home) {
 
 } // namespace
 
-void write_lines(const fs::path& file, const std::vector<std::string>& lines) {
-    if (file.empty()) return;
+bool write_lines(const fs::path& file, const std::vector<std::string>& lines) {
+    if (file.empty()) return false;
+    std::error_code failure;
     const fs::path unfinished = file.string() + ".tmp";
     {
         std::ofstream out(unfinished);
         for (const std::string& line : lines) out << line << '\n';
-        if (!out) return;
+        out.close(); // only then it is known that all of them fit on the disk
+        if (!out) {
+            fs::remove(unfinished, failure);
+            return false;
+        }
     }
-    std::error_code ignored;
-    fs::rename(unfinished, file, ignored);
+    fs::rename(unfinished, file, failure);
+    return !failure;
 }
 
 fs::path config_folder() { return folder_named("XDG_CONFIG_HOME", ".config"); }

@@ -17,8 +17,8 @@ std::filesystem::path state_folder();
 /// The same for $XDG_CACHE_HOME/steradian or ~/.cache/steradian.
 std::filesystem::path cache_folder();
 
-/// Writes a file whole or not at all. Failing, or an empty path, is no error.
-void write_lines(const std::filesystem::path& file, const std::vector<std::string>& lines);
+/// Writes a file whole or not at all. Failing, or an empty path, is no error. @return true if it is written
+bool write_lines(const std::filesystem::path& file, const std::vector<std::string>& lines);
 
 /// At most ten recent files, the newest first, without missing ones.
 std::vector<std::string> recent_files();

@@ -74,7 +74,10 @@ Keymap Keymap::read(const std::filesystem::path& path) {
             given.push_back(binding_at(value[i], command, file, at / i));
     }
     for (const auto& [binding, place] : given) {
-        if (const auto other = map.command_of(binding.key, binding.modifiers))
+        const auto other = map.command_of(binding.key, binding.modifiers);
+        if (other == binding.command)
+            throw Error(place, fmt::format("{} stands twice in this list", keys_of(binding)), "name it once");
+        if (other)
             throw Error(place,
                         fmt::format("{} is the key of \"{}\", too", keys_of(binding), info_of(*other).name),
                         "give one of the two another key, or none: []");

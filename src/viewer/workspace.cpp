@@ -86,7 +86,7 @@ void Workspace::depart(Departure departure, const std::string& file) {
 }
 
 std::string Workspace::name_to_save() const {
-    return written.empty() ? edited_name(scene->loaded().file) : written.back();
+    return written.empty() ? edited_name(scene->loaded().file) : written.back().file;
 }
 
 bool Workspace::save(const std::string& file) {
@@ -98,7 +98,9 @@ bool Workspace::save(const std::string& file) {
             Error({file}, "is the open file, which the edits start from", "save under another name").what());
         return false;
     }
-    const bool is_own = std::ranges::find(written, file) != written.end();
+    const bool is_own = std::ranges::any_of(written, [&](const WrittenFile& own) {
+        return own.file == file && own.time == std::filesystem::last_write_time(file, ignored);
+    });
     if (is_own || !std::filesystem::exists(file, ignored)) return write(file);
     const std::string free = edited_name(open_file);
     ask({fmt::format("{} exists already. Replace it?", file),
@@ -117,10 +119,18 @@ bool Workspace::write(const std::string& file) {
         return false;
     }
     scene->lights().mark_saved();
-    std::erase(written, file);
-    written.push_back(file);
+    std::erase_if(written, [&](const WrittenFile& own) { return own.file == file; });
+    std::error_code ignored;
+    written.push_back({file, std::filesystem::last_write_time(file, ignored)});
     answered |= Change::lights; // the journal is out of date
-    messages.notify(fmt::format("Saved {}.", file));
+    const std::string& open_file = scene->loaded().file;
+    const bool is_same = std::filesystem::last_write_time(open_file, ignored) == shown_time;
+    messages.notify(
+        fmt::format("Saved {}.{}", file,
+                    is_same ? ""
+                            : fmt::format(" {} has changed since it was opened, and the edits are set "
+                                          "into what it has now: check them.",
+                                          file_name(open_file))));
     return true;
 }
 
@@ -197,6 +207,8 @@ void Workspace::show(LoadedScene loaded) {
         write_remark(remark);
     }
     has_new_files = true;
+    std::error_code ignored;
+    shown_time = std::filesystem::last_write_time(scene->loaded().file, ignored);
     remember_file(scene->loaded().file);
 }
 

@@ -16,6 +16,7 @@
 #include "viewer/view/projection.hpp"
 #include "viewer/view/scene_view.hpp"
 
+#include <filesystem>
 #include <future>
 
 namespace sr::viewer {
@@ -43,6 +44,13 @@ private:
 
 /// Reason why the scene that is shown, and its edits, end.
 enum class Departure { quit, open, reload };
+
+/// A file that this run has saved, and the time of its last change then: another program may have changed it
+/// since.
+struct WrittenFile {
+    std::string file;
+    std::filesystem::file_time_type time;
+};
 
 struct Workspace {
     Options options;
@@ -81,7 +89,8 @@ struct Workspace {
     bool is_closing = false;
     std::string
         seen_file{}; // the next frame is written there, as it is seen without panels; empty: it is not
-    std::vector<std::string> written{}; // scene files that this run has saved, the last one last
+    std::filesystem::file_time_type shown_time{}; // of the last change of the open file when it was shown
+    std::vector<WrittenFile> written{};           // scene files that this run has saved, the last one last
 
     /// Size of the window, in the unit of the pointer.
     vec2 window_size() const { return input.window_size(); }

@@ -57,7 +57,7 @@ void Bookmarks::remove(std::size_t index) {
 }
 
 /// Reads the others again first: another window may have kept some.
-void Bookmarks::write() const {
+void Bookmarks::write() {
     ordered_json everything = read(store_);
     everything.erase(key_);
     while (everything.size() >= max_files) everything.erase(everything.begin());
@@ -65,7 +65,8 @@ void Bookmarks::write() const {
     for (const Bookmark& bookmark : all_)
         mine.push_back({{"name", bookmark.name}, {"view", bookmark.look_at}});
     if (!mine.empty()) everything[key_] = mine;
-    write_lines(store_, {everything.dump(1, ' ', false, ordered_json::error_handler_t::replace)});
+    is_stored_ =
+        write_lines(store_, {everything.dump(1, ' ', false, ordered_json::error_handler_t::replace)});
 }
 
 } // namespace sr::viewer

@@ -15,7 +15,7 @@ struct Bookmark {
 };
 
 /// Views of one scene file, kept in bookmarks.json of state_folder(), which has those of all files. A file
-/// that cannot be read has none, and what cannot be written is kept for this run only.
+/// that cannot be read has none, and what cannot be written is kept for this run only (is_stored()).
 class Bookmarks {
 public:
     /// `store`: empty for state_folder().
@@ -27,14 +27,17 @@ public:
     /// Keeps a view under the first free name "view N". @return the name
     const std::string& keep(const std::string& look_at);
     void remove(std::size_t index);
+    /// False if the last change could not be written.
+    bool is_stored() const { return is_stored_; }
 
 private:
-    void write() const;
+    void write();
 
     std::string scene_file_;
     std::string key_; // whole path of the scene file
     std::filesystem::path store_;
     std::vector<Bookmark> all_;
+    bool is_stored_ = true;
 };
 
 } // namespace sr::viewer

@@ -264,13 +264,16 @@ std::optional<LostEdits> Journal::find(const std::vector<LightEdit>& fresh) cons
     return std::nullopt;
 }
 
-void Journal::write(const LightEditor& editor) const {
-    if (!editor.is_unsaved()) return remove();
+bool Journal::write(const LightEditor& editor) const {
+    if (!editor.is_unsaved()) {
+        remove();
+        return true;
+    }
     json journal{{"stamp", stamp_of(scene_file_)}, {"edits", json::array()}};
     for (const LightEdit& edit : editor.edits())
         if (edit.is_news()) journal["edits"].push_back(json_of(edit));
     // A name of a light that is no UTF-8 loses those letters, not the edits.
-    write_lines(file_, {journal.dump(-1, ' ', false, json::error_handler_t::replace)});
+    return write_lines(file_, {journal.dump(-1, ' ', false, json::error_handler_t::replace)});
 }
 
 void Journal::remove() const {

@@ -17,7 +17,7 @@ struct LostEdits {
 
 /// A file in $XDG_STATE_HOME/steradian (or ~/.local/state/steradian) for each scene file and run. A lock
 /// beside it is held while the run lives; the system releases it when the run ends in any way. What cannot be
-/// written is not kept, without an error.
+/// written is not kept; write() tells it.
 class Journal {
 public:
     explicit Journal(const std::string& scene_file);
@@ -31,8 +31,9 @@ public:
     /// it is. A journal that cannot be read is no journal.
     std::optional<LostEdits> find(const std::vector<LightEdit>& fresh) const;
 
-    /// Writes the edits that the file does not have; removes the journal if there are none.
-    void write(const LightEditor& editor) const;
+    /// Writes the edits that the file does not have; removes the journal if there are none. @return false if
+    /// there are some, and they could not be written
+    bool write(const LightEditor& editor) const;
     void remove() const;
 
 private:

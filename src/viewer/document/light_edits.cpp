@@ -270,6 +270,7 @@ void LightEditor::set_quantity(std::size_t entry, vec3 quantity) {
 }
 
 void LightEditor::enable(std::size_t entry, bool is_enabled) {
+    if (edit_of(entry).is_enabled == is_enabled) return;
     remember(of(is_enabled ? "enabling" : "disabling", entry));
     edit_of(entry).is_enabled = is_enabled;
 }
@@ -277,6 +278,7 @@ void LightEditor::enable(std::size_t entry, bool is_enabled) {
 void LightEditor::solo(std::size_t entry) {
     const bool is_alone = std::ranges::all_of(
         entries_, [&](const LightEntry& other) { return other.is_enabled == (&other == &entries_[entry]); });
+    if (is_alone && entries_.size() == 1) return; // it stays as it is
     remember(of("enabling alone", entry));
     for (std::size_t i = 0; i < entries_.size(); ++i) edit_of(i).is_enabled = is_alone || i == entry;
 }

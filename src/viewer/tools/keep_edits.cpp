@@ -5,6 +5,7 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
+#include <utility>
 
 namespace sr::viewer {
 class KeepEdits : public Tool {
@@ -22,7 +23,8 @@ private:
 
     std::optional<Journal> journal_; // of the scene that is shown
     bool is_outdated_ = false;
-    double age_ = 0.0; // of the journal [s]
+    bool is_kept_ = true; // false once edits could not be written
+    double age_ = 0.0;    // of the journal [s]
 };
 
 void KeepEdits::notice(Changes changes) {
@@ -36,15 +38,21 @@ Changes KeepEdits::update(double seconds) {
     if (!journal_ || journal_->scene_file() != file) {
         if (journal_) journal_->remove();
         journal_.emplace(file);
+        is_kept_ = true;
         offer();
         return Change::redraw;
     }
     age_ += seconds;
     if (!is_outdated_ || ws_.is_time_held || age_ < interval) return {};
-    journal_->write(ws_.scene->lights());
     is_outdated_ = false;
     age_ = 0.0;
-    return {};
+    const bool was_kept = std::exchange(is_kept_, journal_->write(ws_.scene->lights()));
+    if (is_kept_ || !was_kept) return {};
+    ws_.messages.notify(
+        ws_.keys.hint("The journal of edits cannot be written, so that a crash would lose them. Save them",
+                      Command::save_as)
+        + ".");
+    return Change::redraw;
 }
 
 void KeepEdits::offer() {
@@ -63,7 +71,7 @@ void KeepEdits::offer() {
         ws_.answered |= Change::lights | Change::shadows;
     };
     ws_.ask({fmt::format("An earlier run ended without saving {} edited {} of {}.{}", lost->count,
-                         lost->count == 1 ? "light" : "lights",
+                         lost->count == 1 ? "light or material" : "lights or materials",
                          std::filesystem::path(ws_.scene->loaded().file).filename().string(),
                          lost->has_file_changed ? " The file has changed since." : ""),
              {{GLFW_KEY_R, "Recover them", recover},

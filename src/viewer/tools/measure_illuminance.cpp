@@ -169,6 +169,9 @@ std::string MeasureIlluminance::progress() const {
     if (is_measured_)
         return fmt::format("{} x {} cells, {} samples each", measured_->grid.columns, measured_->grid.rows,
                            measured_->samples);
+    if (ws_.is_mixing)
+        return ws_.keys.hint("measured when mixing has ended", Command::mix_lights)
+               + (measured_ ? "; these are the figures before" : "");
     if (!render_) return "waiting for the picture";
     const std::string samples =
         fmt::format("{} of {} samples", render_->sample_count(), picture::illuminance_samples);

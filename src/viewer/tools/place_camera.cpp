@@ -54,8 +54,10 @@ std::optional<Changes> PlaceCamera::handle(const Event& event) {
     case Command::keep_bookmark: {
         const std::string& name = bookmarks_->keep(ws_.camera->look_at_text());
         next_ = 0;
-        ws_.messages.notify(fmt::format("Kept as {}. {} goes to the bookmarks in turn.", name,
-                                        ws_.keys.text(Command::next_bookmark)));
+        ws_.messages.notify(
+            fmt::format("Kept as {}{}. {} goes to the bookmarks in turn.", name,
+                        bookmarks_->is_stored() ? "" : ", for this run only: it cannot be written",
+                        ws_.keys.text(Command::next_bookmark)));
         return Change::redraw;
     }
     case Command::next_bookmark:

@@ -111,6 +111,25 @@ def saving(viewer: Viewer, scene: Path):
     viewer.key("ctrl+shift+z")
     viewer.said("Redone: disabling ")
     is_unsaved(viewer, False)
+    asked = viewer.errors().count("exists already. Replace it?")
+    viewer.write(edited, "{}")  # another program changes what was saved
+    viewer.key("ctrl+s")
+    viewer.type("")
+    viewer.said("scene_edited.gltf exists already. Replace it?", 1)
+    viewer.key("r")
+    viewer.said(f"Saved {edited}.", 2)
+    viewer.key("ctrl+s")
+    viewer.type("")
+    viewer.said(f"Saved {edited}.", 3)
+    assert viewer.errors().count("exists already. Replace it?") == asked + 1, "asked about its own file"
+    asked = viewer.errors().count("unsaved edits. Reload it?")
+    viewer.key("ctrl+period")  # brightens the light
+    is_unsaved(viewer, True)
+    viewer.write(scene, scene.read_text() + "\n")  # another program changes what the edits start from
+    viewer.said("unsaved edits. Reload it?", asked + 1)
+    viewer.key("Escape", "ctrl+s")
+    viewer.type("")
+    viewer.said(f"Saved {edited}. scene.gltf has changed since it was opened")
 
 
 def opening(viewer: Viewer, other: Path):
@@ -132,7 +151,7 @@ def crashing(viewer: Viewer, display: Display, scene: Path):
     viewer.process.kill()
     viewer.process.wait()
     viewer = Viewer(display, STERADIAN, SCRATCH / "again", scene, *OPTIONS)
-    viewer.said("Asked: An earlier run ended without saving 1 edited light of veach.gltf.")
+    viewer.said("Asked: An earlier run ended without saving 1 edited light or material of veach.gltf.")
     viewer.key("r")
     viewer.said("The edits are recovered.")
     is_unsaved(viewer, True)

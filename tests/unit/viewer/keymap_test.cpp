@@ -80,6 +80,8 @@ const Test refusals("unit.viewer.keymap.a_wrong_file_is_refused_with_its_place",
         "keys.json:2:3: Ctrl Q is the key of \"Quit\", too: give one of the two another key, or none: []");
     EXPECT_EQ(refusal_of("{\"Pixels\": \"F9\", \"Scene\": \"F9\"}").substr(0, 61),
               "keys.json:1:27: F9 is the key of \"Pixels\", too: give one of t");
+    EXPECT_EQ(refusal_of("{\"Pixels\": [\"F9\", \"f9\"]}"),
+              "keys.json:1:19: F9 stands twice in this list: name it once");
     EXPECT_EQ(refusal_of("{\"Pixels\": 3}").substr(0, 34), "keys.json:1:12: a key is no text: ");
     EXPECT_NE(refusal_of("{\"Pixels\": \"F9\", \"Scene\": \"O\",\n\"Pixels\": \"F8\"}")
                   .find("\"Pixels\" stands here twice: write its"),

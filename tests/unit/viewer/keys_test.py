@@ -136,6 +136,10 @@ def remapped(display: Display):
     viewer = Viewer(display, STERADIAN, SCRATCH / "broken", SCENES / "cornell.gltf", *OPTIONS)
     viewer.done()
     viewer.said(broken)
+    viewer.pause()
+    with_error = viewer.screen(200, 30)  # which stays until Esc
+    viewer.key("Escape")
+    viewer.wait(lambda: viewer.screen(200, 30) != with_error, "the picture without the error")
     viewer.key("ctrl+c")
     viewer.said("Copied: --camera")
     viewer.close()

@@ -234,6 +234,9 @@ const Test undone("unit.viewer.lights.undoing_goes_back_step_by_step", [] {
     LightEditor lighting(loaded, false);
     const float first = luminance_of(lighting.edits()[0].light);
     lighting.begin_step();
+    lighting.enable(0, true); // as it is
+    EXPECT_FALSE(lighting.undo()) << "nothing was changed";
+    lighting.begin_step();
     lighting.set_quantity(0, vec3(5.0f));
     lighting.set_quantity(0, vec3(6.0f)); // the same drag
     lighting.begin_step();

@@ -6,9 +6,11 @@
 #include "viewer/view/camera_values.hpp"
 
 #include <cmath>
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <numbers>
+#include <sys/resource.h>
 
 using namespace sr::viewer;
 using sr::testing::Test;
@@ -58,6 +60,28 @@ const Test kept("unit.viewer.places.bookmarks_are_kept_for_each_file", [] {
     EXPECT_TRUE(broken.all().empty());
     broken.keep("eye=1,0,0;target=0,0,0");
     EXPECT_EQ(Bookmarks("a.gltf", store).all().size(), 1u);
+    std::filesystem::remove_all(folder);
+});
+
+const Test full_disk("unit.viewer.places.a_full_disk_takes_no_bookmarks_away", [] {
+    const auto folder = std::filesystem::temp_directory_path() / "steradian_full_disk_test";
+    std::filesystem::remove_all(folder);
+    std::filesystem::create_directories(folder);
+    const auto store = folder / "bookmarks.json";
+    Bookmarks bookmarks("a.gltf", store);
+    bookmarks.keep("eye=1,0,0;target=0,0,0");
+    EXPECT_TRUE(bookmarks.is_stored());
+    rlimit before{};
+    getrlimit(RLIMIT_FSIZE, &before);
+    const rlimit full{0, before.rlim_max}; // a write then fails as on a full disk
+    const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+    setrlimit(RLIMIT_FSIZE, &full);
+    bookmarks.keep("eye=2,0,0;target=0,0,0");
+    setrlimit(RLIMIT_FSIZE, &before);
+    std::signal(SIGXFSZ, handler);
+    EXPECT_FALSE(bookmarks.is_stored());
+    EXPECT_EQ(bookmarks.all().size(), 2u) << "this run has it";
+    EXPECT_EQ(Bookmarks("a.gltf", store).all().size(), 1u) << "the file is as it was";
     std::filesystem::remove_all(folder);
 });
 
