@@ -163,8 +163,8 @@ void print(const IlluminanceCommand& command, const Measurement& measured) {
     for (const output::NamedGrid& part : measured.parts)
         print_data("  {:>11.5g} {:<6}{}\n", output::summary_of(part.grid).mean, grid.unit, shown(part.name));
     if (summary.dark_cells > 0)
-        print_remark("no light reaches {} of {} cells: they are in full shadow, or inside of something",
-                     summary.dark_cells, grid.columns * grid.rows);
+        print_remark("no light reaches {} of {} cells: {}", summary.dark_cells, grid.columns * grid.rows,
+                     output::reason_of_dark_cells(grid, summary));
 }
 
 ExitStatus illuminance(const IlluminanceCommand& command) {

@@ -53,6 +53,14 @@ IlluminanceSummary summary_of(const IlluminanceGrid& grid) {
     return summary;
 }
 
+std::string_view reason_of_dark_cells(const IlluminanceGrid& grid, const IlluminanceSummary& summary) {
+    const bool are_all = summary.dark_cells == static_cast<std::size_t>(grid.columns) * grid.rows;
+    return are_all ? "the plane faces away from the lights, lies above them or outside of the scene, or is "
+                     "in full "
+                     "shadow: choose another height or plane"
+                   : "they are in full shadow, or inside of something";
+}
+
 std::string csv_of(const IlluminanceGrid& grid, const std::vector<NamedGrid>& parts) {
     std::string csv = fmt::format("x [m],y [m],z [m],E [{}]", grid.unit);
     for (const NamedGrid& part : parts) csv += "," + csv_cell(fmt::format("{} [{}]", part.name, grid.unit));

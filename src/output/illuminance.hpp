@@ -4,6 +4,7 @@
 #include "scene/receiver.hpp"
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace sr::output {
@@ -47,6 +48,9 @@ struct IlluminanceSummary {
 
 /// `grid` has one cell at least.
 IlluminanceSummary summary_of(const IlluminanceGrid& grid);
+
+/// What keeps the light from the dark cells: of some of them, or of all of them and the plane itself.
+std::string_view reason_of_dark_cells(const IlluminanceGrid& grid, const IlluminanceSummary& summary);
 
 /// A line a cell: "x [m],y [m],z [m],E [lx]" and, for each further grid of the same receiver, its E under its
 /// name. RFC 4180.

@@ -7,8 +7,8 @@
 
 namespace sr::testing {
 
-/// For each base, 3 to 24 pixels and both directions of edges: how many of so many seeds fail, and why. A small
-/// picture may not have as many such pixels.
+/// For each base, 3 to 24 pixels and both directions of edges: how many of so many seeds fail, and why. A
+/// small picture may not have as many such pixels.
 nlohmann::ordered_json flip_trials(Extent size, int seeds);
 
 } // namespace sr::testing

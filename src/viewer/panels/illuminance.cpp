@@ -100,13 +100,11 @@ void draw_figures(const MeasuredIlluminance& measured) {
     if (summary.dark_cells == cells) {
         const vec3 n = grid.receiver.normal() + 0.0f; // no -0
         ImGui::TextDisabled("all cells are dark; they face %.3g, %.3g, %.3g", n.x, n.y, n.z);
-        tooltip(
-            "no light reaches them: they face away from the lights, lie above them or outside of the scene, "
-            "or are in full shadow");
     } else if (summary.dark_cells > 0) {
         ImGui::TextDisabled("%zu of %zu cells are dark", summary.dark_cells, cells);
-        tooltip("no light reaches them: they are in full shadow, or inside of something");
     }
+    if (summary.dark_cells > 0)
+        tooltip(fmt::format("no light reaches them: {}", output::reason_of_dark_cells(grid, summary)));
 }
 
 void draw_parts(const MeasuredIlluminance& measured) {

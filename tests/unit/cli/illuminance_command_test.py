@@ -79,6 +79,8 @@ class Illuminance(cli_test.CommandLine):
         self.assertAlmostEqual(stated["max"], lux(10.1, 0.1, 1), delta=3)
         below = json.loads(self.measure("--plane", "9,1,-1;2,0,0;0,0,2", "--json").stdout)
         self.assertEqual((below["normal"], below["max"]), ([0, -1, 0], 0))
+        above = self.measure("--height", "3", "--grid", "4x4")
+        self.assertIn("no light reaches 16 of 16 cells: the plane faces away from the lights, lies above them", above.stderr)
         inner = json.loads(self.measure("--border", "0.5", "--spacing", "0.25", "--json").stdout)
         self.assertEqual((inner["columns"], inner["rows"]), (12, 4))
         self.assertEqual(inner["corner [m]"][0], 8.5)
