@@ -49,7 +49,7 @@ struct IlluminanceSummary {
 /// `grid` has one cell at least.
 IlluminanceSummary summary_of(const IlluminanceGrid& grid);
 
-/// What keeps the light from the dark cells: of some of them, or of all of them and the plane itself.
+/// Words for why no light reaches the dark cells: some of the plane, or the plane as a whole.
 std::string_view reason_of_dark_cells(const IlluminanceGrid& grid, const IlluminanceSummary& summary);
 
 /// A line a cell: "x [m],y [m],z [m],E [lx]" and, for each further grid of the same receiver, its E under its
