@@ -55,10 +55,9 @@ IlluminanceSummary summary_of(const IlluminanceGrid& grid) {
 
 std::string_view reason_of_dark_cells(const IlluminanceGrid& grid, const IlluminanceSummary& summary) {
     const bool are_all = summary.dark_cells == static_cast<std::size_t>(grid.columns) * grid.rows;
-    return are_all ? "the plane faces away from the lights, lies above them or outside of the scene, or is "
-                     "in full "
-                     "shadow: choose another height or plane"
-                   : "they are in full shadow, or inside of something";
+    if (!are_all) return "they are in full shadow, or inside of something";
+    return "the plane faces away from the lights, lies above them or outside of the scene, or is in full "
+           "shadow: choose another height or plane";
 }
 
 std::string csv_of(const IlluminanceGrid& grid, const std::vector<NamedGrid>& parts) {

@@ -236,9 +236,11 @@ std::vector<AliasEntry> alias_table(std::span<const double> weights) {
     return table; // what is left over is full but for rounding, and keeps its share
 }
 
+namespace {
+
 /// Appends the first light of each kind, and the next one of its kind after each light:
 /// shaders/interface/lights.glsl. `kinds`: of the lights, as the shaders number them.
-static void append_lists_of_kinds(std::span<const std::size_t> kinds, std::vector<vec4>& table) {
+void append_lists_of_kinds(std::span<const std::size_t> kinds, std::vector<vec4>& table) {
     constexpr float none = 1 << 30;
     std::array<float, scene::light_kind_count> first;
     first.fill(none);
@@ -248,6 +250,8 @@ static void append_lists_of_kinds(std::span<const std::size_t> kinds, std::vecto
     for (const float k : first) table.emplace_back(k, 0.0f, 0.0f, 0.0f);
     for (const float k : next) table.emplace_back(k, 0.0f, 0.0f, 0.0f);
 }
+
+} // namespace
 
 std::vector<vec4> pack_lights(const scene::Scene& scene, std::span<const scene::Light> lights,
                               EmissionMaps& maps, EnvironmentTexels& environments) {
