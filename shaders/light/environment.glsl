@@ -12,9 +12,8 @@
 #include "base/angle.glsl"
 #include "interface/features.glsl"
 #include "interface/lights.glsl"
+#include "light/cdf.glsl"
 #include "light/light_sample.glsl"
-
-uniform samplerBuffer environment_texels;
 
 const float min_density = 1e-15; // in the place of 0, for directions that sampling does not find [1/sr]
 
@@ -52,27 +51,6 @@ vec3 picture_radiance(Light light, vec2 place) {
                mix(picture_texel(light, i, j + 1), picture_texel(light, i + 1, j + 1), f.x), f.y);
 }
 
-// The share of the cdf that begins at texel `first` which entry i has.
-float cdf_share(int first, int i) {
-    float share = texelFetch(environment_texels, first + i).a;
-    return i > 0 ? share - texelFetch(environment_texels, first + i - 1).a : share;
-}
-
-// The entry of that cdf that u falls on; u becomes its place within the entry.
-int cdf_entry(int first, int count, inout float u) {
-    int low = 0;
-    int high = count - 1;
-    while (low < high) {
-        int middle = (low + high) / 2;
-        bool is_beyond = texelFetch(environment_texels, first + middle).a > u;
-        high = is_beyond ? middle : high;
-        low = is_beyond ? low : middle + 1;
-    }
-    float below = low > 0 ? texelFetch(environment_texels, first + low - 1).a : 0.0;
-    u = clamp((u - below) / (texelFetch(environment_texels, first + low).a - below), 0.0, 1.0);
-    return low;
-}
-
 // L_e from the direction wi [cd/m²].
 vec3 environment_radiance(Light light, vec3 wi) {
     if (!has_picture(light)) return light.quantity;
@@ -82,16 +60,18 @@ vec3 environment_radiance(Light light, vec3 wi) {
 LightSample sample_picture(Light light, vec2 u) {
     int width = int(light.half_u.x);
     int height = int(light.half_u.y);
-    int j = cdf_entry(light.data, height, u.y);
-    int first = light.data + height + j * width;
-    int i = cdf_entry(first, width, u.x);
-    vec4 row = texelFetch(environment_texels, light.data + j);
-    float off_pole = mix(row.y, row.z, u.y); // 1 - cosθ from the nearer pole
-    float y = 2 * j < height ? 1.0 - off_pole : off_pole - 1.0;
+    int texels = light.data + height;
+    int guides = texels + width * height;
+    CdfEntry row = cdf_entry(light.data, height, guides, u.y);
+    int guide = guides + guide_texels(height) + row.i * guide_texels(width);
+    CdfEntry column = cdf_entry(texels + row.i * width, width, guide, u.x);
+    vec4 heights = texelFetch(environment_texels, light.data + row.i);
+    float off_pole = mix(heights.y, heights.z, row.u); // 1 - cosθ from the nearer pole
+    float y = 2 * row.i < height ? 1.0 - off_pole : off_pole - 1.0;
     float across = sqrt(off_pole * (2.0 - off_pole));
-    float phi = 2.0 * pi * ((float(i) + u.x) / light.half_u.x - 0.5);
+    float phi = 2.0 * pi * ((float(column.i) + column.u) / light.half_u.x - 0.5);
     vec3 wi = normalize(world_from_picture(light, vec3(across * sin(phi), y, -across * cos(phi))));
-    float p = row.x * cdf_share(first, i);
+    float p = heights.x * column.share;
     return light_sample(wi, infinitely_far, environment_radiance(light, wi), max(p, min_density));
 }
 

@@ -5,6 +5,7 @@
 #include "render/sampling.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <glm/gtc/packing.hpp>
 #include <limits>
@@ -41,6 +42,29 @@ auto with_halves(const scene::Scene& scene, const scene::Texture& texture, const
             return work(values, halves_of<Texel>(texture.color_space == scene::ColorSpace::srgb));
         },
         image_of(scene, texture).texels);
+}
+
+/// Half as many as a cdf's guide has slots. Keep in sync with shaders/light/cdf.glsl.
+std::size_t guide_texels(std::size_t entries) {
+    return std::max(std::bit_floor(entries) / 8, std::size_t{1});
+}
+
+/// The guide of an ascending cdf (Chen & Asau 1974): for each share g / slots the first entry above it. A
+/// texel has the two slots that begin at its x and y, and in z where they end.
+std::vector<vec4> guide_of(std::span<const float> cdf) {
+    std::vector<vec4> guide(guide_texels(cdf.size()));
+    const float slots = 2.0f * static_cast<float>(guide.size());
+    std::size_t entry = 0;
+    const auto first_above = [&](std::size_t slot) {
+        while (entry + 1 < cdf.size() && !(cdf[entry] > static_cast<float>(slot) / slots)) ++entry;
+        return static_cast<float>(entry);
+    };
+    for (std::size_t i = 0; i < guide.size(); ++i) {
+        const float x = first_above(2 * i);
+        const float y = first_above(2 * i + 1);
+        guide[i] = vec4(x, y, first_above(2 * i + 2), 0.0f);
+    }
+    return guide;
 }
 
 /// Evenly spread weights of a triangle's second and third corner.
@@ -114,7 +138,9 @@ std::size_t EnvironmentTexels::add(const std::shared_ptr<const scene::Environmen
     const std::size_t first = texel_count_;
     if (first > std::size_t{1} << 24)
         throw Error("two environments are too large together", "use a smaller one");
-    texel_count_ += static_cast<std::size_t>(map->height()) + map->texels().size();
+    const auto height = static_cast<std::size_t>(map->height());
+    const auto width = static_cast<std::size_t>(map->width());
+    texel_count_ += height + map->texels().size() + guide_texels(height) + height * guide_texels(width);
     places_.push_back({map, first});
     return first;
 }
@@ -132,6 +158,11 @@ void EnvironmentTexels::write_texels(std::span<vec4> texels) const {
         }
         for (std::size_t i = 0; i < map.texels().size(); ++i)
             *next++ = vec4(map.texels()[i], map.texel_cdf()[i]);
+        const std::span<const float> texel_cdf(map.texel_cdf());
+        const auto width = static_cast<std::size_t>(map.width());
+        next = std::ranges::copy(guide_of(map.row_cdf()), next).out;
+        for (std::size_t i = 0; i < texel_cdf.size(); i += width)
+            next = std::ranges::copy(guide_of(texel_cdf.subspan(i, width)), next).out;
     }
 }
 

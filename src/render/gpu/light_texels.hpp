@@ -57,8 +57,9 @@ private:
 
 /// Maps of environments. Each map is there once, as in EmissionMaps. A map begins with a texel for each
 /// row: the factor of its density besides the texel's own share [1/sr], where the row begins and ends
-/// (EnvironmentMap::pole_heights), and the cdf over rows. Its texels follow, each with the cdf of its row.
-/// Keep in sync with shaders/light/environment.glsl.
+/// (EnvironmentMap::pole_heights), and the cdf over rows. Its texels follow, each with the cdf of its row,
+/// and then the guides of the cdfs, which shorten the search in them: that over rows, and those of the rows.
+/// Keep in sync with shaders/light/environment.glsl and cdf.glsl.
 class EnvironmentTexels {
 public:
     /// Adds a map with light behind the others unless it is there. @return its first texel. @throws Error if
