@@ -431,8 +431,8 @@ void LightEditor::apply(LoadedScene& loaded) {
         scene::add_light_surfaces(scene);
 }
 
-void LightEditor::save(const LoadedScene& loaded, const scene::Camera* view,
-                       const std::string& target) const {
+std::vector<std::string> LightEditor::save(const LoadedScene& loaded, const scene::Camera* view,
+                                           const std::string& target) const {
     const scene::Scene& scene = loaded.stage.scene;
     gltf::Edits written;
     written.scene_index = loaded.scene_index;
@@ -464,7 +464,7 @@ void LightEditor::save(const LoadedScene& loaded, const scene::Camera* view,
             written.lights.push_back(*std::move(edited));
         }
     }
-    gltf::write_edited_copy(loaded.file, written, target);
+    return gltf::write_edited_copy(loaded.source, written, target);
 }
 
 } // namespace sr::viewer

@@ -155,10 +155,12 @@ public:
     /// them to its RenderScene.
     void rebase(const LoadedScene& loaded);
 
-    /// Writes a copy of the file with the edits and, if `view` is given, a new first camera. What is edited
-    /// is stated in extras.steradian.
-    /// @throws Error as gltf::write_edited_copy(), and for an edited light that shares its node with another
-    void save(const LoadedScene& loaded, const scene::Camera* view, const std::string& target) const;
+    /// Writes a copy of the file as it was read with the edits and, if `view` is given, a new first camera.
+    /// What is edited is stated in extras.steradian.
+    /// @return as gltf::write_edited_copy(). @throws Error as gltf::write_edited_copy(), and for an edited
+    /// light that shares its node with another
+    std::vector<std::string> save(const LoadedScene& loaded, const scene::Camera* view,
+                                  const std::string& target) const;
 
 private:
     using Edits = std::vector<LightEdit>;

@@ -23,6 +23,23 @@ def journals(display: Display) -> list[Path]:
     return list((display.file.parent / "state" / "steradian").glob("*.json"))
 
 
+def with_materials_reversed(scene: Path) -> str:
+    """The same scene by another exporter: its materials have other numbers."""
+    root = json.loads(scene.read_text())
+    last = len(root["materials"]) - 1
+    root["materials"].reverse()
+    for mesh in root["meshes"]:
+        for primitive in mesh["primitives"]:
+            primitive["material"] = last - primitive["material"]
+    return json.dumps(root)
+
+
+def edited_lights(file: Path) -> list[str]:
+    """Names of the materials that state what they emit, as edits do."""
+    return [material["name"] for material in json.loads(file.read_text())["materials"]
+            if "quantity" in material.get("extras", {}).get("steradian", {})]
+
+
 def close(display: Display, viewer: Viewer):
     """Asks the window to close, as a window manager does."""
     from Xlib import display as xlib
@@ -125,11 +142,21 @@ def saving(viewer: Viewer, scene: Path):
     asked = viewer.errors().count("unsaved edits. Reload it?")
     viewer.key("ctrl+period")  # brightens the light
     is_unsaved(viewer, True)
-    viewer.write(scene, scene.read_text() + "\n")  # another program changes what the edits start from
+    viewer.write(scene, with_materials_reversed(scene))  # another program changes what the edits start from
     viewer.said("unsaved edits. Reload it?", asked + 1)
     viewer.key("Escape", "ctrl+s")
     viewer.type("")
-    viewer.said(f"Saved {edited}. scene.gltf has changed since it was opened")
+    viewer.said(f"Saved {edited}. scene.gltf has changed or gone since it was opened")
+    brightened = edited.read_bytes()
+    assert edited_lights(scene) == [] and edited_lights(edited) == ["lamp"], edited_lights(edited)
+    viewer.key("ctrl+period")
+    is_unsaved(viewer, True)
+    scene.unlink()
+    viewer.said("unsaved edits. Reload it?", asked + 2)
+    viewer.key("Escape", "ctrl+z", "ctrl+s")
+    viewer.type("")
+    viewer.said(f"Saved {edited}. scene.gltf has changed or gone since it was opened", 2)
+    assert edited.read_bytes() == brightened, "a removed file gives another copy"
 
 
 def opening(viewer: Viewer, other: Path):
