@@ -1,6 +1,6 @@
 #pragma once
-// A glTF file and its buffers as they were read. Copies with edits are made of these bytes: another program may
-// change, move or remove the file while it is shown.
+// A glTF file and its buffers as they were read. Copies with edits are made of these bytes: another program
+// may change, move or remove the file while it is shown.
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -34,14 +34,15 @@ struct SourceFile {
     std::filesystem::path path;
     SharedBytes bytes; // of the .gltf or .glb; null: nothing was read
     std::optional<FileStamp> stamp;
-    std::size_t json_hash = 0; // tells files with other nodes or materials apart
+    std::size_t json_hash = 0;                          // tells files with other nodes or materials apart
     std::map<std::filesystem::path, NamedFile> named{}; // what its URIs may name, there or not (uri.hpp)
 
     /// True if the file is there as it was read.
     bool is_unchanged() const { return stamp && stamp_of(path) == stamp; }
 };
 
-/// Reads the bytes of a .gltf or .glb; the members that its JSON tells are empty yet. @throws Error as read_file() does
+/// Reads the bytes of a .gltf or .glb; the members that its JSON tells are empty yet. @throws Error as
+/// read_file() does
 SourceFile read_source(const std::filesystem::path& file);
 
 } // namespace sr::gltf

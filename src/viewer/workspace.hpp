@@ -57,7 +57,7 @@ struct Workspace {
     gl::Window& window;
     WindowInput& input;
     const Ui& ui;
-    const Keymap keys;
+    Keymap keys;
     Messages messages;
     Statistics statistics{};
 

@@ -37,6 +37,8 @@ void rebase_lights(std::vector<LightEdit>& edits, const FileLights& now) {
             LightEdit edit;
             edit.source = light.number;
             edit.light = light.light;
+            edit.name = name_of(light.light);
+            edit.node = now.node_of(light.number);
             known = edits.insert(edits.begin() + at, std::move(edit));
         } else {
             known->light = edited(light.light, *known);

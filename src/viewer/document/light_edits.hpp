@@ -33,7 +33,8 @@ struct LightEdit {
     vec3 emission{0.0f};             // current value, of materials
     MaterialFactors factors{};       // of materials
     std::size_t material = 0;        // index in the scene, of materials
-    std::string name{};              // of materials
+    std::string name{};              // in the file, before any edit
+    int node = -1;                   // of a light of the file
     bool is_enabled = true;          // a disabled light emits nothing and stays where it is
     bool is_present = true;          // the file shows it at this time, in this variant
     bool is_removed = false;         // by a person

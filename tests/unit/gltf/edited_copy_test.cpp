@@ -20,12 +20,11 @@ const std::vector<std::string> nothing;
 MadeGltf made_with_lamps(const std::vector<std::string>& names) {
     MadeGltf made = MadeGltf::triangle();
     for (std::size_t i = 0; i < names.size(); ++i) {
-        made.root["nodes"].push_back({{"name", names[i]},
-                                      {"extras",
-                                       {{"steradian",
-                                         {{"shape", "sphere"},
-                                          {"radius", 0.1},
-                                          {"quantity", {{"value", 100}, {"unit", "lm"}}}}}}}});
+        made.root["nodes"].push_back(
+            {{"name", names[i]},
+             {"extras",
+              {{"steradian",
+                {{"shape", "sphere"}, {"radius", 0.1}, {"quantity", {{"value", 100}, {"unit", "lm"}}}}}}}});
         made.root["scenes"][0]["nodes"].push_back(i + 1);
     }
     return made;
@@ -35,7 +34,8 @@ MadeGltf made_with_lamps(const std::vector<std::string>& names) {
 gltf::Edits edits_of(const gltf::Asset& asset, const std::string& name) {
     gltf::NodeLightEdit edit;
     const auto& nodes = asset.contents().nodes;
-    edit.node = static_cast<int>(std::ranges::find(nodes, name, &gltf::Contents::NodeInfo::name) - nodes.begin());
+    edit.node =
+        static_cast<int>(std::ranges::find(nodes, name, &gltf::Contents::NodeInfo::name) - nodes.begin());
     edit.emission = gltf::StatedEmission{700.0, "lm", vec3(1.0f)};
     edit.name = name + " edited";
     gltf::Edits edits;
@@ -67,7 +67,8 @@ const Test as_read("unit.gltf.edited_copy.is_of_the_file_as_it_was_read", [] {
         {"cut off", [](const fs::path& file) { fs::resize_file(file, 100); }}};
     for (const char* extension : {".gltf", ".glb"})
         for (const Change& change : changes) {
-            const fs::path file = folder / (std::string("lamps") + extension), before = folder / ("before" + file.extension().string()),
+            const fs::path file = folder / (std::string("lamps") + extension),
+                           before = folder / ("before" + file.extension().string()),
                            after = folder / ("after" + file.extension().string());
             fs::remove_all(file);
             const MadeGltf made = made_with_lamps(in_order);

@@ -171,14 +171,19 @@ def opening(viewer: Viewer, other: Path):
 
 
 def crashing(viewer: Viewer, display: Display, scene: Path):
-    """Edits of a run that was killed are offered at the next start; a clean end leaves no journal."""
+    """Edits of a run that was killed are offered at the next start, by name if the file has changed; a clean end leaves no journal."""
     viewer.key("Tab", "space")
     is_unsaved(viewer, True)
     viewer.wait(lambda: journals(display), "a journal", 20)
     viewer.process.kill()
     viewer.process.wait()
+    journal = journals(display)[0]
+    damaged = journal.with_name(journal.name.rpartition("-")[0] + "-9.json")
+    damaged.write_text('{"edits": ')
+    viewer.write(scene, with_materials_reversed(scene))
     viewer = Viewer(display, STERADIAN, SCRATCH / "again", scene, *OPTIONS)
-    viewer.said("Asked: An earlier run ended without saving 1 edited light or material of veach.gltf.")
+    viewer.said(f"{damaged}.damaged: is a damaged journal of unsaved edits")
+    viewer.said("Asked: An earlier run ended without saving 1 edited light or material of veach.gltf. The file has changed since")
     viewer.key("r")
     viewer.said("The edits are recovered.")
     is_unsaved(viewer, True)
@@ -188,8 +193,8 @@ def crashing(viewer: Viewer, display: Display, scene: Path):
     viewer.key("s")
     viewer.process.communicate(timeout=30)
     assert viewer.process.returncode == 0, viewer.errors()
-    stated = [node["extras"]["steradian"] for node in json.loads(copy.read_text())["nodes"] if "extras" in node]
-    assert [emission["quantity"]["value"] for emission in stated] == [0], f"not switched off: {stated}"
+    stated = [node for node in json.loads(copy.read_text())["nodes"] if "extras" in node]
+    assert [node["extras"]["steradian"]["quantity"]["value"] for node in stated] == [0], f"not switched off: {stated}"
     assert not journals(display), journals(display)
 
 
