@@ -26,7 +26,10 @@ Changes Panels::update() {
         first_page_.rest();
         return {};
     }
-    return ws_.has_first_page && first_page_.update() ? Changes(Change::redraw) : Changes();
+    if (!ws_.has_first_page || !first_page_.update()) return {};
+    if (const std::string problem = first_page_.take_problem(); !problem.empty())
+        ws_.messages.notify(problem);
+    return Change::redraw;
 }
 
 bool Panels::execute(Command command) {

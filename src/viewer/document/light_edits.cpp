@@ -37,6 +37,8 @@ void rebase_lights(std::vector<LightEdit>& edits, const FileLights& now) {
             LightEdit edit;
             edit.source = light.number;
             edit.light = light.light;
+            edit.name = name_of(light.light);
+            edit.node = now.node_of(light.number);
             known = edits.insert(edits.begin() + at, std::move(edit));
         } else {
             known->light = edited(light.light, *known);
@@ -431,8 +433,8 @@ void LightEditor::apply(LoadedScene& loaded) {
         scene::add_light_surfaces(scene);
 }
 
-void LightEditor::save(const LoadedScene& loaded, const scene::Camera* view,
-                       const std::string& target) const {
+std::vector<std::string> LightEditor::save(const LoadedScene& loaded, const scene::Camera* view,
+                                           const std::string& target) const {
     const scene::Scene& scene = loaded.stage.scene;
     gltf::Edits written;
     written.scene_index = loaded.scene_index;
@@ -464,7 +466,7 @@ void LightEditor::save(const LoadedScene& loaded, const scene::Camera* view,
             written.lights.push_back(*std::move(edited));
         }
     }
-    gltf::write_edited_copy(loaded.file, written, target);
+    return gltf::write_edited_copy(loaded.source, written, target);
 }
 
 } // namespace sr::viewer

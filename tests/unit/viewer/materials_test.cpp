@@ -98,8 +98,8 @@ const Test recovered("unit.viewer.materials.a_journal_has_the_factors", [] {
     const LoadedScene loaded = load_scene(scene_file, Options(), 1.0f);
     LightEditor editor(loaded, false), fresh(loaded, false);
     editor.set_factors(1, {.metallic = 0.25f, .others = {{2, vec3(1.25f, 0.0f, 0.0f)}}});
-    Journal(scene_file).write(editor);
-    const auto lost = Journal(scene_file).find(fresh.edits());
+    Journal(scene_file).write(editor, loaded.source.json_hash);
+    const auto lost = Journal(scene_file).find(fresh.edits(), loaded.source.json_hash).newest;
     ASSERT_TRUE(lost.has_value());
     fresh.recover(lost->edits);
     EXPECT_EQ(fresh.factors_of(1), editor.factors_of(1));

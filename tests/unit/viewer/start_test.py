@@ -117,6 +117,26 @@ def has_picture(viewer: Viewer) -> bool:
     return red > 60 and red > 2 * green and red > 2 * blue
 
 
+ORANGE = 230, 159, 0
+
+
+def broken(display: Display, folder: Path):
+    """A file that cannot be rendered is marked. A cache that cannot be written is said; the page works without it."""
+    recent = Path(display.environment["XDG_CONFIG_HOME"]) / "steradian/recent"
+    (folder / "z.gltf").write_text('{"asset": {"version": "2.0"},')
+    lines = recent.read_text().splitlines()
+    recent.write_text("\n".join([lines[0], str(folder / "z.gltf"), *lines[1:]]) + "\n")
+    cache = Path(display.environment["XDG_CACHE_HOME"]) / "steradian/thumbnails"
+    shutil.rmtree(cache, ignore_errors=True)
+    cache.parent.mkdir(parents=True, exist_ok=True)
+    cache.write_text("no folder")
+    viewer = Viewer(display, STERADIAN, SCRATCH / "run", *OPTIONS)
+    viewer.said(f"{cache} cannot be written, so the first page has no new pictures.")
+    assert viewer.errors().count("cannot be written") == 1, viewer.errors()
+    viewer.close()
+    cache.unlink()
+
+
 def main() -> int:
     skip_without()
     shutil.rmtree(SCRATCH, ignore_errors=True)
@@ -135,9 +155,11 @@ def main() -> int:
         history(viewer)
         grid(viewer)
         viewer.close()
+        broken(display, folder)
         viewer = Viewer(display, STERADIAN, SCRATCH / "run", *OPTIONS)
         viewer.said("text field focused")
         viewer.wait(lambda: has_picture(viewer), "a thumbnail of the file")
+        viewer.wait(lambda: viewer.count(ORANGE) > 5, "the reason why the broken file has no picture")
         pictures = {file.name: file.stat().st_mtime_ns for file in (SCRATCH / "display/cache/steradian/thumbnails").glob("*[0-9a-f].png")}
         assert pictures, "the thumbnail is not in the cache"
         viewer.click(44, 224)  # the first of the recent files
