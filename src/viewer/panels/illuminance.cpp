@@ -260,9 +260,9 @@ IlluminanceOutcome IlluminancePanel::draw(IlluminanceChoice& choice, const Measu
         place_next_window(*area);
     else
         ImGui::SetNextWindowSize({22.0f * ImGui::GetFontSize(), 0.0f});
-    if (ImGui::Begin("Illuminance", nullptr,
+    if (ImGui::Begin(side::illuminance, nullptr,
                      ui.panel_flags(area.has_value()) & ~ImGuiWindowFlags_AlwaysAutoResize)) {
-        if (area) heading("Illuminance", ui);
+        if (area) heading(side::illuminance, ui);
         ImGui::PushTextWrapPos();
         ImGui::TextDisabled("%s", in_plain_letters(progress).c_str());
         if (!problem.empty())

@@ -192,9 +192,9 @@ Changes MixerPanel::draw(LightEditor& lights, const LoadedScene& loaded, std::op
         place_next_window(*area);
     else
         ImGui::SetNextWindowSize({20.0f * ImGui::GetFontSize(), 0.0f});
-    if (ImGui::Begin("Light mixer", nullptr,
+    if (ImGui::Begin(side::mixer, nullptr,
                      ui.panel_flags(area.has_value()) & ~ImGuiWindowFlags_AlwaysAutoResize)) {
-        if (area) heading("Light mixer", ui);
+        if (area) heading(side::mixer, ui);
         ImGui::PushTextWrapPos();
         ImGui::TextDisabled("%s", progress.c_str());
         ImGui::PopTextWrapPos();

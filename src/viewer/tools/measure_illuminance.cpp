@@ -56,6 +56,8 @@ private:
 
 std::optional<Changes> MeasureIlluminance::handle(const Event& event) {
     const auto command = command_in(event);
+    if (command == Command::illuminance && ws_.show_panel(side::illuminance) && is_open_)
+        return Change::redraw;
     if (command == Command::illuminance || (command == Command::cancel && is_open_)) return toggle();
     if (command != Command::write_illuminance) return std::nullopt;
     write(".csv");
@@ -190,12 +192,12 @@ std::optional<output::GridPlace> MeasureIlluminance::pointed_cell() const {
 
 Changes MeasureIlluminance::draw(const Overlay& overlay) {
     if (!is_open_) return {};
-    const std::optional<Area> area =
-        ws_.layout.is_docked() ? std::optional(ws_.layout.take_right()) : std::nullopt;
+    const PanelPlace place = ws_.layout.take_side(side::illuminance);
     if (measured_ && choice_.is_over_picture) draw_isolines(*measured_, overlay.projection, overlay.scale);
+    if (!place.is_shown) return {};
     const auto pointed = measured_ ? pointed_cell() : std::nullopt;
-    return apply(
-        panel_.draw(choice_, measured_ ? &*measured_ : nullptr, progress(), problem_, pointed, area, ws_.ui));
+    return apply(panel_.draw(choice_, measured_ ? &*measured_ : nullptr, progress(), problem_, pointed,
+                             place.area, ws_.ui));
 }
 
 Changes MeasureIlluminance::apply(const IlluminanceOutcome& outcome) {

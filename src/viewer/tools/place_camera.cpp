@@ -50,6 +50,7 @@ std::optional<Changes> PlaceCamera::handle(const Event& event) {
     case Command::type_camera:
         is_requested_ = true;
         focus_.begin();
+        ws_.show_panel(side::controls);
         return Change::redraw;
     case Command::keep_bookmark: {
         const std::string& name = bookmarks_->keep(ws_.camera->look_at_text());
