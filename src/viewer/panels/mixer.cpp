@@ -1,6 +1,7 @@
 #include "viewer/panels/mixer.hpp"
 
 #include "core/math.hpp"
+#include "viewer/fields.hpp"
 #include "viewer/light_value.hpp"
 #include "viewer/palette.hpp"
 
@@ -70,9 +71,9 @@ Changes MixerPanel::draw_fader(std::size_t entry, LightEditor& lights, const Loa
     float ev = exposure_between(at_zero_[entry], quantity);
     const LightGroup group{all, loaded.stage.scene.profiles, loaded.stage.scene.units};
     const std::string value = with_superscripts(value_text(group));
-    const std::string format =
-        fmt::format("%+.2f EV  ({})", value.substr(0, value.find(','))); // without its flux
+    std::string format = fmt::format("%+.2f EV  ({})", value.substr(0, value.find(','))); // without its flux
     ImGui::SetNextItemWidth(-1.0f);
+    if (field_width_of(format) > ImGui::GetContentRegionAvail().x) format = "%+.2f EV";
     const bool is_moved = ImGui::SliderFloat("##fader", &ev, -fader_range, fader_range, format.c_str(),
                                              ImGuiSliderFlags_AlwaysClamp);
     if (ImGui::IsItemActivated()) lights.begin_step();

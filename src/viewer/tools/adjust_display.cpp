@@ -2,6 +2,7 @@
 #include "core/error.hpp"
 #include "gl/program.hpp"
 #include "output/variables.hpp"
+#include "viewer/fields.hpp"
 #include "viewer/panels/legend.hpp"
 #include "viewer/tools/tool.hpp"
 
@@ -82,7 +83,7 @@ Changes AdjustDisplay::draw_section() {
     tooltip(ws_.keys.hint("the exposure follows the picture", Command::auto_exposure));
     ImGui::SameLine();
     float ev = exposure.ev100();
-    if (ImGui::SliderFloat("EV100", &ev, -10.0f, 20.0f, "%.2f")) exposure.fix(ev);
+    if (number_field("EV100", ev, {-10.0f, 20.0f, "%.2f", false})) exposure.fix(ev);
     tooltip("exposure value at ISO 100: 1 more is half as bright; a click with Ctrl types it");
     const bool is_open = ImGui::BeginCombo("tone curve", display.curve->name.data());
     tooltip(ws_.keys.hint("the curve from exposed radiance to the screen", Command::next_tone_curve));
