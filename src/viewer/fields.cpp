@@ -99,8 +99,7 @@ bool number_field(const std::string& label, vec3& values, const NumberRange& ran
 
 bool color_field(const std::string& label, std::span<float> values, bool has_swatch) {
     require(values.size() == 3 || values.size() == 4, "a colour has three or four numbers");
-    const float swatch =
-        has_swatch ? ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x : 0.0f;
+    const float swatch = has_swatch ? ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x : 0.0f;
     const std::string placed = place_field(label, room_of("%.3f", values) + swatch);
     const int flags = ImGuiColorEditFlags_Float | (has_swatch ? 0 : ImGuiColorEditFlags_NoSmallPreview);
     return values.size() == 4 ? ImGui::ColorEdit4(placed.c_str(), values.data(), flags)

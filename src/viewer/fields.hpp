@@ -29,7 +29,8 @@ struct NumberRange {
     bool is_clamped = true; // typed numbers, too
 };
 
-// Fields of one or more numbers. `speed`: of a drag, in a pixel; absent: a slider. @return true if one changed
+// Fields of one or more numbers. `speed`: of a drag, in a pixel; absent: a slider. @return true if one
+// changed
 bool number_field(const std::string& label, std::span<float> values, const NumberRange& range,
                   std::optional<float> speed = std::nullopt);
 bool number_field(const std::string& label, float& value, const NumberRange& range,

@@ -74,6 +74,7 @@ struct Workspace {
     bool is_explained = false;           // `probed`, term by term, instead of the table of all numbers
     bool is_term_left_out = false;       // the picture beside is the one without a term
     bool is_mixing = false;              // the GPU has the light mixer's lights, and the render waits
+    std::string mixing{};                // how far the light mixer is
     bool is_time_held = false;           // while a light is dragged
     Layout layout{};
     bool wants_panels = false; // hidden panels shall be shown

@@ -79,7 +79,8 @@ Changes Panels::draw(const Tools& tools) {
     } else if (!ws_.scene) {
         message_area({fmt::format("loading {} ...", ws_.options.scene), {}, {}}, ws_.layout);
     } else if (are_shown_) {
-        message_area({progress_of(ws_.scene->render()), under_pointer(), ws_.messages.status()}, ws_.layout);
+        const std::string progress = ws_.is_mixing ? ws_.mixing : progress_of(ws_.scene->render());
+        message_area({progress, under_pointer(), ws_.messages.status()}, ws_.layout);
         const Overlay overlay{ws_.projection(), ws_.ui.scale()};
         const Area clip = ws_.shown_area();
         ImDrawList& marks = *ImGui::GetBackgroundDrawList();

@@ -44,6 +44,11 @@ std::string stem_of(const std::string& name) {
     return end == std::string::npos ? name : name.substr(0, end + 1);
 }
 
+/// Names a step of undo that changes a group.
+std::string step_of(const char* what, const MixerGroup& group) {
+    return fmt::format("{} {}, {} lights", what, group.name, group.entries.size());
+}
+
 } // namespace
 
 std::vector<MixerGroup> mixer_groups(const std::vector<LightEntry>& entries) {
@@ -136,16 +141,17 @@ Changes MixerPanel::draw_group_switches(const MixerGroup& group, LightEditor& li
         is_any_on = is_any_on || (is_member(i) && entries[i].is_enabled);
         is_solo = is_solo && entries[i].is_enabled == is_member(i);
     }
-    const auto switch_all = [&](auto is_on) {
-        lights.begin_step();
+    const auto switch_all = [&](const char* what, auto is_on) {
+        lights.begin_step(step_of(what, group));
         for (std::size_t i = 0; i < lights.entries().size(); ++i) lights.enable(i, is_on(i));
         changes |= Change::lights;
     };
     if (switch_button("M", !is_any_on, palette::vermilion, "mute: these lights off, or on again"))
-        switch_all([&](std::size_t i) { return is_member(i) ? !is_any_on : entries[i].is_enabled; });
+        switch_all(is_any_on ? "disabling" : "enabling",
+                   [&](std::size_t i) { return is_member(i) ? !is_any_on : entries[i].is_enabled; });
     ImGui::SameLine(0.0f, 3.0f);
     if (switch_button("S", is_solo, palette::green, "solo: these lights alone, or all again"))
-        switch_all([&](std::size_t i) { return is_solo || is_member(i); });
+        switch_all("enabling alone", [&](std::size_t i) { return is_solo || is_member(i); });
     return changes;
 }
 
@@ -158,7 +164,7 @@ Changes MixerPanel::draw_group_fader(const MixerGroup& group, LightEditor& light
     ImGui::SetNextItemWidth(-1.0f);
     const bool is_moved = ImGui::SliderFloat("##group", &ev, -fader_range, fader_range, "%+.2f EV  (all)",
                                              ImGuiSliderFlags_AlwaysClamp);
-    if (ImGui::IsItemActivated()) lights.begin_step();
+    if (ImGui::IsItemActivated()) lights.begin_step(step_of("value of", group));
     tooltip("brightens all lights of the group by as much; 1 EV doubles them. Ctrl click: type");
     if (!is_moved) return {};
     for (const std::size_t i : group.entries) lights.set_quantity(i, std::exp2(ev - before) * quantity(i));

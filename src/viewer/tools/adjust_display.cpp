@@ -106,9 +106,21 @@ Changes AdjustDisplay::draw_section() {
 
 Changes AdjustDisplay::draw(const Overlay& overlay) {
     const output::Variable* const view = ws_.display.view;
-    if (view)
+    const ComparisonMode comparison = ws_.display.comparison;
+    const bool has_reference = ws_.reference || ws_.scene->reference();
+    const bool has_values = !has_reference || comparison == ComparisonMode::none
+                            || comparison == ComparisonMode::wipe; // and no errors instead
+    if (view && has_values)
         draw_legend(ws_.shown_area(), *view, ws_.display,
                     output::unit_of(view, ws_.scene->stage().scene.units), overlay.scale);
+    if (view && !has_values) {
+        const Area picture = ws_.shown_area();
+        const float margin = 10.0f * overlay.scale, height = 2.0f * ImGui::GetTextLineHeight();
+        draw_caption({picture.from.x + margin, picture.from.y + picture.size.y - height - margin},
+                     fmt::format("{} of {} against the reference",
+                                 comparison == ComparisonMode::difference ? "difference" : "ꟻLIP",
+                                 view->name));
+    }
     return {};
 }
 

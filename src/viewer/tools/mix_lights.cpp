@@ -145,6 +145,7 @@ void MixLights::start() {
 
 Changes MixLights::update(double /*seconds*/) {
     if (!is_open_) return {};
+    ws_.mixing = "mixing: " + progress();
     if (render_ && size_ != std::pair(ws_.width, ws_.height)) wait_again();
     try {
         if (!render_ && is_ready()) start();
