@@ -325,7 +325,7 @@ Changes App::execute(Command command) {
     case Command::fullscreen: toggle_fullscreen(); break;
     case Command::cancel: return cancel_innermost();
     case Command::open_file:
-    case Command::save_as: panels_.show(); [[fallthrough]]; // their dialog is a panel
+    case Command::save_as: workspace_.show_panels(); [[fallthrough]]; // their dialog is a panel
     default:
         if (!panels_.execute(command)) return dispatch_to_tools(CommandEvent{command});
     }

@@ -74,9 +74,11 @@ struct Workspace {
     bool is_explained = false;           // `probed`, term by term, instead of the table of all numbers
     bool is_term_left_out = false;       // the picture beside is the one without a term
     bool is_mixing = false;              // the GPU has the light mixer's lights, and the render waits
+    std::string mixing{};                // how far the light mixer is
     bool is_time_held = false;           // while a light is dragged
     Layout layout{};
-    int width = 0; // of the film [pixels]
+    bool wants_panels = false; // hidden panels shall be shown
+    int width = 0;             // of the film [pixels]
     int height = 0;
 
     bool has_first_page = false; // no scene was named: a file that cannot be shown does not end the viewer
@@ -108,6 +110,15 @@ struct Workspace {
     vec2 place_in_picture(vec2 at) const { return (at - picture().from) / picture().size; }
     Projection projection() const { return {camera->camera(), camera->aspect_ratio(), picture()}; }
     render::RenderOptions render_options() const { return viewer::render_options(options, width, height); }
+
+    /// Shows the panels if they are hidden. @return true if they were
+    bool show_panels() { return wants_panels = !layout.has_panels(); }
+    /// Shows a panel beside the picture: all panels if they are hidden, its tab if another one is in front.
+    /// @return true if it was not seen
+    bool show_panel(const char* name) {
+        const bool was_behind = layout.bring_forward(name);
+        return show_panels() || was_behind;
+    }
 
     void ask(Question asked);
     void answer(const Answer& given);

@@ -19,7 +19,10 @@ Panels::Panels(Workspace& workspace) : ws_(workspace), first_page_(workspace.opt
     begin();
 }
 
-void Panels::begin() { ws_.layout.begin(ws_.window_size(), ws_.ui.scale(), are_shown_); }
+void Panels::begin() {
+    if (std::exchange(ws_.wants_panels, false)) show();
+    ws_.layout.begin(ws_.window_size(), ws_.ui.scale(), are_shown_);
+}
 
 Changes Panels::update() {
     if (ws_.scene || ws_.loading) {
@@ -79,12 +82,14 @@ Changes Panels::draw(const Tools& tools) {
     } else if (!ws_.scene) {
         message_area({fmt::format("loading {} ...", ws_.options.scene), {}, {}}, ws_.layout);
     } else if (are_shown_) {
-        message_area({progress_of(ws_.scene->render()), under_pointer(), ws_.messages.status()}, ws_.layout);
+        const std::string progress = ws_.is_mixing ? ws_.mixing : progress_of(ws_.scene->render());
+        message_area({progress, under_pointer(), ws_.messages.status()}, ws_.layout);
         const Overlay overlay{ws_.projection(), ws_.ui.scale()};
-        const Area& clip = ws_.layout.picture();
+        const Area clip = ws_.shown_area();
         ImDrawList& marks = *ImGui::GetBackgroundDrawList();
         marks.PushClipRect({clip.from.x, clip.from.y},
                            {clip.from.x + clip.size.x, clip.from.y + clip.size.y});
+        draw_tabs();
         for (const auto& tool : tools) changes |= tool->draw(overlay);
         marks.PopClipRect();
         changes |= draw_column(tools);
@@ -158,9 +163,36 @@ void Panels::draw_lights_menu() {
     ImGui::EndMenu();
 }
 
+/// Draws the tabs of panels that share a column.
+void Panels::draw_tabs() {
+    const std::vector<std::string> tabs = ws_.layout.tabs();
+    if (!ws_.layout.has_one_column() || tabs.size() < 2) return;
+    const ImVec2 margin{4.0f * ws_.ui.scale(), 2.0f * ws_.ui.scale()};
+    place_next_window(ws_.layout.take_tabs(ImGui::GetFrameHeight() + 2.0f * margin.y));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, margin);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1.0f, 1.0f});
+    if (ImGui::Begin("tabs", nullptr, ws_.ui.panel_flags(true) | ImGuiWindowFlags_NoScrollbar)
+        && ImGui::BeginTabBar("panels")) {
+        for (const std::string& name : tabs) {
+            const bool is_new_front = name == ws_.layout.front() && name != shown_tab_;
+            const int flags = is_new_front ? ImGuiTabItemFlags_SetSelected : 0;
+            if (ImGui::BeginTabItem(name.c_str(), nullptr, flags)) {
+                shown_tab_ = name;
+                ImGui::EndTabItem();
+            }
+            if (ImGui::IsItemClicked()) ws_.layout.bring_forward(name);
+            tooltip("panels share this column until the window is wider");
+        }
+        ImGui::EndTabBar();
+    }
+    ImGui::End();
+    ImGui::PopStyleVar(2);
+}
+
 Changes Panels::draw_column(const Tools& tools) {
     Changes changes;
     const bool is_docked = ws_.layout.is_docked();
+    if (ws_.layout.has_one_column() && ws_.layout.front() != side::controls) return changes;
     if (is_docked) {
         const Area area = ws_.layout.left();
         const vec2 range = ws_.layout.column_range();
@@ -183,8 +215,9 @@ Changes Panels::draw_column(const Tools& tools) {
     }
     if (!is_docked) keep_in_viewport();
     const float width = ImGui::GetWindowSize().x / ws_.ui.scale();
+    const bool is_as_placed = ImGui::GetWindowSize().x == ws_.layout.left().size.x;
     ImGui::End();
-    if (!is_docked || width == ws_.layout.column()) return changes;
+    if (!is_docked || is_as_placed) return changes;
     const bool is_dragged = ImGui::IsMouseDragging(ImGuiMouseButton_Left);
     if (!is_dragged) return changes; // a narrow window is no wish of a person
     ws_.layout.set_column(width);

@@ -23,8 +23,6 @@ public:
 
     /// Executes a command that shows or hides a panel. @return false if the command is another
     bool execute(Command command);
-    /// Shows the panels, of which a dialog is one.
-    void show();
     /// Closes the innermost of what is over the picture. @return false if nothing is
     bool close_one();
     /// True while keys are typed into the palette.
@@ -36,10 +34,12 @@ private:
     bool has_first_page() const { return !ws_.scene && ws_.has_first_page && !ws_.loading; }
     Changes draw_first_page();
     void toggle();
+    void show();
     void draw_over_picture();
     void draw_menu();
     void draw_views_menu();
     void draw_lights_menu();
+    void draw_tabs();
     Changes draw_column(const Tools& tools);
     std::string under_pointer() const;
 
@@ -47,6 +47,7 @@ private:
     bool are_shown_ = true;
     CommandPalette palette_;
     FirstPage first_page_;
+    std::string shown_tab_; // of those that share a column
     bool has_help_ = false;
     bool has_history_ = false; // of messages
 };

@@ -237,6 +237,7 @@ void LightEditor::remember(std::string what) {
     if (is_step_open_) return;
     constexpr std::size_t max_steps = 200;
     if (undo_.size() == max_steps) undo_.erase(undo_.begin());
+    if (!step_name_.empty()) what = std::exchange(step_name_, {});
     undo_.push_back({edits_, std::exchange(revision_, last_revision_ + 1), std::move(what)});
     ++last_revision_;
     redo_.clear();

@@ -135,7 +135,11 @@ public:
     std::optional<std::string> undo();
     std::optional<std::string> redo();
     /// Begins an undo step, which lasts until the next call: a drag is one step.
-    void begin_step() { is_step_open_ = false; }
+    /// `name`: of all edits in it; empty: that of the first one.
+    void begin_step(std::string name = {}) {
+        is_step_open_ = false;
+        step_name_ = std::move(name);
+    }
     /// Restores the state at the beginning of the step, which stays open.
     void restart_step();
     /// Restores the state at the beginning of the step and drops the step.
@@ -193,6 +197,7 @@ private:
     std::vector<scene::Light> staged_; // the RenderScene's lights as if all were enabled
     bool hides_emitters_;
     bool is_step_open_ = false;
+    std::string step_name_; // of the next step
 };
 
 } // namespace sr::viewer

@@ -1,5 +1,6 @@
 #include "viewer/panels/animation.hpp"
 
+#include "viewer/fields.hpp"
 #include "viewer/ui.hpp"
 
 #include <algorithm>
@@ -77,8 +78,9 @@ AnimationRequest animation_bar(Playback& playback, Animations all, Layout& layou
     const auto duration = static_cast<float>(playback.duration);
     auto time = static_cast<float>(playback.seconds.value_or(0.0));
     ImGui::SetNextItemWidth(std::max(60.0f * scale, ImGui::GetContentRegionAvail().x - others));
-    const std::string format = playback.seconds ? fmt::format("%.3f / {:.3f} s", playback.duration)
-                                                : fmt::format("rest pose / {:.3f} s", playback.duration);
+    std::string format = playback.seconds ? fmt::format("%.3f / {:.3f} s", playback.duration)
+                                          : fmt::format("rest pose / {:.3f} s", playback.duration);
+    if (field_width_of(format) > ImGui::CalcItemWidth()) format = playback.seconds ? "%.2f s" : "rest";
     if (ImGui::SliderFloat("##time", &time, 0.0f, duration, format.c_str(), ImGuiSliderFlags_AlwaysClamp))
         request.time = static_cast<double>(time);
     tooltip("time of the animation [s]; a drag goes to another, a click with Ctrl types it");

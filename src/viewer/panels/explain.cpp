@@ -119,7 +119,14 @@ void ExplainPanel::draw_head(const ProbeResult& result, const Ui& ui) {
     ImGui::PushFont(ui.fonts().heading);
     text_line("Lₒ = Lₑ + Σ fᵣ · L · Ω · V · cos θᵢ");
     ImGui::PopFont();
-    ImGui::SameLine(0.0f, 2.0f * ImGui::GetFontSize());
+    const float gap = 2.0f * ImGui::GetFontSize(), button = ImGui::GetFrameHeight();
+    const float end = ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x + gap;
+    const float right = ImGui::GetWindowContentRegionMax().x - button;
+    ImGui::SameLine(right);
+    if (ImGui::Button("x", {button, 0.0f})) request_.closes = true;
+    tooltip("back to all numbers (Esc)");
+    const float parts_width = 26.0f * ImGui::GetFontSize(); // of the choices below
+    if (end + parts_width < right) ImGui::SameLine(end);
     ImGui::AlignTextToFramePadding();
     ImGui::TextDisabled("pixel %d,%d", result.column, result.row);
     int part = static_cast<int>(part_);
@@ -130,10 +137,6 @@ void ExplainPanel::draw_head(const ProbeResult& result, const Ui& ui) {
                        : "numbers of this channel, linear, primaries of Rec. 709");
     }
     part_ = static_cast<ColorPart>(part);
-    const float button = ImGui::GetFrameHeight();
-    ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - button);
-    if (ImGui::Button("x", {button, 0.0f})) request_.closes = true;
-    tooltip("back to all numbers (Esc)");
 }
 
 void ExplainPanel::draw_equation(const ProbeResult& result, const scene::RenderScene& stage,

@@ -2,6 +2,7 @@
 
 #include "gl/object.hpp"
 #include "image/colormap.hpp"
+#include "viewer/fields.hpp"
 #include "viewer/palette.hpp"
 
 #include <algorithm>
@@ -221,7 +222,7 @@ std::optional<output::GridPlace> IlluminancePanel::draw_map(const MeasuredIllumi
 void IlluminancePanel::draw_choice(IlluminanceChoice& choice, IlluminanceOutcome& outcome) {
     const auto drag = [&](const char* label, double& metres, float least, const char* meaning) {
         auto value = static_cast<float>(metres);
-        const bool is_changed = ImGui::DragFloat(label, &value, 0.01f, least, 1e6f, "%.2f m");
+        const bool is_changed = number_field(label, value, {least, 1e6f, "%.2f m", false}, 0.01f);
         tooltip(meaning);
         if (is_changed) metres = std::max(value, least);
         outcome.measures_again |= is_changed;
@@ -260,9 +261,9 @@ IlluminanceOutcome IlluminancePanel::draw(IlluminanceChoice& choice, const Measu
         place_next_window(*area);
     else
         ImGui::SetNextWindowSize({22.0f * ImGui::GetFontSize(), 0.0f});
-    if (ImGui::Begin("Illuminance", nullptr,
+    if (ImGui::Begin(side::illuminance, nullptr,
                      ui.panel_flags(area.has_value()) & ~ImGuiWindowFlags_AlwaysAutoResize)) {
-        if (area) heading("Illuminance", ui);
+        if (area) heading(side::illuminance, ui);
         ImGui::PushTextWrapPos();
         ImGui::TextDisabled("%s", in_plain_letters(progress).c_str());
         if (!problem.empty())

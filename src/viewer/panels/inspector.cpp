@@ -3,11 +3,13 @@
 #include "image/display.hpp"
 #include "scene/transform.hpp"
 #include "viewer/app/fonts.hpp"
+#include "viewer/fields.hpp"
 #include "viewer/ui.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
 #include <imgui.h>
+#include <span>
 #include <string_view>
 #include <variant>
 #include <vector>
@@ -17,7 +19,7 @@ namespace {
 
 void fact(const char* name, const std::string& value) {
     ImGui::TextDisabled("%s", name);
-    ImGui::SameLine(7.5f * ImGui::GetFontSize());
+    ImGui::SameLine(6.0f * ImGui::GetFontSize());
     ImGui::PushTextWrapPos();
     ImGui::TextUnformatted(in_plain_letters(value).c_str());
     ImGui::PopTextWrapPos();
@@ -59,22 +61,16 @@ bool draw_factors(LightEditor& edits, MaterialFactors& factors, const scene::Mat
     tooltip("the base colour as a screen shows it");
     ImGui::SameLine();
     const bool has_alpha = material.alpha_mode != scene::AlphaMode::opaque;
-    constexpr int flags = ImGuiColorEditFlags_Float | ImGuiColorEditFlags_NoSmallPreview;
-    if (changed(has_alpha ? ImGui::ColorEdit4("base colour", &color.x, flags)
-                          : ImGui::ColorEdit3("base colour", &color.x, flags)))
+    if (changed(color_field("base colour", std::span(&color.x, has_alpha ? 4 : 3), false)))
         factors.base_color = glm::clamp(color, vec4(0.0f), vec4(1.0f));
     tooltip("linear reflectance 0 to 1 of red, green, blue (and alpha), times its texture");
     float metallic = material.metallic, roughness = material.roughness;
     const bool has_metallic =
         material.model == scene::Model::metallic_roughness && !material.is_specular_glossiness;
-    if (has_metallic
-        && changed(
-            ImGui::SliderFloat("metallic", &metallic, 0.0f, 1.0f, "%.3f", ImGuiSliderFlags_AlwaysClamp)))
+    if (has_metallic && changed(number_field("metallic", metallic, {0.0f, 1.0f})))
         factors.metallic = metallic;
     if (has_metallic) tooltip("0: a dielectric, 1: a metal; times the blue channel of its texture");
-    if (changed(
-            ImGui::SliderFloat("roughness", &roughness, 0.0f, 1.0f, "%.3f", ImGuiSliderFlags_AlwaysClamp)))
-        factors.roughness = roughness;
+    if (changed(number_field("roughness", roughness, {0.0f, 1.0f}))) factors.roughness = roughness;
     tooltip(material.is_specular_glossiness
                 ? "1 - glossiness, whose texture is the alpha of the specular one; GGX has the width alpha = "
                   "roughness^2"
@@ -87,9 +83,8 @@ bool draw_factor(const gltf::EditableFactor& factor, vec3& value, LightEditor& e
     const std::string label = fmt::format("{}##{}", factor.label, factor.key);
     const char* const format = factor.max > 100.0f ? "%.0f" : "%.3f";
     const bool is_changed = std::holds_alternative<float scene::Material::*>(factor.member)
-                                ? ImGui::SliderFloat(label.c_str(), &value.x, factor.min, factor.max, format,
-                                                     ImGuiSliderFlags_AlwaysClamp)
-                                : ImGui::ColorEdit3(label.c_str(), &value.x, ImGuiColorEditFlags_Float);
+                                ? number_field(label, value.x, {factor.min, factor.max, format})
+                                : color_field(label, std::span(&value.x, 3));
     if (ImGui::IsItemActivated()) edits.begin_step();
     tooltip(std::string(factor.meaning));
     return is_changed;
@@ -130,9 +125,8 @@ Changes draw_emission(LightEditor& edits, const LoadedScene& loaded, std::size_t
     vec3 emission = edits.edits()[entry->edit].emission;
     const float brightest = std::max({emission.r, emission.g, emission.b, 1e-3f});
     const std::string unit = with_superscripts(std::string(scene::radiance_unit(loaded.stage.scene.units)));
-    const bool is_changed =
-        ImGui::DragFloat3(fmt::format("emission##{}", material).c_str(), &emission.x, 0.005f * brightest,
-                          0.0f, 1e9f, "%.4g", ImGuiSliderFlags_AlwaysClamp);
+    const bool is_changed = number_field(fmt::format("emission##{}", material), emission,
+                                         {0.0f, 1e9f, "%.4g"}, 0.005f * brightest);
     if (ImGui::IsItemActivated()) edits.begin_step();
     tooltip(fmt::format("what it emits, red, green and blue [{}], times its texture; also among the lights",
                         unit));

@@ -2,12 +2,14 @@
 
 #include "core/error.hpp"
 #include "scene/lights/light.hpp"
+#include "viewer/fields.hpp"
 #include "viewer/palette.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
 #include <glm/gtc/matrix_transform.hpp>
 #include <imgui.h>
+#include <span>
 
 namespace sr::viewer {
 namespace {
@@ -115,7 +117,7 @@ Changes LightsPanel::draw_value(LightEditor& editor, const LoadedScene& loaded, 
     vec3 color = quantity_of(lights.front());
     const float brightest = std::max({color.r, color.g, color.b, 1e-30f});
     color /= brightest;
-    const bool is_changed = ImGui::ColorEdit3("colour", &color.x, ImGuiColorEditFlags_Float);
+    const bool is_changed = color_field("colour", std::span(&color.x, 3));
     if (ImGui::IsItemActivated()) editor.begin_step();
     tooltip(
         "linear red, green and blue of the light, the brightest as 1; the value above keeps the brightest");
@@ -138,13 +140,12 @@ Changes LightsPanel::draw_place(LightEditor& editor, std::size_t selected) {
     const vec3 pivot = center.value_or(vec3(0.0f));
     if (center) {
         vec3 moved = pivot;
-        if (ImGui::DragFloat3("place [m]", &moved.x, 0.01f, 0.0f, 0.0f, "%.3f"))
-            transform(glm::translate(mat4(1.0f), moved - pivot));
+        if (number_field("place [m]", moved, {}, 0.01f)) transform(glm::translate(mat4(1.0f), moved - pivot));
         tooltip(
             "x, y, z of its centre in the scene [m]; a drag changes a number, a click with Ctrl types it");
     }
     vec3 turn = turn_;
-    if (ImGui::DragFloat3("turn [deg]", &turn.x, 1.0f, -360.0f, 360.0f, "%.0f")) {
+    if (number_field("turn [deg]", turn, {-360.0f, 360.0f, "%.0f", false}, 1.0f)) {
         mat4 rotation(1.0f);
         for (int axis = 0; axis < 3; ++axis) {
             rotation = glm::rotate(mat4(1.0f), glm::radians(turn[axis] - turn_[axis]), axis_direction(axis))
@@ -155,8 +156,7 @@ Changes LightsPanel::draw_place(LightEditor& editor, std::size_t selected) {
     }
     tooltip("turns around the axes X, Y and Z of the world [degrees], since it was selected");
     float scale = scale_;
-    if (center
-        && ImGui::DragFloat("size [x]", &scale, 0.01f, 0.01f, 100.0f, "%.2f", ImGuiSliderFlags_AlwaysClamp)) {
+    if (center && number_field("size [x]", scale, {0.01f, 100.0f, "%.2f"}, 0.01f)) {
         const float by = scale / scale_;
         scale_ = scale;
         transform(around(pivot, glm::scale(mat4(1.0f), vec3(by))));
@@ -172,8 +172,7 @@ Changes LightsPanel::draw_sizes(LightEditor& editor, std::size_t selected) {
     for (std::size_t i = 0; i < extents.size(); ++i) {
         float size = extents[i].size;
         const std::string label = fmt::format("{} [m]", extents[i].key);
-        const bool is_changed = ImGui::DragFloat(label.c_str(), &size, 0.01f * size, 1e-4f, 1e4f, "%.4g",
-                                                 ImGuiSliderFlags_AlwaysClamp);
+        const bool is_changed = number_field(label, size, {1e-4f, 1e4f, "%.4g"}, 0.01f * size);
         if (ImGui::IsItemActivated()) editor.begin_step();
         tooltip("an extent of the light [m]; its radiance stays, so that a larger light gives more");
         if (!is_changed) continue;

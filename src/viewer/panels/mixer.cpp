@@ -1,6 +1,7 @@
 #include "viewer/panels/mixer.hpp"
 
 #include "core/math.hpp"
+#include "viewer/fields.hpp"
 #include "viewer/light_value.hpp"
 #include "viewer/palette.hpp"
 
@@ -43,6 +44,11 @@ std::string stem_of(const std::string& name) {
     return end == std::string::npos ? name : name.substr(0, end + 1);
 }
 
+/// Names a step of undo that changes a group.
+std::string step_of(const char* what, const MixerGroup& group) {
+    return fmt::format("{} {}, {} lights", what, group.name, group.entries.size());
+}
+
 } // namespace
 
 std::vector<MixerGroup> mixer_groups(const std::vector<LightEntry>& entries) {
@@ -70,9 +76,9 @@ Changes MixerPanel::draw_fader(std::size_t entry, LightEditor& lights, const Loa
     float ev = exposure_between(at_zero_[entry], quantity);
     const LightGroup group{all, loaded.stage.scene.profiles, loaded.stage.scene.units};
     const std::string value = with_superscripts(value_text(group));
-    const std::string format =
-        fmt::format("%+.2f EV  ({})", value.substr(0, value.find(','))); // without its flux
+    std::string format = fmt::format("%+.2f EV  ({})", value.substr(0, value.find(','))); // without its flux
     ImGui::SetNextItemWidth(-1.0f);
+    if (field_width_of(format) > ImGui::GetContentRegionAvail().x) format = "%+.2f EV";
     const bool is_moved = ImGui::SliderFloat("##fader", &ev, -fader_range, fader_range, format.c_str(),
                                              ImGuiSliderFlags_AlwaysClamp);
     if (ImGui::IsItemActivated()) lights.begin_step();
@@ -135,16 +141,17 @@ Changes MixerPanel::draw_group_switches(const MixerGroup& group, LightEditor& li
         is_any_on = is_any_on || (is_member(i) && entries[i].is_enabled);
         is_solo = is_solo && entries[i].is_enabled == is_member(i);
     }
-    const auto switch_all = [&](auto is_on) {
-        lights.begin_step();
+    const auto switch_all = [&](const char* what, auto is_on) {
+        lights.begin_step(step_of(what, group));
         for (std::size_t i = 0; i < lights.entries().size(); ++i) lights.enable(i, is_on(i));
         changes |= Change::lights;
     };
     if (switch_button("M", !is_any_on, palette::vermilion, "mute: these lights off, or on again"))
-        switch_all([&](std::size_t i) { return is_member(i) ? !is_any_on : entries[i].is_enabled; });
+        switch_all(is_any_on ? "disabling" : "enabling",
+                   [&](std::size_t i) { return is_member(i) ? !is_any_on : entries[i].is_enabled; });
     ImGui::SameLine(0.0f, 3.0f);
     if (switch_button("S", is_solo, palette::green, "solo: these lights alone, or all again"))
-        switch_all([&](std::size_t i) { return is_solo || is_member(i); });
+        switch_all("enabling alone", [&](std::size_t i) { return is_solo || is_member(i); });
     return changes;
 }
 
@@ -157,7 +164,7 @@ Changes MixerPanel::draw_group_fader(const MixerGroup& group, LightEditor& light
     ImGui::SetNextItemWidth(-1.0f);
     const bool is_moved = ImGui::SliderFloat("##group", &ev, -fader_range, fader_range, "%+.2f EV  (all)",
                                              ImGuiSliderFlags_AlwaysClamp);
-    if (ImGui::IsItemActivated()) lights.begin_step();
+    if (ImGui::IsItemActivated()) lights.begin_step(step_of("value of", group));
     tooltip("brightens all lights of the group by as much; 1 EV doubles them. Ctrl click: type");
     if (!is_moved) return {};
     for (const std::size_t i : group.entries) lights.set_quantity(i, std::exp2(ev - before) * quantity(i));
@@ -192,9 +199,9 @@ Changes MixerPanel::draw(LightEditor& lights, const LoadedScene& loaded, std::op
         place_next_window(*area);
     else
         ImGui::SetNextWindowSize({20.0f * ImGui::GetFontSize(), 0.0f});
-    if (ImGui::Begin("Light mixer", nullptr,
+    if (ImGui::Begin(side::mixer, nullptr,
                      ui.panel_flags(area.has_value()) & ~ImGuiWindowFlags_AlwaysAutoResize)) {
-        if (area) heading("Light mixer", ui);
+        if (area) heading(side::mixer, ui);
         ImGui::PushTextWrapPos();
         ImGui::TextDisabled("%s", progress.c_str());
         ImGui::PopTextWrapPos();

@@ -168,9 +168,9 @@ PixelsOutcome draw_pixels_panel(const ShownFilm& film, const std::optional<Pixel
         place_next_window(*area);
     else
         ImGui::SetNextWindowSize({22.0f * ImGui::GetFontSize(), 0.0f});
-    if (ImGui::Begin("Pixels", nullptr,
+    if (ImGui::Begin(side::pixels, nullptr,
                      ui.panel_flags(area.has_value()) & ~ImGuiWindowFlags_AlwaysAutoResize)) {
-        if (area) heading("Pixels", ui);
+        if (area) heading(side::pixels, ui);
         draw_loupe(film, pointed);
         ImGui::SameLine();
         draw_pointed(film, pointed);

@@ -229,7 +229,7 @@ void ProbePanel::place_floating() {
         {0.0f, 0.0f}, {ImGui::GetMainViewport()->Size.x, 0.6f * ImGui::GetMainViewport()->Size.y});
     if (frames_to_place_-- <= 0) return;
     const ImVec2 view = ImGui::GetMainViewport()->Size;
-    const ImGuiWindow* window = ImGui::FindWindowByName("Assignment");
+    const ImGuiWindow* window = ImGui::FindWindowByName(side::assignment);
     const ImVec2 from = window && window->WasActive ? window->Pos : ImVec2(0.0f, 0.0f);
     const ImVec2 size = window && window->WasActive ? window->Size : ImVec2(0.0f, 0.0f);
     const float pixel =
@@ -306,17 +306,13 @@ void ProbePanel::draw_terms(const scene::RenderScene& stage, const LightEditor& 
                     result->samples, result->is_complete ? "" : " (refining)", terms.coverage));
     const glm::dvec3 x = stage.scene.origin + glm::dvec3(terms.x); // in the file's world
     const bool is_far = stage.scene.origin != glm::dvec3(0.0);
+    ImGui::PushTextWrapPos();
     put(in_plain_letters(
         fmt::format("x {} m   n {}   ωₒ {}",
                     is_far ? fmt::format("{:.10g} {:.10g} {:.10g}", x.x, x.y, x.z) : three(terms.x),
                     three(terms.n), three(terms.wo))));
-    const auto flags = ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerV
-                       | ImGuiTableFlags_NoHostExtendX;
-    if (ImGui::BeginTable("lights", 8, flags)) {
-        header_cells(stage.scene);
-        for (int k = 0; k < static_cast<int>(terms.lights.size()); ++k) draw_row(k, stage, lights, selected);
-        ImGui::EndTable();
-    }
+    ImGui::PopTextWrapPos();
+    draw_table(stage, lights, selected);
     vec3 sum = terms.L_e;
     for (const render::LightTerms& light : terms.lights) sum += light.L_r;
     put(in_plain_letters(
@@ -327,6 +323,24 @@ void ProbePanel::draw_terms(const scene::RenderScene& stage, const LightEditor& 
             "%s", in_plain_letters(fmt::format("Lower numbers: the reference. Lₑ {}   Lₒ {}",
                                                three(result->reference->L_e), three(result->reference->L_o)))
                       .c_str());
+}
+
+/// Draws a row for each light. Columns that have no room are reached by scrolling; the names stay.
+void ProbePanel::draw_table(const scene::RenderScene& stage, const LightEditor& lights,
+                            std::optional<std::size_t>& selected) {
+    const auto count = static_cast<int>(result->terms.lights.size());
+    const bool is_cut = table_width_ > ImGui::GetContentRegionAvail().x;
+    const float lines = result->reference ? 2.0f : 1.0f, margin = 2.0f * ImGui::GetStyle().CellPadding.y;
+    const float rows = (1.0f + lines * static_cast<float>(count)) * (ImGui::GetTextLineHeight() + margin);
+    const ImVec2 size{0.0f, is_cut ? rows + ImGui::GetStyle().ScrollbarSize + margin : 0.0f};
+    const auto flags = ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerV
+                       | (is_cut ? ImGuiTableFlags_ScrollX : ImGuiTableFlags_NoHostExtendX);
+    if (!ImGui::BeginTable("lights", 8, flags, size)) return;
+    if (is_cut) ImGui::TableSetupScrollFreeze(1, 1);
+    header_cells(stage.scene);
+    for (int k = 0; k < count; ++k) draw_row(k, stage, lights, selected);
+    table_width_ = ImGui::GetCurrentTable()->ColumnsAutoFitWidth;
+    ImGui::EndTable();
 }
 
 void ProbePanel::draw_row(int k, const scene::RenderScene& stage, const LightEditor& lights,

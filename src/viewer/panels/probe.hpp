@@ -57,12 +57,15 @@ private:
     static void draw_head(const Ui& ui, bool& is_open);
     void draw_terms(const scene::RenderScene& stage, const LightEditor& lights,
                     std::optional<std::size_t>& selected);
+    void draw_table(const scene::RenderScene& stage, const LightEditor& lights,
+                    std::optional<std::size_t>& selected);
     void draw_row(int light, const scene::RenderScene& stage, const LightEditor& lights,
                   std::optional<std::size_t>& selected);
 
     LobePanel lobe_;
     int hovered_ = -1;
     vec2 size_{700.0f, 300.0f}; // at the last frame
+    float table_width_ = 0.0f;  // that its columns want
     bool is_placed_ = false;
     int frames_to_place_ = 0; // a new window learns its size by being drawn
 };

@@ -217,7 +217,7 @@ ScenePanel::Outcome ScenePanel::draw(LightEditor& edits, const LoadedScene& load
     else
         ImGui::SetNextWindowSize({22.0f * ImGui::GetFontSize(), 0.8f * ImGui::GetMainViewport()->Size.y});
     Frame frame{edits, loaded, object, keys};
-    if (ImGui::Begin("Scene", nullptr,
+    if (ImGui::Begin(side::scene, nullptr,
                      ui.panel_flags(area.has_value()) & ~ImGuiWindowFlags_AlwaysAutoResize)) {
         frame.list_height = 0.42f * ImGui::GetContentRegionAvail().y;
         using Draw = void (ScenePanel::*)(Frame&);

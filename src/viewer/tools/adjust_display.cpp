@@ -2,6 +2,7 @@
 #include "core/error.hpp"
 #include "gl/program.hpp"
 #include "output/variables.hpp"
+#include "viewer/fields.hpp"
 #include "viewer/panels/legend.hpp"
 #include "viewer/tools/tool.hpp"
 
@@ -82,7 +83,7 @@ Changes AdjustDisplay::draw_section() {
     tooltip(ws_.keys.hint("the exposure follows the picture", Command::auto_exposure));
     ImGui::SameLine();
     float ev = exposure.ev100();
-    if (ImGui::SliderFloat("EV100", &ev, -10.0f, 20.0f, "%.2f")) exposure.fix(ev);
+    if (number_field("EV100", ev, {-10.0f, 20.0f, "%.2f", false})) exposure.fix(ev);
     tooltip("exposure value at ISO 100: 1 more is half as bright; a click with Ctrl types it");
     const bool is_open = ImGui::BeginCombo("tone curve", display.curve->name.data());
     tooltip(ws_.keys.hint("the curve from exposed radiance to the screen", Command::next_tone_curve));
@@ -105,9 +106,21 @@ Changes AdjustDisplay::draw_section() {
 
 Changes AdjustDisplay::draw(const Overlay& overlay) {
     const output::Variable* const view = ws_.display.view;
-    if (view)
+    const ComparisonMode comparison = ws_.display.comparison;
+    const bool has_reference = ws_.reference || ws_.scene->reference();
+    const bool has_values = !has_reference || comparison == ComparisonMode::none
+                            || comparison == ComparisonMode::wipe; // and no errors instead
+    if (view && has_values)
         draw_legend(ws_.shown_area(), *view, ws_.display,
                     output::unit_of(view, ws_.scene->stage().scene.units), overlay.scale);
+    if (view && !has_values) {
+        const Area picture = ws_.shown_area();
+        const float margin = 10.0f * overlay.scale, height = 2.0f * ImGui::GetTextLineHeight();
+        draw_caption({picture.from.x + margin, picture.from.y + picture.size.y - height - margin},
+                     fmt::format("{} of {} against the reference",
+                                 comparison == ComparisonMode::difference ? "difference" : "ꟻLIP",
+                                 view->name));
+    }
     return {};
 }
 

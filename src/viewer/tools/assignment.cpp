@@ -320,9 +320,11 @@ void Assignment::draw_comparison() {
 }
 
 Changes Assignment::draw(const Overlay& overlay) {
-    const bool is_docked = ws_.layout.is_docked();
+    const PanelPlace place = ws_.layout.take_side(side::assignment);
+    if (!place.is_shown) return {};
+    const bool is_docked = place.area.has_value();
     if (is_docked) {
-        place_next_window(ws_.layout.take_right());
+        place_next_window(*place.area);
     } else {
         const vec2 window = ws_.window_size();
         const float width = std::min(540.0f * overlay.scale, 0.6f * window.x);
@@ -330,8 +332,8 @@ Changes Assignment::draw(const Overlay& overlay) {
         ImGui::SetNextWindowPos({window.x - width - 10.0f, below_errors}, ImGuiCond_FirstUseEver);
         ImGui::SetNextWindowSizeConstraints({width, 0.0f}, {width, window.y - 2.0f * below_errors});
     }
-    if (ImGui::Begin("Assignment", nullptr, ws_.ui.panel_flags(is_docked))) {
-        if (is_docked) heading("Assignment", ws_.ui);
+    if (ImGui::Begin(side::assignment, nullptr, ws_.ui.panel_flags(is_docked))) {
+        if (is_docked) heading(side::assignment, ws_.ui);
         if (!ws_.reference) draw_comparison(); // the section "Compare" has the modes of a kept reference
         if (ws_.options.shows_reference)
             ImGui::TextDisabled("This is the reference until your code is checked.");

@@ -6,6 +6,7 @@
 #include "core/error.hpp"
 #include "image/file.hpp"
 #include "settings/render_settings.hpp"
+#include "viewer/fields.hpp"
 #include "viewer/panels/file_dialog.hpp"
 #include "viewer/tools/tool.hpp"
 
@@ -90,7 +91,7 @@ std::optional<Value> choice(const char* label, const char* meaning, Value now,
     const char* name = "";
     for (const auto& [text, value] : all)
         if (value == now) name = text;
-    const bool is_open = ImGui::BeginCombo(label, name);
+    const bool is_open = ImGui::BeginCombo(make_room(label, name, ImGui::GetFrameHeight()).c_str(), name);
     tooltip(meaning);
     if (!is_open) return chosen;
     for (const auto& [text, value] : all)
@@ -282,7 +283,7 @@ Changes Compare::draw_modes() {
     }
     tooltip(ws_.keys.hint("the render alone, or with the reference", Command::compare));
     if (ws_.display.comparison == ComparisonMode::wipe) {
-        ImGui::SliderFloat("wipe", &ws_.display.wipe, 0.0f, 1.0f, "%.2f");
+        number_field("wipe", ws_.display.wipe, {0.0f, 1.0f, "%.2f"});
         tooltip("share of the picture's width that shows the render; the reference has the rest");
     }
     if (ws_.display.comparison == ComparisonMode::difference)

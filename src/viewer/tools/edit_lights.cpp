@@ -115,6 +115,7 @@ Changes EditLights::step(bool is_undo) {
 Changes EditLights::edit_selected(Command command) {
     LightEditor& lights = ws_.scene->lights();
     const std::size_t entry = *ws_.selected;
+    if (command == Command::edit_light || command == Command::rename_light) ws_.show_panel(side::controls);
     if (command == Command::edit_light) panel_.edit();
     if (command == Command::rename_light && lights.can_move(entry)) panel_.rename();
     if (command == Command::rename_light && !lights.can_move(entry))

@@ -72,7 +72,8 @@ std::optional<Changes> Explain::handle(const Event& event) {
 
 /// Explains the probed pixel, or else the one under the pointer; hides the explanation if it is there.
 Changes Explain::toggle() {
-    if (is_shown()) return close();
+    if (is_shown()) return ws_.show_panels() ? Changes(Change::redraw) : close();
+    if (ws_.probed) ws_.show_panels(); // otherwise the probe does
     if (!ws_.probed && !ws_.shown_area().contains(ws_.input.pointer())) {
         ws_.messages.notify("Point at the picture to explain a pixel.");
         return Change::redraw;

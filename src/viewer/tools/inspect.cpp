@@ -59,8 +59,9 @@ std::optional<Changes> Inspect::handle(const Event& event) {
     }
 }
 
-/// Opens the panel, goes to its next list, or closes it after the last.
+/// Opens the panel, goes to its next list, or closes it after the last. A panel that is not seen is shown.
 Changes Inspect::toggle() {
+    if (ws_.show_panel(side::scene) && is_open_) return Change::redraw;
     if (!is_open_) panel_.show(ScenePanel::Tab::objects);
     is_open_ = !is_open_ || panel_.show_next();
     return Change::redraw;
@@ -79,6 +80,7 @@ Changes Inspect::select_pointed() {
     ws_.object = ObjectId{instance->node, instance->mesh};
     ws_.selected.reset();
     is_open_ = true;
+    ws_.show_panel(side::scene);
     panel_.show(ScenePanel::Tab::objects);
     panel_.reveal();
     ws_.messages.notify(fmt::format("Inspecting {}.", name_of(*ws_.object)));
@@ -140,11 +142,11 @@ void Inspect::draw_box(const Overlay& overlay) const {
 Changes Inspect::draw(const Overlay& overlay) {
     if (ws_.object) draw_box(overlay);
     if (!is_open_) return {};
-    const std::optional<Area> area =
-        ws_.layout.is_docked() ? std::optional(ws_.layout.take_right()) : std::nullopt;
+    const PanelPlace place = ws_.layout.take_side(side::scene);
+    if (!place.is_shown) return {};
     const auto before = ws_.object;
     ScenePanel::Outcome outcome =
-        panel_.draw(ws_.scene->lights(), ws_.scene->loaded(), ws_.object, area, ws_.ui, ws_.keys);
+        panel_.draw(ws_.scene->lights(), ws_.scene->loaded(), ws_.object, place.area, ws_.ui, ws_.keys);
     if (ws_.object != before) ws_.selected.reset();
     if (outcome.command) ws_.input.put(CommandEvent{*outcome.command});
     if (outcome.hidden) outcome.changes |= hide(std::move(*outcome.hidden));

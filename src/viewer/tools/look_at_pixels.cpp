@@ -67,6 +67,7 @@ std::optional<Changes> LookAtPixels::execute(Command command) {
     case Command::reduce: return zoom(factor / 2, ws_.input.pointer());
     case Command::pin_pixel: return pin();
     case Command::pixels:
+        if (ws_.show_panel(side::pixels) && is_open_) return Change::redraw;
         is_open_ = !is_open_;
         if (!is_open_) rectangle_.reset();
         samples_ = -1;
@@ -154,6 +155,7 @@ Changes LookAtPixels::pin() {
     if (pixel) {
         pinned_.push_back(*pixel);
         is_open_ = true;
+        ws_.show_panel(side::pixels);
         ws_.messages.notify(fmt::format("Pinned pixel {},{}.", pixel->x, pixel->y));
     } else {
         ws_.messages.notify("Point at the picture to pin a pixel.");
@@ -191,8 +193,7 @@ void LookAtPixels::read_film() {
 Changes LookAtPixels::draw(const Overlay& overlay) {
     const ProgressiveRender& render = ws_.scene->render();
     const bool has_numbers = is_zoomed() || is_open_;
-    std::optional<Area> area;
-    if (is_open_ && ws_.layout.is_docked()) area = ws_.layout.take_right();
+    const PanelPlace place = is_open_ ? ws_.layout.take_side(side::pixels) : PanelPlace{false};
     const bool is_coarse = render.is_interactive() || render.sample_count() == 0 || ws_.is_mixing;
     if (!has_numbers || (is_coarse && numbers_.width == 0)) return {};
     if (is_coarse)
@@ -204,10 +205,10 @@ Changes LookAtPixels::draw(const Overlay& overlay) {
                          ws_.picture(), overlay.scale};
     if (!is_coarse) draw_pixel_numbers(film);
     draw_pixel_marks(film, rectangle_, pinned_);
-    if (!is_open_) return {};
+    if (!place.is_shown) return {};
     const auto pointed = ws_.ui.has_pointer() ? std::nullopt : film.pixel_at(ws_.input.pointer());
     const PixelsOutcome outcome =
-        draw_pixels_panel(film, rectangle_, statistics_, pinned_, pointed, area, ws_.ui, ws_.keys);
+        draw_pixels_panel(film, rectangle_, statistics_, pinned_, pointed, place.area, ws_.ui, ws_.keys);
     if (outcome.unpinned) pinned_.erase(pinned_.begin() + static_cast<std::ptrdiff_t>(*outcome.unpinned));
     if (outcome.drops_rectangle) rectangle_.reset();
     if (outcome.drops_rectangle) samples_ = -1;

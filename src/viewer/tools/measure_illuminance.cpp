@@ -5,6 +5,7 @@
 #include "viewer/panels/illuminance.hpp"
 #include "viewer/tools/tool.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <fmt/format.h>
 #include <utility>
@@ -38,7 +39,9 @@ private:
     void fail(const std::string& problem);
     void report() const;
     std::string progress() const;
+    std::string condition() const;
     Changes apply(const IlluminanceOutcome& outcome);
+    std::vector<scene::Light> lamps() const;
     void write(const std::string& extension);
     std::optional<output::GridPlace> pointed_cell() const;
 
@@ -56,6 +59,8 @@ private:
 
 std::optional<Changes> MeasureIlluminance::handle(const Event& event) {
     const auto command = command_in(event);
+    if (command == Command::illuminance && ws_.show_panel(side::illuminance) && is_open_)
+        return Change::redraw;
     if (command == Command::illuminance || (command == Command::cancel && is_open_)) return toggle();
     if (command != Command::write_illuminance) return std::nullopt;
     write(".csv");
@@ -126,7 +131,7 @@ void MeasureIlluminance::start() {
     render::RenderOptions options = render_options(ws_.options, cells.width, cells.height);
     options.estimator = render::Estimator::sampled;
     options.samples = picture::illuminance_samples;
-    render_.emplace(stage, receiver, ws_.options, options);
+    render_.emplace(ws_.scene->shown_stage(), receiver, ws_.options, options);
     render_->begin();
 }
 
@@ -159,16 +164,33 @@ void MeasureIlluminance::report() const {
     const output::IlluminanceSummary& summary = measured_->summary;
     ws_.messages.notify(
         fmt::format("Illuminance: mean {:.4g} {}, min {:.4g}, max {:.4g}, min/mean {:.3f}, {}x{} "
-                    "cells.",
+                    "cells{}.",
                     summary.mean, measured_->grid.unit, summary.min, summary.max, summary.min_over_mean(),
-                    measured_->grid.columns, measured_->grid.rows));
+                    measured_->grid.columns, measured_->grid.rows, condition()));
+}
+
+/// Describes how the light that is measured, which is that of the picture, differs from the file's.
+std::string MeasureIlluminance::condition() const {
+    const auto& entries = ws_.scene->lights().entries();
+    const auto alone = ws_.scene->alone();
+    const auto off =
+        std::ranges::count_if(entries, [](const LightEntry& light) { return !light.is_enabled; });
+    const std::size_t hidden = ws_.scene->loaded().hidden.size();
+    std::string text;
+    if (alone && *alone < entries.size())
+        text = fmt::format(", by {} alone", entries[*alone].name);
+    else if (off > 0)
+        text = fmt::format(", without {} light{} that {} off", off, off == 1 ? "" : "s",
+                           off == 1 ? "is" : "are");
+    if (hidden > 0) text += fmt::format(", without {} hidden object{}", hidden, hidden == 1 ? "" : "s");
+    return text;
 }
 
 std::string MeasureIlluminance::progress() const {
     if (!problem_.empty()) return "not measured";
     if (is_measured_)
-        return fmt::format("{} x {} cells, {} samples each", measured_->grid.columns, measured_->grid.rows,
-                           measured_->samples);
+        return fmt::format("{} x {} cells, {} samples each{}", measured_->grid.columns, measured_->grid.rows,
+                           measured_->samples, condition());
     if (ws_.is_mixing)
         return ws_.keys.hint("measured when mixing has ended", Command::mix_lights)
                + (measured_ ? "; these are the figures before" : "");
@@ -190,12 +212,12 @@ std::optional<output::GridPlace> MeasureIlluminance::pointed_cell() const {
 
 Changes MeasureIlluminance::draw(const Overlay& overlay) {
     if (!is_open_) return {};
-    const std::optional<Area> area =
-        ws_.layout.is_docked() ? std::optional(ws_.layout.take_right()) : std::nullopt;
+    const PanelPlace place = ws_.layout.take_side(side::illuminance);
     if (measured_ && choice_.is_over_picture) draw_isolines(*measured_, overlay.projection, overlay.scale);
+    if (!place.is_shown) return {};
     const auto pointed = measured_ ? pointed_cell() : std::nullopt;
-    return apply(
-        panel_.draw(choice_, measured_ ? &*measured_ : nullptr, progress(), problem_, pointed, area, ws_.ui));
+    return apply(panel_.draw(choice_, measured_ ? &*measured_ : nullptr, progress(), problem_, pointed,
+                             place.area, ws_.ui));
 }
 
 Changes MeasureIlluminance::apply(const IlluminanceOutcome& outcome) {
@@ -208,6 +230,13 @@ Changes MeasureIlluminance::apply(const IlluminanceOutcome& outcome) {
     return has_changed ? Changes(Change::redraw) : Changes();
 }
 
+/// The lights that a plan marks.
+std::vector<scene::Light> MeasureIlluminance::lamps() const {
+    const auto alone = ws_.scene->alone();
+    const LightEditor& lights = ws_.scene->lights();
+    return alone && *alone < lights.entries().size() ? lights.lights_of(*alone) : ws_.scene->stage().lights;
+}
+
 void MeasureIlluminance::write(const std::string& extension) {
     if (!is_open_ || !is_measured_ || !measured_)
         return ws_.messages.notify(is_open_
@@ -216,11 +245,10 @@ void MeasureIlluminance::write(const std::string& extension) {
     const std::string& scene_file = ws_.scene->loaded().file;
     const std::string file = free_name(scene_file, extension);
     try {
-        image::write_text(file,
-                          extension == ".csv"
-                              ? output::csv_of(measured_->grid, measured_->parts)
-                              : picture::plan_of(measured_->grid, {}, ws_.scene->stage().lights, scene_file));
-        ws_.messages.notify(fmt::format("Wrote {}.", file));
+        image::write_text(file, extension == ".csv"
+                                    ? output::csv_of(measured_->grid, measured_->parts)
+                                    : picture::plan_of(measured_->grid, {}, lamps(), scene_file));
+        ws_.messages.notify(fmt::format("Wrote {}{}.", file, condition()));
     } catch (const Error& error) {
         ws_.messages.fail("Cannot write the illuminance.", error.what());
     }

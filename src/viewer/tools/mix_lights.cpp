@@ -71,7 +71,11 @@ private:
 
 std::optional<Changes> MixLights::handle(const Event& event) {
     const auto command = command_in(event);
-    if (command == Command::mix_lights) return is_open_ ? end() : begin();
+    if (command == Command::mix_lights) {
+        const bool was_hidden = ws_.show_panel(side::mixer);
+        if (!is_open_) return begin();
+        return was_hidden ? Changes(Change::redraw) : end();
+    }
     if (!is_open_) return std::nullopt;
     if (command == Command::cancel) return end();
     if (std::holds_alternative<ClickEvent>(event) || (command && ends_mixing(*command)))
@@ -141,6 +145,7 @@ void MixLights::start() {
 
 Changes MixLights::update(double /*seconds*/) {
     if (!is_open_) return {};
+    ws_.mixing = "mixing: " + progress();
     if (render_ && size_ != std::pair(ws_.width, ws_.height)) wait_again();
     try {
         if (!render_ && is_ready()) start();
@@ -187,11 +192,11 @@ std::string MixLights::progress() const {
 
 Changes MixLights::draw(const Overlay& /*overlay*/) {
     if (!is_open_) return {};
-    const std::optional<Area> area =
-        ws_.layout.is_docked() ? std::optional(ws_.layout.take_right()) : std::nullopt;
+    const PanelPlace place = ws_.layout.take_side(side::mixer);
+    if (!place.is_shown) return {};
     bool closes = false;
-    const Changes changes =
-        panel_.draw(ws_.scene->lights(), ws_.scene->loaded(), ws_.selected, progress(), area, ws_.ui, closes);
+    const Changes changes = panel_.draw(ws_.scene->lights(), ws_.scene->loaded(), ws_.selected, progress(),
+                                        place.area, ws_.ui, closes);
     return closes ? changes | end() : changes;
 }
 

@@ -1,4 +1,5 @@
 #include "viewer/tools/navigate.hpp"
+#include "viewer/fields.hpp"
 
 #include "core/error.hpp"
 
@@ -246,8 +247,7 @@ Changes Navigate::draw_section() {
     }
     Viewpoint view = camera.view();
     float degrees = glm::degrees(view.yfov);
-    if (ImGui::SliderFloat("field of view", &degrees, 1.0f, 150.0f, "%.1f deg",
-                           ImGuiSliderFlags_AlwaysClamp)) {
+    if (number_field("field of view", degrees, {1.0f, 150.0f, "%.1f deg"})) {
         view.yfov = glm::radians(degrees);
         camera.move_to(view);
         changes |= Change::camera;

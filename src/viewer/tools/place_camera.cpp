@@ -1,6 +1,7 @@
 // Camera placing tool: exact position, target and field of view, and bookmarks of views.
 #include "core/error.hpp"
 #include "viewer/document/bookmarks.hpp"
+#include "viewer/fields.hpp"
 #include "viewer/tools/tool.hpp"
 #include "viewer/view/camera_values.hpp"
 
@@ -50,6 +51,7 @@ std::optional<Changes> PlaceCamera::handle(const Event& event) {
     case Command::type_camera:
         is_requested_ = true;
         focus_.begin();
+        ws_.show_panel(side::controls);
         return Change::redraw;
     case Command::keep_bookmark: {
         const std::string& name = bookmarks_->keep(ws_.camera->look_at_text());
@@ -122,7 +124,7 @@ Changes PlaceCamera::draw_field(const Field& field, bool is_first, const scene::
     if (is_first && focus_.is_pending()) ImGui::SetKeyboardFocusHere();
     auto& text = is_edited ? typed_ : shown;
     const bool is_entered =
-        ImGui::InputText(field.label, text.data(), text.size(),
+        ImGui::InputText(make_room(field.label, text.data()).c_str(), text.data(), text.size(),
                          ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
     if (is_first) focus_.update(ImGui::IsItemActive());
     tooltip(field.tip);

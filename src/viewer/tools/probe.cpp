@@ -70,6 +70,7 @@ Changes Probe::request(vec2 at) {
         ws_.messages.notify("Point at the picture to probe a pixel.");
         return Change::redraw;
     }
+    ws_.show_panels(); // for the table
     const vec2 place = ws_.place_in_picture(at);
     const auto pixel = [](float part, int size) {
         return std::clamp(static_cast<int>(part * static_cast<float>(size)), 0, size - 1);

@@ -42,7 +42,7 @@ private:
 
 std::optional<Changes> ShowGrid::handle(const Event& event) {
     if (command_in(event) != Command::grid) return std::nullopt;
-    is_shown_ = !is_shown_;
+    is_shown_ = ws_.show_panels() || !is_shown_; // without panels, nothing is drawn over the picture
     const float radius = ws_.camera->bounds().is_empty() ? 1.0f : ws_.camera->bounds().radius();
     ws_.messages.notify(is_shown_
                             ? fmt::format("Grid: lines each {:g} m on the plane y = 0.", step_for(radius))

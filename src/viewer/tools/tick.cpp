@@ -121,6 +121,7 @@ std::optional<Changes> Tick::handle(const Event& event) {
     const bool changes = command == Command::next_question || command == Command::try_question;
     if (changes && is_busy()) return Change::redraw;
     try {
+        if (command == Command::next_question) ws_.show_panel(side::examination);
         if (command == Command::next_question) return go_to_next();
         if (command == Command::try_question) return is_changed_ ? take_back() : try_change();
     } catch (const Error& error) {
@@ -128,7 +129,7 @@ std::optional<Changes> Tick::handle(const Event& event) {
         return Change::redraw;
     }
     if (command != Command::show_answer) return std::nullopt;
-    shows_answer_ = !shows_answer_;
+    shows_answer_ = ws_.show_panel(side::examination) || !shows_answer_;
     ws_.messages.log(shows_answer_ ? "The answer is shown." : "The answer is hidden.");
     return Change::redraw;
 }
@@ -262,9 +263,11 @@ void Tick::draw_question(const TickQuestion& question) {
 }
 
 Changes Tick::draw(const Overlay& overlay) {
-    const bool is_docked = ws_.layout.is_docked();
+    const PanelPlace place = ws_.layout.take_side(side::examination);
+    if (!place.is_shown) return {};
+    const bool is_docked = place.area.has_value();
     if (is_docked) {
-        place_next_window(ws_.layout.take_right());
+        place_next_window(*place.area);
     } else {
         const vec2 window = ws_.window_size();
         const float width = std::min(440.0f * overlay.scale, 0.5f * window.x);
@@ -272,8 +275,8 @@ Changes Tick::draw(const Overlay& overlay) {
                                 {0.0f, 1.0f});
         ImGui::SetNextWindowSizeConstraints({width, 0.0f}, {width, 0.7f * window.y});
     }
-    if (ImGui::Begin("Examination", nullptr, ws_.ui.panel_flags(is_docked))) {
-        if (is_docked) heading("Examination", ws_.ui);
+    if (ImGui::Begin(side::examination, nullptr, ws_.ui.panel_flags(is_docked))) {
+        if (is_docked) heading(side::examination, ws_.ui);
         ImGui::PushTextWrapPos();
         if (making_.valid()) ImGui::TextDisabled("Questions are being made ...");
         if (!questions_.empty()) {

@@ -98,15 +98,28 @@ void SceneView::relight(bool shadows_change) {
     lights_changed();
 }
 
+/// Edits by which one entry lights the picture alone; absent if all do.
+std::optional<LightEditor> SceneView::lights_alone() const {
+    if (!alone_ || *alone_ >= lights_.entries().size()) return std::nullopt;
+    LightEditor shown = lights_;
+    for (std::size_t i = 0; i < lights_.entries().size(); ++i) shown.enable(i, i == *alone_);
+    return shown;
+}
+
 void SceneView::upload_lights(std::size_t first_mesh, bool shadows_change) {
-    const bool is_alone = alone_ && *alone_ < lights_.entries().size();
-    if (is_alone) {
-        LightEditor shown = lights_;
-        for (std::size_t i = 0; i < lights_.entries().size(); ++i) shown.enable(i, i == *alone_);
-        shown.apply(loaded_);
-    }
+    auto shown = lights_alone();
+    if (shown) shown->apply(loaded_);
     gpu_.relight(loaded_.stage.scene, loaded_.stage.lights, first_mesh, shadows_change);
-    if (is_alone) lights_.apply(loaded_);
+    if (shown) lights_.apply(loaded_);
+}
+
+scene::RenderScene SceneView::shown_stage() {
+    auto shown = lights_alone();
+    if (!shown) return loaded_.stage;
+    shown->apply(loaded_);
+    scene::RenderScene stage = loaded_.stage;
+    lights_.apply(loaded_);
+    return stage;
 }
 
 void SceneView::light_by(LightEditor edits) {

@@ -44,6 +44,8 @@ public:
     /// relight() runs. No edit: stage() has all lights.
     void light_alone(std::optional<std::size_t> entry) { alone_ = entry; }
     std::optional<std::size_t> alone() const { return alone_; }
+    /// A copy of stage() with the lights that light the picture.
+    scene::RenderScene shown_stage();
 
     /// Adds samples to the render with Options::reference_path, which the first call makes. @throws Error,
     /// ShaderError
@@ -76,6 +78,7 @@ public:
 
 private:
     void lights_changed();
+    std::optional<LightEditor> lights_alone() const;
     void upload_lights(std::size_t first_mesh, bool shadows_change);
 
     LoadedScene loaded_;

@@ -141,6 +141,10 @@ class Viewer:
     def move(self, x, y):
         self.display.do("mousemove", x, y)
 
+    def resize(self, width: int, height: int):
+        """The window, at the upper left of the screen."""
+        self.display.do("windowmove", self.window, 0, 0, "windowsize", self.window, width, height)
+
     def drag(self, begin, end, button=1):
         """All in one go: a pause would let a picture converge in between."""
         moves = [part for i in range(1, 5)

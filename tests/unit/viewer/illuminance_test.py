@@ -4,6 +4,7 @@ Exit status 77: there is no Xvfb or xdotool.
 
 usage: illuminance_test.py STERADIAN SCENES_FOLDER SCRATCH_FOLDER
 """
+import json
 import re
 import shutil
 import subprocess
@@ -13,6 +14,7 @@ from pathlib import Path
 from driver import Display, Viewer, skip_without
 from viewer_test import SCENES, SCRATCH, STERADIAN
 
+MONITOR = 530, 330  # in the window
 OPTIONS = "--size", "1000x600", "--samples", "1", "--exposure", "8", "--gl-debug"
 
 
@@ -24,6 +26,26 @@ def by_the_command(scene: Path, extension: str) -> bytes:
     target = SCRATCH / f"command{extension}"
     subprocess.run([STERADIAN, "illuminance", scene, "-o", target], check=True, capture_output=True)
     return target.read_bytes()
+
+
+def following_the_picture(viewer: Viewer, scene: Path, whole: float):
+    """What is seen is what is measured: one light alone, without hidden objects, and without lights that are off."""
+    shown = subprocess.run([STERADIAN, "illuminance", scene, "--by-light", "--json"], check=True, capture_output=True, text=True).stdout
+    alone = json.loads(shown)["lights"][0]["mean"]
+    viewer.key("shift+v")
+    viewer.said("cells, by panel 1 alone.")
+    assert abs(means(viewer)[-1] / alone - 1) < 1e-3, (means(viewer), alone)
+    viewer.key("Escape")
+    viewer.wait(lambda: means(viewer)[-1] == whole, "the plane under all lights")
+    viewer.move(*MONITOR)
+    viewer.key("shift+o", "shift+h")
+    viewer.said("cells, without 1 hidden object.")
+    assert means(viewer)[-1] > whole, (means(viewer), whole)
+    viewer.key("alt+h", "Tab", "space")
+    viewer.said("cells, without 1 light that is off.")
+    assert means(viewer)[-1] < whole, (means(viewer), whole)
+    viewer.key("ctrl+z")
+    viewer.wait(lambda: means(viewer)[-1] == whole, "the plane under all lights again")
 
 
 def main() -> int:
@@ -51,7 +73,7 @@ def main() -> int:
         viewer.key("ctrl+z")
         viewer.wait(lambda: len(means(viewer)) == 3, "the plane as it was")
         assert means(viewer)[2] == first, (first, means(viewer))
-        viewer.key("Escape", "Escape")
+        following_the_picture(viewer, scene, first)
         viewer.close()
     return 0
 

@@ -80,7 +80,7 @@ def main() -> int:
         viewer.done()
         name = inspecting(viewer)
         hiding(viewer)
-        saved = editing(viewer, (800, 461))
+        saved = editing(viewer, (800, 485))
         file = json.loads((SCENES / "spheres.gltf").read_text())
         changed = [new["name"] for old, new in zip(file["materials"], saved["materials"]) if old != new]
         assert len(changed) == 1 and name, (name, changed)

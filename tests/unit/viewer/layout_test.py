@@ -41,26 +41,73 @@ def is_bare(viewer: Viewer) -> bool:
     return len(hidden) <= 8
 
 
-def docking(size: str, scene: str, scale: int = 1):
-    """All pixels of the picture are seen, beside a column of the expected width."""
-    width, height = map(int, size.split("x"))
-    with Display(SCRATCH / f"display_{size}_{scale}", width, height) as display:
-        if scale != 1:
-            resources(display, f"Xft.dpi:\t{96 * scale}\n")
-        viewer = Viewer(display, STERADIAN, SCRATCH / "run", SCENES / scene, "--size", size, *OPTIONS)
-        viewer.done()
-        viewer.move(5, height - 3)
-        viewer.wait(lambda: is_bare(viewer), f"a picture that nothing covers, {size}, scale {scale}", 20)
-        x, _, shown, _ = picture_of(viewer)
-        assert x + shown == width, (x, shown)
-        assert x == min(COLUMN * scale, width - 330 * scale), x
-        viewer.changed_by(lambda: viewer.key("w"))
-        right = int(max(min(230 * scale, 0.34 * width), min(420 * scale, 0.27 * width)))
-        x, _, shown, _ = picture_of(viewer)
-        assert abs(x + shown - (width - right)) <= 1, f"the Pixels panel has {width - x - shown} pixels of {width}, not {right}"
-        viewer.move(5, height - 3)
-        viewer.wait(lambda: is_bare(viewer), f"a picture beside a panel, {size}, scale {scale}", 20)
-        viewer.close()
+def docking(viewer: Viewer, width: int, height: int, scale: int = 1):
+    """All pixels of the picture are seen, beside columns of the expected width. The picture keeps half of the window's width: where two
+    columns would leave it less, panels share one by tabs, and the picture stays as it is."""
+    viewer.resize(width, height)
+    viewer.wait(lambda: sum(picture_of(viewer)[::2]) == width, f"a picture in a window of {width}x{height}")
+    x, _, shown, _ = picture_of(viewer)
+    assert x == max(230 * scale, min(COLUMN * scale, width // 2, width - 330 * scale)), x
+    assert 2 * shown >= width, (shown, width)
+    see_all(viewer, width, height)
+    two = 2 * 460 * scale <= width
+    right = int(min(max(230 * scale, min(420 * scale, 0.27 * width)), 0.5 * width - 230 * scale)) if two else 0
+    before, counts, numbers = picture_of(viewer), viewer.converged(), viewer.errors().count("Statistics of ")
+    (viewer.changed_by if two else lambda act: act())(lambda: viewer.key("w"))
+    viewer.said("Statistics of ", numbers + 1)
+    x, _, shown, _ = picture_of(viewer)
+    assert abs(x + shown - (width - right)) <= 1, f"the Pixels panel has {width - x - shown} pixels of {width}, not {right}"
+    assert 2 * shown >= width - 2, (shown, width)
+    assert two or (picture_of(viewer), viewer.converged()) == (before, counts), "a tab has changed the picture"
+    see_all(viewer, width, height)
+    (viewer.changed_by if two else lambda act: act())(lambda: viewer.key("w"))
+
+
+def see_all(viewer: Viewer, width: int, height: int):
+    viewer.move(5, height - 3)
+    viewer.wait(lambda: is_bare(viewer), f"a picture that nothing covers, {width}x{height}", 20)
+
+
+def column_of(viewer: Viewer) -> list[tuple[int, int, int]]:
+    """Pixels of the left column, below its tabs."""
+    screen = viewer.display.pixels()
+    return [screen(x, y) for x in range(4, 225, 5) for y in range(46, 250, 3)]
+
+
+def sharing(viewer: Viewer):
+    """A panel that is behind another one comes to the front by its key, before this would close it; so do the controls, by a command
+    that needs their fields, or by a click on their tab."""
+    viewer.resize(640, 400)
+    viewer.wait(lambda: sum(picture_of(viewer)[::2]) == 640, "a picture in a small window")
+    viewer.move(5, 397)
+    controls = column_of(viewer)
+
+    def is_shown(pixels, what: str):
+        viewer.wait(lambda: column_of(viewer) == pixels, what, 10)
+
+    def another(act, others: list, what: str) -> list:
+        act()
+        viewer.wait(lambda: column_of(viewer) not in others, what, 10)
+        viewer.pause()
+        return column_of(viewer)
+
+    scene = another(lambda: viewer.key("o"), [controls], "the scene")
+    pixels = another(lambda: viewer.key("w"), [controls, scene], "the statistics of pixels")
+    viewer.key("o")
+    is_shown(scene, "the scene in front again")
+    viewer.click(25, 30)
+    viewer.move(5, 397)
+    below_tabs = another(lambda: None, [scene], "the controls by their tab")
+    assert below_tabs not in (pixels, controls), "the column has no tabs"
+    viewer.key("o")
+    is_shown(scene, "the scene in front again")
+    viewer.key("h")
+    viewer.wait(lambda: picture_of(viewer)[:3] == (0, 0, 640), "a picture without panels")
+    viewer.key("o")
+    is_shown(scene, "the panel whose key was pressed while panels were hidden")
+    viewer.key("o", "o", "o", "o")
+    viewer.key("w", "w")
+    is_shown(controls, "the controls alone")
 
 
 def resources(display: Display, text: str):
@@ -112,9 +159,14 @@ def probing(viewer: Viewer):
     """The table of a probe takes room from the picture, which is shown smaller and not rendered again."""
     before, color = viewer.converged(), (0, 158, 115)  # of the lobe
     x, y, width, height = picture_of(viewer)
+    viewer.key("shift+g")  # a grid that goes on beyond the picture
     viewer.click(x + width // 2, y + 2 * height // 3)
     viewer.said("Probed pixel")
     viewer.wait(lambda: viewer.count(color) > 50, "a lobe")
+    screen = viewer.display.pixels()
+    margin = {screen(i, j) for i in range(x + 1, x + 60) for j in range(y + 20, y + height // 3)}
+    assert len(margin) == 1, "marks lie beside the smaller picture"
+    viewer.key("shift+g")
     assert viewer.converged() == before, "the picture is rendered again"
     viewer.key("Escape")
     viewer.wait(lambda: viewer.count(color) == 0, "no lobe")
@@ -144,10 +196,19 @@ def main() -> int:
     skip_without("oiiotool", modules=("Xlib",))
     shutil.rmtree(SCRATCH, ignore_errors=True)
     SCRATCH.mkdir(parents=True)
-    docking("640x400", "cornell.gltf")
-    docking("1280x720", "motion.gltf")  # with an animation's bar
-    docking("2560x1440", "veach.gltf")
-    docking("1280x800", "motion.gltf", scale=2)
+    with Display(SCRATCH / "display_1", 2560, 1440) as display:
+        viewer = Viewer(display, STERADIAN, SCRATCH / "run", SCENES / "motion.gltf", "--size", "1280x720", *OPTIONS)  # with a bar
+        viewer.done()
+        for size in (1280, 720), (2560, 1440), (900, 500), (640, 400):
+            docking(viewer, *size)
+        sharing(viewer)
+        viewer.close()
+    with Display(SCRATCH / "display_2", 1280, 800) as display:
+        resources(display, f"Xft.dpi:\t{96 * 2}\n")
+        viewer = Viewer(display, STERADIAN, SCRATCH / "run", SCENES / "motion.gltf", "--size", "1280x800", *OPTIONS)
+        viewer.done()
+        docking(viewer, 1280, 800, scale=2)
+        viewer.close()
     with Display(SCRATCH / "display", 900, 500) as display:
         viewer = hiding(display)
         widening(viewer)
