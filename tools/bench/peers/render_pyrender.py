@@ -23,8 +23,9 @@ def looking(eye, target):
 
 v = view()
 scene = pyrender.Scene.from_trimesh_scene(trimesh.load(v.scene), bg_color=(0, 0, 0, 0), ambient_light=(0, 0, 0))
-scene.add(pyrender.PointLight(intensity=v.intensity), pose=looking(v.light, v.target))
-scene.add(pyrender.PerspectiveCamera(numpy.radians(v.fov), znear=0.01, zfar=100), pose=looking(v.eye, v.target))
+if v.light:
+    scene.add(pyrender.PointLight(intensity=v.intensity), pose=looking(v.light, v.target))
+scene.add(pyrender.PerspectiveCamera(numpy.radians(v.fov), znear=v.near, zfar=v.far), pose=looking(v.eye, v.target))
 renderer = pyrender.OffscreenRenderer(v.width, v.height)
 for _ in range(v.frames):
     color, _ = renderer.render(scene)

@@ -6,7 +6,8 @@ from view import view
 v = view()
 plotter = pyvista.Plotter(off_screen=True, window_size=(v.width, v.height), lighting="none")
 plotter.import_gltf(v.scene)
-plotter.add_light(pyvista.Light(position=v.light, light_type="scene light", intensity=1.0, positional=True, cone_angle=180))
+if v.light:
+    plotter.add_light(pyvista.Light(position=v.light, light_type="scene light", intensity=1.0, positional=True, cone_angle=180))
 plotter.camera.position, plotter.camera.focal_point, plotter.camera.up = v.eye, v.target, (0, 1, 0)
 plotter.camera.view_angle = v.fov
 plotter.show(auto_close=False)

@@ -9,10 +9,11 @@ canvas = tp.Canvas("bench", v.width, v.height, antialiasing=0, vsync=False, head
 renderer = tp.GLRenderer(canvas)
 scene = tp.Scene()
 scene.add(tp.GLTFLoader().load(v.scene).scene)
-light = tp.PointLight(tp.Color(1, 1, 1), v.intensity)
-light.position.set(*v.light)
-scene.add(light)
-camera = tp.PerspectiveCamera(v.fov, v.width / v.height, 0.01, 100.0)
+if v.light:
+    light = tp.PointLight(tp.Color(1, 1, 1), v.intensity)
+    light.position.set(*v.light)
+    scene.add(light)
+camera = tp.PerspectiveCamera(v.fov, v.width / v.height, v.near, v.far)
 camera.position.set(*v.eye)
 camera.look_at(tp.Vector3(*v.target))
 for _ in range(v.frames):

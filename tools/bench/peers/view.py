@@ -10,7 +10,7 @@ from dataclasses import asdict, dataclass
 
 @dataclass
 class View:
-    scene: str             # .glb
+    scene: str             # .glb, or for Mitsuba an exported folder
     output: str            # .png
     width: int = 1280
     height: int = 720
@@ -18,8 +18,10 @@ class View:
     eye: tuple = (0.0, 0.4, 3.2)       # [m]
     target: tuple = (0.0, 0.0, 0.0)    # [m]
     fov: float = 45.0                  # from bottom to top [degrees]
-    light: tuple = (2.0, 2.5, 3.0)     # a point light [m]
+    light: tuple | None = (2.0, 2.5, 3.0)    # a point light [m], or none: the scene has its own
     intensity: float = 100.0           # of it [cd]
+    near: float = 0.01                 # of the camera [m]
+    far: float = 100.0
 
     def argument(self) -> str:
         return json.dumps(asdict(self))
