@@ -19,13 +19,17 @@ namespace {
 // Keep in sync with shaders/interface/deferred.glsl.
 constexpr std::size_t receiver_words = 4, sample_words = 7;
 
-constexpr int most_lights_at_once = 16;                   // more of them shade the surfaces again
-constexpr std::size_t max_bytes = std::size_t{128} << 20; // of the samples of a band
+constexpr int most_lights_at_once = 16; // more of them shade the surfaces again
 
-std::size_t max_words() {
+// Bytes of the samples of a band. A quarter of a frame's samples costs no time, but each band draws the scene again.
+constexpr std::size_t fewest_bytes = std::size_t{32} << 20, most_bytes = std::size_t{128} << 20;
+
+/// The words of a band, if those of a frame are so many.
+std::size_t words_of_band(std::size_t words_of_frame) {
     GLint most = 0;
     glGetIntegerv(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &most);
-    return std::min(static_cast<std::size_t>(most), max_bytes) / sizeof(std::int32_t);
+    const std::size_t bytes = std::clamp(words_of_frame * sizeof(std::int32_t) / 4, fewest_bytes, most_bytes);
+    return std::min(static_cast<std::size_t>(most), bytes) / sizeof(std::int32_t);
 }
 
 vec3 floats(const std::int32_t* words) {
@@ -58,9 +62,10 @@ DeferredVisibility::DeferredVisibility(const GpuScene& scene, int width, int hei
                                         : std::clamp(scene.light_count(), 1, most_lights_at_once)),
       most_rays_(light_choices > 0 ? rays_per_light_ : lights_at_once_ * rays_per_light_) {
     const auto row = static_cast<std::size_t>(width);
-    const std::size_t rows =
-        std::min({BufferTexture::max_texels() / row, max_words() / (row * (1 + pixel_words())),
-                  max_rays / (row * static_cast<std::size_t>(most_rays_))});
+    const std::size_t words_of_row = row * (1 + pixel_words());
+    const std::size_t words = words_of_band(words_of_row * static_cast<std::size_t>(height));
+    const std::size_t rows = std::min({BufferTexture::max_texels() / row, words / words_of_row,
+                                       max_rays / (row * static_cast<std::size_t>(most_rays_))});
     if (rows == 0)
         throw Error(
             fmt::format("the samples of a row of {} pixels take more memory than the driver gives", width),
