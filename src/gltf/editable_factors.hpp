@@ -36,11 +36,18 @@ constexpr bool is_layered(const M& m) {
 
 /// True if meshes of the material have tangents from the start.
 inline bool has_tangents(const M& m) { return m.normal_texture.is_present() || m.is_anisotropic(); }
+
+/// A coat with a normal map needs tangents.
+inline bool can_have_coat(const M& m) {
+    return is_layered(m)
+           && (!m.clearcoat_normal_texture.is_present() || m.clearcoat > 0.0f || has_tangents(m));
+}
 } // namespace detail
 
 /// All of them, group by group. Anisotropy is for materials whose meshes have tangents: some of their own, or
 /// for a normal map.
 inline constexpr std::array editable_factors = [] {
+    using detail::can_have_coat;
     using detail::has_tangents;
     using detail::is_layered;
     using detail::M;
@@ -105,7 +112,7 @@ inline constexpr std::array editable_factors = [] {
                        .meaning = "weight of a coat of lacquer, times the red channel of its texture",
                        .pointer = "/extensions/KHR_materials_clearcoat/clearcoatFactor",
                        .member = &M::clearcoat,
-                       .is_of = is_layered},
+                       .is_of = can_have_coat},
         EditableFactor{.key = "clearcoat_roughness",
                        .label = "its roughness",
                        .group = "clearcoat",
