@@ -21,7 +21,8 @@ constexpr std::size_t receiver_words = 4, sample_words = 7;
 
 constexpr int most_lights_at_once = 16; // more of them shade the surfaces again
 
-// Bytes of the samples of a band. A quarter of a frame's samples costs no time, but each band draws the scene again.
+// Bytes of the samples of a band. A quarter of a frame's samples costs no time, but each band draws the scene
+// again.
 constexpr std::size_t fewest_bytes = std::size_t{32} << 20, most_bytes = std::size_t{128} << 20;
 
 /// The words of a band, if those of a frame are so many.

@@ -320,6 +320,14 @@ void LightEditor::set_factors(std::size_t material, const MaterialFactors& facto
     edits_[edit_of_material(material)].factors = factors;
 }
 
+void LightEditor::set_emission(std::size_t material, vec3 emission) {
+    remember("emission of " + stated(material).name);
+    LightEdit& edit = edits_[edit_of_material(material)];
+    edit.is_enabled = true;
+    edit.overrides_quantity = emission != vec3(0.0f);
+    edit.emission = edit.overrides_quantity ? emission : file_.materials[material].emission;
+}
+
 bool LightEditor::rename(std::size_t entry, const std::string& name) {
     if (!can_move(entry)) return false;
     remember(of("name of", entry));

@@ -121,6 +121,9 @@ public:
     /// Sets factors of a material of the scene. Those that are absent are the file's again.
     void set_factors(std::size_t material, const MaterialFactors& factors);
     const MaterialFactors& factors_of(std::size_t material) const;
+    /// Sets what a material of the scene emits, times its texture [the unit of radiance]. It is a light from
+    /// then on; black is as the file has it.
+    void set_emission(std::size_t material, vec3 emission);
     /// The material as the file states it.
     const scene::Material& stated(std::size_t material) const { return file_.materials[material].stated; }
     std::size_t material_count() const { return file_.materials.size(); }

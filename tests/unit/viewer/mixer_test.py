@@ -4,6 +4,7 @@ oiiotool.
 
 usage: mixer_test.py STERADIAN SCENES_FOLDER SCRATCH_FOLDER
 """
+import json
 import shutil
 import sys
 
@@ -36,7 +37,7 @@ def mixing(viewer: Viewer) -> tuple[int, int]:
     rendered, saved, mixed = viewer.converged(), SCRATCH / "mixed.gltf", SCRATCH / "mixed.png"
     before = seen(viewer)
     viewer.key("Tab", "space", "Tab", *3 * ["ctrl+period"])
-    viewer.said("bulb: +0.33 EV.", 3)
+    viewer.said("lamp 2: +0.33 EV.", 3)
     viewer.wait(lambda: viewer.count(MUTED) > 50, "a muted light")
     after = seen(viewer)
     assert not are_alike(before, after, size), "the mix is as before"
@@ -60,9 +61,27 @@ def switching(viewer: Viewer):
     viewer.move(5, 5)
     viewer.wait(lambda: viewer.count(MUTED) == 0, "no muted light")
     viewer.key("ctrl+z")
-    viewer.said("Undone: enabling softbox.")
+    viewer.said("Undone: enabling lamp 1.")
     viewer.wait(lambda: viewer.count(MUTED) > 50, "the muted light again")
     assert "Mixing has ended." not in viewer.errors(), viewer.errors()
+
+
+def grouping(viewer: Viewer):
+    """Lights whose names differ in a number have a common fader, which brightens both by as much."""
+    viewer.key("ctrl+y")
+    viewer.said("Redone: enabling lamp 1.")
+    quantities = []
+    for number in 1, 2:
+        viewer.pull((875, 102), (875 + 20 * number, 102))
+        saved = SCRATCH / f"group{number}.gltf"
+        viewer.fields = viewer.errors().count("text field focused")
+        viewer.key("ctrl+s", "ctrl+a")
+        viewer.type(str(saved))
+        viewer.wait(saved.exists, "a saved file")
+        lamps = [node for node in json.loads(saved.read_text())["nodes"] if node.get("name") in ("lamp 1", "lamp 2")]
+        quantities.append([lamp["extras"]["steradian"]["quantity"]["value"] for lamp in lamps])
+    ratios = [after / before for before, after in zip(*quantities)]
+    assert len(ratios) == 2 and ratios[0] > 1.2 and abs(ratios[0] / ratios[1] - 1) < 1e-4, (quantities, ratios)
 
 
 def main() -> int:
@@ -70,12 +89,14 @@ def main() -> int:
     shutil.rmtree(SCRATCH, ignore_errors=True)
     SCRATCH.mkdir(parents=True)
     with Display(SCRATCH / "display", 1000, 500) as display:
-        shutil.copy(SCENES / "spheres.gltf", SCRATCH)
+        scene = (SCENES / "spheres.gltf").read_text()
+        (SCRATCH / "spheres.gltf").write_text(scene.replace('"softbox"', '"lamp 1"').replace('"bulb"', '"lamp 2"'))
         viewer = Viewer(display, STERADIAN, SCRATCH / "run", SCRATCH / "spheres.gltf", "--size", "1000x500", *OPTIONS, "--gl-debug")
         viewer.done()
         viewer.move(5, 5)
         size = mixing(viewer)
         switching(viewer)
+        grouping(viewer)
         viewer.changed_by(lambda: viewer.key("shift+m"))
         viewer.wait(lambda: picture_of(viewer)[2] > size[0], "the room of the panel")
         viewer.close()

@@ -30,8 +30,8 @@ def first_page(viewer: Viewer, folder: Path):
     viewer.said("text field focused", 3)
     viewer.fields = 2
     viewer.type(str(folder.parent))
-    viewer.wait(lambda: viewer.title() == "Steradian", "no scene")
-    viewer.pause()
+    viewer.said("text field focused", 4)  # of the folder
+    assert viewer.title() == "Steradian", viewer.title()
     viewer.display.do("type", "--delay", "20", "fold")
     viewer.pause()
     viewer.key("Tab")
@@ -97,6 +97,39 @@ def history(viewer: Viewer):
     viewer.said("There is no later view.")
 
 
+def turning(viewer: Viewer):
+    """A turntable asks how many pictures a full turn has, and ends where it began."""
+    viewer.key("ctrl+F12")
+    viewer.said("Asked: A turntable")
+    viewer.key("Escape", "ctrl+F12")
+    viewer.said("Asked: A turntable", 2)
+    before = camera_of(viewer)
+    viewer.key("1")
+    viewer.said("-turntable: 12 pictures.")
+    folder, = viewer.folder.glob("*-turntable")
+    pictures = [file.read_bytes() for file in sorted(folder.iterdir())]
+    assert len(pictures) == 12 and len(set(pictures)) == 12, [file.name for file in folder.iterdir()]
+    copied = viewer.errors().count("Copied: ")
+    viewer.key("ctrl+c")
+    viewer.said("Copied: ", copied + 1)
+    after = camera_of(viewer)
+    assert all(abs(a - b) < 1e-3 for key in ("eye", "target") for a, b in zip(before[key], after[key])), (before, after)
+
+
+def background(viewer: Viewer):
+    """Alt B shows another background, which a copied view has, too."""
+    viewer.changed_by(lambda: viewer.key("alt+b"))
+    viewer.said("Background: grey, ")
+    viewer.key("ctrl+c")
+    viewer.wait(lambda: re.search(r"Copied: .*--background \d", viewer.errors()), "the background in the copied view")
+    viewer.changed_by(lambda: viewer.key("alt+b"))
+    viewer.said("Background: white, ")
+    viewer.wait(lambda: min(viewer.screen(*CORNER)) > 200, "a white background")
+    viewer.changed_by(lambda: viewer.key("alt+b"))
+    viewer.said("Background: black, ")
+    viewer.wait(lambda: max(viewer.screen(*CORNER)) < 50, "a black background")
+
+
 def grid(viewer: Viewer):
     """Shift G draws a grid and axes over the picture, and takes them away again."""
     viewer.move(5, 395)
@@ -118,6 +151,7 @@ def has_picture(viewer: Viewer) -> bool:
 
 
 ORANGE = 230, 159, 0
+CORNER = 600, 50  # of the picture, beside the box
 
 
 def broken(display: Display, folder: Path):
@@ -154,6 +188,8 @@ def main() -> int:
         kept = bookmarks(viewer)
         history(viewer)
         grid(viewer)
+        background(viewer)
+        turning(viewer)
         viewer.close()
         broken(display, folder)
         viewer = Viewer(display, STERADIAN, SCRATCH / "run", *OPTIONS)
