@@ -6,6 +6,7 @@ usage: edits_test.py STERADIAN SCENES_FOLDER SCRATCH_FOLDER
 """
 import json
 import shutil
+import signal
 import sys
 from pathlib import Path
 
@@ -132,6 +133,16 @@ def saving(viewer: Viewer, scene: Path):
     viewer.said(f"Saved {edited}. scene.gltf has changed since it was opened")
 
 
+def typing_ahead(viewer: Viewer, target: Path):
+    """What is typed at once after a key that opens a field goes into the field, in its order, however late the field appears."""
+    viewer.process.send_signal(signal.SIGSTOP)  # a slow frame
+    viewer.display.do("key", "--delay", "1", "ctrl+s", "ctrl+a", "type", "--delay", "1", "--args", "1", str(target), "key", "Return")
+    viewer.process.send_signal(signal.SIGCONT)
+    viewer.wait(target.exists, "a file saved under the name that was typed at once", 20)
+    viewer.said("text field focused", viewer.fields + 1)
+    viewer.fields += 1
+
+
 def opening(viewer: Viewer, other: Path):
     """A path that cannot be opened stays in the field, which keeps the keyboard."""
     viewer.key("ctrl+o")
@@ -179,6 +190,7 @@ def main() -> int:
         dragging(display, viewer)
         hiding(display, viewer)
         saving(viewer, scene)
+        typing_ahead(viewer, scene.with_name("at_once.gltf"))
         opening(viewer, other)
         crashing(viewer, display, other)
     return 0
