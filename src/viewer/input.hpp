@@ -87,7 +87,7 @@ public:
     /// The input that has taken the user pointer of a window.
     static WindowInput& of(GLFWwindow* window);
 
-    /// What is typed after such a key is kept: the text field that the key asks for takes the keyboard some
+    /// Keeps what is typed after such a key: the text field that the key asks for takes the keyboard some
     /// frames later.
     void keep_after(std::function<bool(const KeyEvent&)> asks_for_field) {
         asks_for_field_ = std::move(asks_for_field);
