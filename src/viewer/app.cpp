@@ -170,12 +170,13 @@ void App::run(const std::stop_token& stop) {
 /// Hands on what was typed once the text field that a key has asked for has the keyboard, or once none can
 /// come any more: the command was refused.
 void App::hand_on_typed() {
-    constexpr int longest = 8; // frames that a field takes to appear and to get the keyboard
+    constexpr int longest = 12; // frames that a field takes to appear and to get the keyboard
     if (!input_.is_keeping()) {
         frames_kept_ = 0;
         return;
     }
-    if (!ui_.has_keyboard() && draws_again() && ++frames_kept_ < longest) return;
+    if (++frames_kept_ == 1) return; // the key has not been handled yet
+    if (!ui_.has_keyboard() && draws_again() && frames_kept_ < longest) return;
     frames_kept_ = longest;
     ui_.replay(input_.release());
     frames_to_draw_ = std::max(frames_to_draw_, frames_after_change);
@@ -352,6 +353,7 @@ void App::apply(Changes changes) {
     if (!changes.any()) return;
     frames_to_draw_ = frames_after_change;
     if (!workspace_.scene) return;
+    if (!(changes == Change::redraw) && !(changes == Change::display)) workspace_.depth.restart();
     const bool is_new = changes == everything; // a new scene view has all of it already
     const bool are_relit = changes.has(Change::lights) || changes.has(Change::shadows);
     if (!is_new && are_relit && workspace_.is_mixing && !changes.has(Change::shadows))

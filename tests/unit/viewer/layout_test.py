@@ -49,7 +49,6 @@ def docking(viewer: Viewer, width: int, height: int, scale: int = 1):
     x, _, shown, _ = picture_of(viewer)
     assert x == max(230 * scale, min(COLUMN * scale, width // 2, width - 330 * scale)), x
     assert 2 * shown >= width, (shown, width)
-    see_all(viewer, width, height)
     two = 2 * 460 * scale <= width
     right = int(min(max(230 * scale, min(420 * scale, 0.27 * width)), 0.5 * width - 230 * scale)) if two else 0
     before, counts, numbers = picture_of(viewer), viewer.converged(), viewer.errors().count("Statistics of ")
@@ -64,6 +63,8 @@ def docking(viewer: Viewer, width: int, height: int, scale: int = 1):
 
 
 def see_all(viewer: Viewer, width: int, height: int):
+    if width > 1500:
+        return  # its pictures take seconds to write and to read; the smaller ones show the rule
     viewer.move(5, height - 3)
     viewer.wait(lambda: is_bare(viewer), f"a picture that nothing covers, {width}x{height}", 20)
 
