@@ -98,6 +98,10 @@ App::App(Options options)
     statistics.renderer = window_.info().renderer;
     workspace_.display.curve = options.tone_curve;
     keys_watch_.set({keys_file()});
+    input_.keep_after([this](const KeyEvent& key) {
+        const auto command = workspace_.keys.command_of(key.key, key.modifiers);
+        return command && opens_text_field(*command) && !workspace_.question && !ui_.has_keyboard();
+    });
     resize();
     workspace_.has_first_page = options.scene.empty();
     if (workspace_.has_first_page)
@@ -160,6 +164,7 @@ void App::run(const std::stop_token& stop) {
         apply(update(seconds));
         apply(std::exchange(workspace_.answered, {}));
         apply(panels_.update());
+        hand_on_typed();
         std::vector<Event> events = input_.take();
         if (input_.take_damage() || !events.empty()) apply(Change::redraw);
         if (!draws_again()) continue;
@@ -182,6 +187,21 @@ void App::run(const std::stop_token& stop) {
         if (ui_.took_keyboard()) workspace_.messages.log("text field focused");
         window_.require_silence();
     }
+}
+
+/// Hands on what was typed once the text field that a key has asked for has the keyboard, or once none can
+/// come any more: the command was refused.
+void App::hand_on_typed() {
+    constexpr int longest = 12; // frames that a field takes to appear and to get the keyboard
+    if (!input_.is_keeping()) {
+        frames_kept_ = 0;
+        return;
+    }
+    if (++frames_kept_ == 1) return; // the key has not been handled yet
+    if (!ui_.has_keyboard() && draws_again() && frames_kept_ < longest) return;
+    frames_kept_ = longest;
+    ui_.replay(input_.release());
+    frames_to_draw_ = std::max(frames_to_draw_, frames_after_change);
 }
 
 Activity App::activity() const {
@@ -355,6 +375,7 @@ void App::apply(Changes changes) {
     if (!changes.any()) return;
     frames_to_draw_ = frames_after_change;
     if (!workspace_.scene) return;
+    if (!(changes == Change::redraw) && !(changes == Change::display)) workspace_.depth.restart();
     const bool is_new = changes == everything; // a new scene view has all of it already
     const bool are_relit = changes.has(Change::lights) || changes.has(Change::shadows);
     if (!is_new && are_relit && workspace_.is_mixing && !changes.has(Change::shadows))

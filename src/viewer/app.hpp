@@ -25,6 +25,7 @@ private:
     using Clock = std::chrono::steady_clock;
 
     void wait() const;
+    void hand_on_typed();
     bool draws_again() const;
     Activity activity() const;
     void resize();
@@ -59,6 +60,7 @@ private:
     Panels panels_;
     Tools tools_; // in the order in which they get events and draw
     int frames_to_draw_ = 0;
+    int frames_kept_ = 0; // since a key asked for a text field
     std::string title_;
     std::array<int, 4> windowed_{40, 40, 1280,
                                  720}; // place and size of the window before it became fullscreen

@@ -346,6 +346,18 @@ bool works_in_text_fields(Command command) {
     }
 }
 
+bool opens_text_field(Command command) {
+    switch (command) {
+    case find_command:
+    case open_file:
+    case save_as:
+    case type_camera:
+    case edit_light:
+    case rename_light: return true;
+    default: return false;
+    }
+}
+
 std::span<const Gesture> gestures() { return mouse; }
 
 } // namespace sr::viewer

@@ -10,9 +10,7 @@
 namespace sr::viewer {
 namespace {
 
-WindowInput& input_of(GLFWwindow* window) {
-    return *static_cast<WindowInput*>(glfwGetWindowUserPointer(window));
-}
+WindowInput& input_of(GLFWwindow* window) { return WindowInput::of(window); }
 
 int modifiers_of(int mods) {
     // ⌘ is what Ctrl is elsewhere.
@@ -95,6 +93,36 @@ WindowInput::~WindowInput() {
     glfwSetWindowCloseCallback(window_, nullptr);
     glfwSetWindowRefreshCallback(window_, nullptr);
     glfwSetFramebufferSizeCallback(window_, nullptr);
+}
+
+WindowInput& WindowInput::of(GLFWwindow* window) {
+    return *static_cast<WindowInput*>(glfwGetWindowUserPointer(window));
+}
+
+bool WindowInput::keep(const TypedEvent& event) {
+    const bool is_own = std::exchange(is_own_character_, false) && event.character != 0;
+    if (is_keeping_ && !is_own) kept_.push_back(event);
+    if (is_keeping_) return !is_own;
+    const KeyEvent key{labelled(event.key), modifiers_of(event.modifiers), event.action == GLFW_PRESS,
+                       event.key};
+    if (event.character == 0 && key.is_down && asks_for_field_ && asks_for_field_(key))
+        is_keeping_ = is_own_character_ = true;
+    return false;
+}
+
+std::vector<TypedEvent> WindowInput::release() {
+    const auto ends = [](const TypedEvent& event) {
+        const bool is_named =
+            (event.key >= GLFW_KEY_ESCAPE && event.key <= GLFW_KEY_END) || event.key == GLFW_KEY_KP_ENTER;
+        const bool is_command = is_named || (event.modifiers & GLFW_MOD_CONTROL);
+        return event.character == 0 && is_command && event.action == GLFW_RELEASE;
+    };
+    auto end = std::ranges::find_if(kept_, ends);
+    if (end != kept_.end()) ++end;
+    std::vector<TypedEvent> released(kept_.begin(), end);
+    kept_.erase(kept_.begin(), end);
+    is_keeping_ = !kept_.empty();
+    return released;
 }
 
 std::vector<Event> WindowInput::take() { return std::exchange(events_, {}); }

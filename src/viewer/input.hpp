@@ -4,6 +4,7 @@
 #include "viewer/bindings.hpp"
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -68,6 +69,12 @@ int labelled(int place);
 /// Keys that were pressed and released within `events`.
 std::vector<KeyEvent> taps_among(const std::vector<Event>& events);
 
+/// A key or a character as GLFW reports it.
+struct TypedEvent {
+    unsigned character = 0; // 0: a key
+    int key = 0, scancode = 0, action = 0, modifiers = 0;
+};
+
 /// Collects the events of a window. It takes the user pointer and the callbacks of the window, so it must
 /// be made before other users of callbacks (Dear ImGui chains).
 class WindowInput {
@@ -76,6 +83,21 @@ public:
     ~WindowInput();
     WindowInput(const WindowInput&) = delete;
     WindowInput& operator=(const WindowInput&) = delete;
+
+    /// The input that has taken the user pointer of a window.
+    static WindowInput& of(GLFWwindow* window);
+
+    /// Keeps what is typed after such a key: the text field that the key asks for takes the keyboard some
+    /// frames later.
+    void keep_after(std::function<bool(const KeyEvent&)> asks_for_field) {
+        asks_for_field_ = std::move(asks_for_field);
+    }
+    /// @return true if the event is kept, and goes nowhere now
+    bool keep(const TypedEvent& event);
+    bool is_keeping() const { return is_keeping_; }
+    /// Returns what was kept, up to a key without a character (Enter, an arrow, one with Ctrl): a field takes
+    /// the characters of a frame before its keys. Nothing more is kept once all is returned.
+    std::vector<TypedEvent> release();
 
     /// Takes the events since the last call.
     std::vector<Event> take();
@@ -101,6 +123,10 @@ private:
     GLFWwindow* window_;
     std::vector<Event> events_;
     bool is_damaged_ = true;
+    std::function<bool(const KeyEvent&)> asks_for_field_;
+    bool is_keeping_ = false;
+    bool is_own_character_ = false; // the next event may be the character of the key that asks for a field
+    std::vector<TypedEvent> kept_;
 };
 
 } // namespace sr::viewer

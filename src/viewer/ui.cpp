@@ -51,6 +51,15 @@ void hold(Io& io, const std::vector<KeyEvent>& keys, bool is_down) {
         }
 }
 
+void on_key_pressed(GLFWwindow* window, int key, int scancode, int action, int modifiers) {
+    if (!WindowInput::of(window).keep({0, key, scancode, action, modifiers}))
+        ImGui_ImplGlfw_KeyCallback(window, key, scancode, action, modifiers);
+}
+
+void on_character_typed(GLFWwindow* window, unsigned character) {
+    if (!WindowInput::of(window).keep({character})) ImGui_ImplGlfw_CharCallback(window, character);
+}
+
 } // namespace
 
 Ui::Ui(GLFWwindow* window) : window_(window) {
@@ -59,7 +68,9 @@ Ui::Ui(GLFWwindow* window) : window_(window) {
     const auto folder = config_folder();
     if (!folder.empty()) layout_file_ = (folder / "panels.ini").string();
     ImGui::GetIO().IniFilename = layout_file_.empty() ? nullptr : layout_file_.c_str();
-    ImGui_ImplGlfw_InitForOpenGL(window, true);
+    ImGui_ImplGlfw_InitForOpenGL(window, true); // its callbacks call those of WindowInput
+    glfwSetKeyCallback(window, on_key_pressed);
+    glfwSetCharCallback(window, on_character_typed);
     ImGui_ImplOpenGL3_Init("#version 410 core");
     watch_scale();
 }
@@ -85,6 +96,14 @@ void Ui::watch_scale() {
     set_style(scale);
     fonts_ = load_fonts(scale);
     ImGui_ImplOpenGL3_DestroyDeviceObjects(); // they come back with the next frame, font included
+}
+
+void Ui::replay(const std::vector<TypedEvent>& typed) {
+    for (const TypedEvent& event : typed)
+        if (event.character != 0)
+            ImGui_ImplGlfw_CharCallback(window_, event.character);
+        else
+            ImGui_ImplGlfw_KeyCallback(window_, event.key, event.scancode, event.action, event.modifiers);
 }
 
 void Ui::begin(std::vector<KeyEvent> taps) {

@@ -52,6 +52,9 @@ public:
     Ui(const Ui&) = delete;
     Ui& operator=(const Ui&) = delete;
 
+    /// Hands on what was typed before a text field had the keyboard.
+    void replay(const std::vector<TypedEvent>& typed);
+
     /// Panels are described between begin() and end(). `taps`: the keys that were pressed and released since
     /// the last frame, which Dear ImGui before 1.87 would miss.
     void begin(std::vector<KeyEvent> taps);

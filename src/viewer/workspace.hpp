@@ -14,8 +14,10 @@
 #include "viewer/view/camera_controller.hpp"
 #include "viewer/view/exposure.hpp"
 #include "viewer/view/projection.hpp"
+#include "viewer/view/scene_depth.hpp"
 #include "viewer/view/scene_view.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <future>
 
@@ -72,6 +74,7 @@ struct Workspace {
     std::optional<vec2> wanted_probe{};  // a place in the window that the probe tool shall take
     std::optional<ProbeResult> probed{}; // of the probe tool
     bool is_explained = false;           // `probed`, term by term, instead of the table of all numbers
+    SceneDepth depth{};                  // of the picture, for marks over it
     bool is_term_left_out = false;       // the picture beside is the one without a term
     bool is_mixing = false;              // the GPU has the light mixer's lights, and the render waits
     std::string mixing{};                // how far the light mixer is
@@ -108,6 +111,12 @@ struct Workspace {
     }
     /// Place of a point of the window in the picture, from 0 at its upper left to 1.
     vec2 place_in_picture(vec2 at) const { return (at - picture().from) / picture().size; }
+    /// True if a surface in the picture lies before this point.
+    bool hides(vec3 point) {
+        const int step = scene->render().is_interactive() ? 4 : 2; // pixels of the film
+        depth.update(scene->gpu(), camera->camera(), std::max(1, width / step), std::max(1, height / step));
+        return depth.hides(point);
+    }
     Projection projection() const { return {camera->camera(), camera->aspect_ratio(), picture()}; }
     render::RenderOptions render_options() const { return viewer::render_options(options, width, height); }
 

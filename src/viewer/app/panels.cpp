@@ -84,7 +84,8 @@ Changes Panels::draw(const Tools& tools) {
     } else if (are_shown_) {
         const std::string progress = ws_.is_mixing ? ws_.mixing : progress_of(ws_.scene->render());
         message_area({progress, under_pointer(), ws_.messages.status()}, ws_.layout);
-        const Overlay overlay{ws_.projection(), ws_.ui.scale()};
+        const Overlay overlay{ws_.projection(), ws_.ui.scale(),
+                              [this](vec3 point) { return ws_.hides(point); }};
         const Area clip = ws_.shown_area();
         ImDrawList& marks = *ImGui::GetBackgroundDrawList();
         marks.PushClipRect({clip.from.x, clip.from.y},

@@ -244,7 +244,7 @@ void IlluminancePanel::draw_choice(IlluminanceChoice& choice, IlluminanceOutcome
         "edge 1 x edge 2 points to. Empty: horizontal, as wide and deep as the scene, lit from above");
     ImGui::PopItemWidth();
     outcome.redraws |= ImGui::Checkbox("over the picture", &choice.is_over_picture);
-    tooltip("draw the plane's edges and isolines where they are in the scene; things do not hide them");
+    tooltip("draw the plane's edges and isolines where they are in the scene, faint behind things");
     const float room =
         ImGui::GetWindowContentRegionMax().x - ImGui::GetItemRectMax().x + ImGui::GetWindowPos().x;
     if (room > 7.0f * ImGui::GetFontSize()) ImGui::SameLine();
@@ -300,16 +300,21 @@ IlluminanceOutcome IlluminancePanel::draw(IlluminanceChoice& choice, const Measu
     return outcome;
 }
 
-void draw_isolines(const MeasuredIlluminance& measured, const Projection& projection, float scale) {
+void draw_isolines(const MeasuredIlluminance& measured, const Projection& projection, float scale,
+                   const std::function<bool(vec3 point)>& hides) {
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
     const scene::Receiver& receiver = measured.grid.receiver;
     const auto segment = [&](vec2 a, vec2 b, ImU32 ink, float width) {
         const auto from = projection(receiver.at(a.x, a.y)), to = projection(receiver.at(b.x, b.y));
-        if (from && to) list.AddLine({from->x, from->y}, {to->x, to->y}, ink, width * scale);
+        if (!from || !to) return;
+        const vec2 middle = 0.5f * (a + b);
+        const bool is_hidden = hides(receiver.at(middle.x, middle.y));
+        list.AddLine({from->x, from->y}, {to->x, to->y}, is_hidden ? palette::behind(ink) : ink,
+                     width * scale);
     };
     const auto edges = [&](ImU32 ink, float width) {
         constexpr std::array<vec2, 5> corners{vec2(0, 0), vec2(1, 0), vec2(1, 1), vec2(0, 1), vec2(0, 0)};
-        constexpr int parts = 16; // so that only those behind the camera are missing
+        constexpr int parts = 60; // each of which is seen, hidden or behind the camera
         for (std::size_t i = 0; i + 1 < corners.size(); ++i)
             for (int k = 0; k < parts; ++k)
                 segment(glm::mix(corners[i], corners[i + 1], static_cast<float>(k) / parts),
@@ -328,7 +333,8 @@ void draw_isolines(const MeasuredIlluminance& measured, const Projection& projec
         std::vector<std::optional<vec2>> places;
         for (const vec2 cell : label_points(lines)) {
             const vec2 place = measured.place_of(cell);
-            places.push_back(projection(receiver.at(place.x, place.y)));
+            const vec3 point = receiver.at(place.x, place.y);
+            places.push_back(hides(point) ? std::nullopt : projection(point));
         }
         labels.draw(places, fmt::format("{:.6g} {}", level, with_superscripts(measured.grid.unit)));
     }

@@ -70,7 +70,9 @@ private:
     std::optional<gl::Texture> map_; // a texel a cell
 };
 
-/// Draws the edges of the plane and its isolines over the picture.
-void draw_isolines(const MeasuredIlluminance& measured, const Projection& projection, float scale);
+/// Draws the edges of the plane and its isolines over the picture, faint where `hides` says that a surface
+/// lies before them.
+void draw_isolines(const MeasuredIlluminance& measured, const Projection& projection, float scale,
+                   const std::function<bool(vec3 point)>& hides);
 
 } // namespace sr::viewer

@@ -84,12 +84,11 @@ bool draw_factor(const gltf::EditableFactor& factor, vec3& value, LightEditor& e
     const std::string label = fmt::format("{}##{}", factor.label, factor.key);
     const char* const format = factor.is_logarithmic ? "%.3g" : factor.max > 100.0f ? "%.0f" : "%.3f";
     if (std::isinf(value.x)) value.x = factor.max; // nothing is attenuated
+    const NumberRange range{
+        .min = factor.min, .max = factor.max, .format = format, .is_logarithmic = factor.is_logarithmic};
+    const bool is_number = std::holds_alternative<float scene::Material::*>(factor.member);
     const bool is_changed =
-        std::holds_alternative<float scene::Material::*>(factor.member) ? number_field(
-            label, value.x,
-            {.min = factor.min, .max = factor.max, .format = format, .is_logarithmic = factor.is_logarithmic})
-                                                                        : color_field(label,
-                                                                                      std::span(&value.x, 3));
+        is_number ? number_field(label, value.x, range) : color_field(label, std::span(&value.x, 3));
     if (ImGui::IsItemActivated()) edits.begin_step();
     tooltip(std::string(factor.meaning));
     return is_changed;

@@ -213,7 +213,8 @@ std::optional<output::GridPlace> MeasureIlluminance::pointed_cell() const {
 Changes MeasureIlluminance::draw(const Overlay& overlay) {
     if (!is_open_) return {};
     const PanelPlace place = ws_.layout.take_side(side::illuminance);
-    if (measured_ && choice_.is_over_picture) draw_isolines(*measured_, overlay.projection, overlay.scale);
+    if (measured_ && choice_.is_over_picture)
+        draw_isolines(*measured_, overlay.projection, overlay.scale, overlay.hides);
     if (!place.is_shown) return {};
     const auto pointed = measured_ ? pointed_cell() : std::nullopt;
     return apply(panel_.draw(choice_, measured_ ? &*measured_ : nullptr, progress(), problem_, pointed,

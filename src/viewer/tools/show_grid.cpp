@@ -10,8 +10,8 @@ namespace sr::viewer {
 namespace {
 
 constexpr int reach = 10; // steps of the grid on each side of its middle
-constexpr int parts = 24; // of a line, so that only those behind the camera are missing
-constexpr ImU32 faint = IM_COL32(200, 200, 200, 95);
+constexpr int parts = 60; // of a line, each of which is seen, hidden or behind the camera
+constexpr ImU32 weak = IM_COL32(200, 200, 200, 95);
 constexpr ImU32 strong = IM_COL32(220, 220, 220, 160); // each tenth line
 
 /// A round length, 1, 2 or 5 times a power of ten, of which some five make the radius of the scene [m].
@@ -69,7 +69,10 @@ void ShowGrid::draw_line(const Overlay& overlay, vec3 from, vec3 to, ImU32 ink, 
     for (int i = 0; i < parts; ++i) {
         const auto a = overlay.projection(glm::mix(from, to, static_cast<float>(i) / parts));
         const auto b = overlay.projection(glm::mix(from, to, static_cast<float>(i + 1) / parts));
-        if (a && b) list.AddLine({a->x, a->y}, {b->x, b->y}, ink, width * overlay.scale);
+        if (!a || !b) continue;
+        const bool is_hidden = overlay.hides(glm::mix(from, to, (static_cast<float>(i) + 0.5f) / parts));
+        list.AddLine({a->x, a->y}, {b->x, b->y}, is_hidden ? palette::behind(ink) : ink,
+                     width * overlay.scale);
     }
 }
 
@@ -84,8 +87,8 @@ void ShowGrid::draw_ground(const Overlay& overlay, double step) const {
     };
     for (int i = -reach; i <= reach; ++i) {
         const bool is_tenth_x = std::fmod(x0 + i, 10.0) == 0.0, is_tenth_z = std::fmod(z0 + i, 10.0) == 0.0;
-        draw_line(overlay, point(i, -reach), point(i, reach), is_tenth_x ? strong : faint, 1.0f);
-        draw_line(overlay, point(-reach, i), point(reach, i), is_tenth_z ? strong : faint, 1.0f);
+        draw_line(overlay, point(i, -reach), point(i, reach), is_tenth_x ? strong : weak, 1.0f);
+        draw_line(overlay, point(-reach, i), point(reach, i), is_tenth_z ? strong : weak, 1.0f);
     }
 }
 

@@ -2,6 +2,7 @@
 // Interface of a tool of the viewer: handles events, draws, and returns what it changed.
 #include "viewer/workspace.hpp"
 
+#include <functional>
 #include <memory>
 
 namespace sr::viewer {
@@ -9,7 +10,8 @@ namespace sr::viewer {
 /// The context that panels and overlays are drawn with.
 struct Overlay {
     Projection projection;
-    float scale = 1.0f; // of a HiDPI screen
+    float scale = 1.0f;                    // of a HiDPI screen
+    std::function<bool(vec3 point)> hides; // true if a surface in the picture lies before the point
 };
 
 /// The rate at which a tool needs update() while there are no events.

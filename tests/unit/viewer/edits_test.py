@@ -6,6 +6,7 @@ usage: edits_test.py STERADIAN SCENES_FOLDER SCRATCH_FOLDER
 """
 import json
 import shutil
+import signal
 import sys
 from pathlib import Path
 
@@ -159,6 +160,16 @@ def saving(viewer: Viewer, scene: Path):
     assert edited.read_bytes() == brightened, "a removed file gives another copy"
 
 
+def typing_ahead(viewer: Viewer, target: Path):
+    """What is typed at once after a key that opens a field goes into the field, in its order, however late the field appears."""
+    viewer.process.send_signal(signal.SIGSTOP)  # a slow frame
+    viewer.display.do("key", "--delay", "1", "ctrl+s", "ctrl+a", "type", "--delay", "1", "--args", "1", str(target), "key", "Return")
+    viewer.process.send_signal(signal.SIGCONT)
+    viewer.wait(target.exists, "a file saved under the name that was typed at once", 20)
+    viewer.pause()
+    viewer.fields = viewer.errors().count("text field focused")
+
+
 def opening(viewer: Viewer, other: Path):
     """A path that cannot be opened stays in the field, which keeps the keyboard."""
     viewer.key("ctrl+o")
@@ -212,6 +223,7 @@ def main() -> int:
         hiding(display, viewer)
         saving(viewer, scene)
         opening(viewer, other)
+        typing_ahead(viewer, scene.with_name("at_once.gltf"))
         crashing(viewer, display, other)
     return 0
 
