@@ -8,6 +8,7 @@ import statistics
 import subprocess
 import sys
 import tempfile
+import types
 import unittest
 from pathlib import Path
 
@@ -48,6 +49,33 @@ class Error(unittest.TestCase):
 
     def test_a_first_point_that_is_good_enough_counts(self):
         self.assertEqual(error.seconds_for(self.points((1, 1e-4), (2, 1e-5)), 1e-3), 1)
+
+
+class Search(unittest.TestCase):
+    def side(self, errors):
+        """A renderer whose n samples take n seconds."""
+        side = object.__new__(convergence.Side)
+        side.name, side.errors, side.setting = "ours", {}, types.SimpleNamespace(is_quick=False, progress=types.SimpleNamespace(say=lambda text: None))
+        side.picture, side.reference, rendered = None, None, []
+        side.render = lambda count: rendered.append(count) or float(count)
+        side.judge = lambda *_: errors[rendered[-1]]
+        return side
+
+    def test_ends_at_the_first_count_that_reaches_the_target(self):
+        self.assertEqual(self.side({4: 1e-1, 8: 1e-2, 16: 1e-3}).bracket([4, 8, 16], 5e-3), [8, 16])
+
+    def test_ends_at_a_render_that_takes_too_long(self):
+        with self.assertRaises(convergence.NotReached) as raised:
+            self.side({16: 1e-1, 32: 1e-2, 64: 1e-3}).bracket([16, 32, 64], 5e-3)
+        self.assertEqual(raised.exception.seconds, 32.0)
+        line = convergence.error_line("", [8.0], raised.exception, 0.35, "")
+        self.assertEqual((line.is_met, line.ratio), (True, None))
+        self.assertIn("below 0.25", line.remark)
+        self.assertIsNone(convergence.error_line("", [16.0], raised.exception, 0.35, "").is_met)
+
+    def test_a_line_compares_turn_by_turn(self):
+        line = convergence.error_line("", [1.0, 2.0, 9.0], [4.0, 4.0, 10.0], 0.35, "")
+        self.assertEqual((line.is_met, line.ratio.median), (False, 0.5))
 
 
 class Turns(unittest.TestCase):
@@ -113,5 +141,5 @@ if __name__ == "__main__":
     sys.path.insert(0, str(SOURCES / "tools" / "bench"))
     import timing
     from curves import error, fit
-    from speed import row
+    from speed import convergence, row
     unittest.main()
