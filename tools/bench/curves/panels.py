@@ -35,11 +35,14 @@ def panel(title, unit, series, left, top):
     for tick in ticks:
         parts.append(line([place(low, tick), place(high, tick)], 'stroke="#ddd"'))
         parts.append(text(left + LEFT - 6, place(low, tick)[1] + 4, milliseconds(tick), "end", 11))
+    before, lower = -1e9, 0
     for size, label in dict(zip(series[0][1], series[0][2])).items():
         x = place(size, ticks[0])[0]
+        lower = 11 if x - before < 7 * len(label) and not lower else 0  # so that neighbours do not overlap
+        before = x
         parts.append(line([(x, place(low, ticks[0])[1]), (x, place(low, ticks[-1])[1])], 'stroke="#eee"'))
-        parts.append(text(x, top + HEIGHT - BOTTOM + 16, label, "middle", 10))
-    parts.append(text(left + WIDTH / 2, top + HEIGHT - 14, unit, "middle", 11, "#555"))
+        parts.append(text(x, top + HEIGHT - BOTTOM + 15 + lower, label, "middle", 10))
+    parts.append(text(left + WIDTH / 2, top + HEIGHT - 8, unit, "middle", 11, "#555"))
     for i, (name, xs, _, costs, fitted) in enumerate(series):
         color = COLORS[i % len(COLORS)]
         curve = [low * (high / low) ** (j / 40) for j in range(41)]
