@@ -85,7 +85,9 @@ class Spread:
     high: float
 
     def text(self, digits: int = 2) -> str:
-        return f"{self.median:.{digits}f} ({self.low:.{digits}f} to {self.high:.{digits}f})"
+        """The median, and the range unless one value was measured."""
+        median, low, high = (f"{value:.{digits}f}" for value in (self.median, self.low, self.high))
+        return median if self.low == self.high else f"{median} ({low} to {high})"
 
 
 def spread(values) -> Spread:

@@ -43,7 +43,7 @@ def turned(radius, height, flutes=0, depth=0.0):
     """Turns a profile about the y axis. @param radius of a height in [0, 1]"""
     def place(u, v):
         around = radius(v) * (1 + depth * numpy.cos(flutes * TAU * u) * ((v > 0.12) & (v < 0.88)))
-        return numpy.stack((around * numpy.sin(-TAU * u), height * v, around * numpy.cos(TAU * u)), -1)
+        return numpy.stack((around * numpy.sin(TAU * u), height * v, around * numpy.cos(TAU * u)), -1)
     return place
 
 

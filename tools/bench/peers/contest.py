@@ -10,6 +10,7 @@ from .view import View
 
 HERE = Path(__file__).resolve().parent
 SURFACELESS = {"EGL_PLATFORM": "surfaceless"}
+PIXELS_A_BYTE = 100  # of a PNG file; more of them only where all are equal
 
 
 def with_light(scene: Path, view: View, target: Path) -> Path:
@@ -70,7 +71,10 @@ class Contest:
 
         def draw(frames: int) -> Cost:
             view = View(**{**vars(self.view), "scene": str(scene), "frames": frames, "output": str(output)})
-            return measured([got.python, HERE / script, view.argument()], output, {**SURFACELESS, **got.environment}, HERE)
+            cost = measured([got.python, HERE / script, view.argument()], output, {**SURFACELESS, **got.environment}, HERE)
+            if output.stat().st_size < view.width * view.height / PIXELS_A_BYTE:
+                raise Failed("its picture has one colour")
+            return cost
         return draw, got.remark
 
     def driver_of(self, peer: str) -> str:
