@@ -94,6 +94,8 @@ public:
     explicit Walker(std::string_view text) : text_(text) { skip_space(); }
 
     std::size_t position() const { return at_; }
+    /// Begin of the key of the member that was entered last; of an element, of its value.
+    std::size_t key_position() const { return key_at_; }
 
     /// Moves to the member `key` of the object, or to the element `key` of the array, that begins here.
     bool enter(const std::string& key) {
@@ -102,6 +104,7 @@ public:
         ++at_;
         for (std::size_t index = 0; skip_space(), text_[at_] != '}' && text_[at_] != ']'; ++index) {
             std::string name = std::to_string(index);
+            key_at_ = at_;
             if (is_object) {
                 const std::size_t begin = at_;
                 skip_string();
@@ -145,7 +148,18 @@ private:
 
     std::string_view text_;
     std::size_t at_ = 0;
+    std::size_t key_at_ = 0;
 };
+
+/// A walker that has entered the value at a pointer, or as many of its parts as there are.
+Walker walked(std::string_view text, const JsonFile::Pointer& pointer) {
+    std::vector<std::string> keys;
+    for (JsonFile::Pointer rest = pointer; !rest.empty(); rest.pop_back()) keys.push_back(rest.back());
+    Walker walker(text);
+    for (auto key = keys.rbegin(); key != keys.rend(); ++key)
+        if (!walker.enter(*key)) break;
+    return walker;
+}
 
 /// nlohmann's message without its own numbering: "syntax error while parsing value - unexpected …".
 std::string reason(const JsonError& error) {
@@ -176,12 +190,11 @@ JsonFile::JsonFile(const std::filesystem::path& file, std::string text)
 }
 
 Location JsonFile::place_of(const Pointer& pointer) const {
-    std::vector<std::string> keys;
-    for (Pointer rest = pointer; !rest.empty(); rest.pop_back()) keys.push_back(rest.back());
-    Walker walker(text_);
-    for (auto key = keys.rbegin(); key != keys.rend(); ++key)
-        if (!walker.enter(*key)) break;
-    return location_of(walker.position(), text_, file_);
+    return location_of(walked(text_, pointer).position(), text_, file_);
+}
+
+Location JsonFile::place_of_key(const Pointer& pointer) const {
+    return location_of(walked(text_, pointer).key_position(), text_, file_);
 }
 
 JsonObject::JsonObject(const JsonFile& file, Pointer place) : file_(&file), place_(std::move(place)) {

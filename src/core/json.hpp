@@ -63,6 +63,8 @@ public:
 
     /// Finds where the value at a JSON pointer begins ("/tests/3/name").
     Location place_of(const Pointer& pointer) const;
+    /// Finds where the key of that value begins; of an array's element the value.
+    Location place_of_key(const Pointer& pointer) const;
 
 private:
     std::string file_;

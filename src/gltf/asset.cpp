@@ -20,10 +20,10 @@ namespace sr::gltf {
 
 class Asset::Impl {
 public:
-    Impl(const std::filesystem::path& file, const AssetOptions& options)
+    Impl(const SourceFile& source, const AssetOptions& options)
         : is_strict_(options.is_strict),
-          warnings_(file.string(), is_strict_),
-          document_(read_document(file, warnings_)),
+          warnings_(source.path.string(), is_strict_),
+          document_(read_document(source, warnings_)),
           scene_index_(options.scene),
           animations_(parse_animations(document_, warnings_)),
           tree_(document_),
@@ -178,12 +178,15 @@ private:
 };
 
 Asset::Asset(const std::filesystem::path& file, const AssetOptions& options)
-    : impl_(std::make_unique<Impl>(file, options)) {}
+    : Asset(read_source(file), options) {}
+Asset::Asset(const SourceFile& source, const AssetOptions& options)
+    : impl_(std::make_unique<Impl>(source, options)) {}
 Asset::~Asset() = default;
 Asset::Asset(Asset&&) noexcept = default;
 Asset& Asset::operator=(Asset&&) noexcept = default;
 
 const Contents& Asset::contents() const { return impl_->contents(); }
+const SourceFile& Asset::source() const { return impl_->document().source; }
 std::vector<std::string> Asset::warnings() const { return impl_->warnings(); }
 scene::Scene Asset::rest_pose() { return impl_->rest_pose(); }
 scene::Scene Asset::evaluate(scene::Scene scene, const AnimationTime& time) {

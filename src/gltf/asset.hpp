@@ -4,6 +4,7 @@
 //     Asset asset(file);
 //     scene::Scene scene = asset.rest_pose();
 //     scene = asset.evaluate(std::move(scene), {asset.animations_named("Walk"), 1.5});
+#include "gltf/source_file.hpp"
 #include "scene/scene.hpp"
 
 #include <filesystem>
@@ -60,11 +61,15 @@ public:
     /// @throws Error on any file that is not valid enough to be rendered, on a required extension that is not
     /// supported, and on a scene or a variant that is not there
     explicit Asset(const std::filesystem::path& file, const AssetOptions& options = {});
+    /// The same of a file that has been read. What it refers to is read from its folder.
+    explicit Asset(const SourceFile& source, const AssetOptions& options = {});
     ~Asset();
     Asset(Asset&&) noexcept;
     Asset& operator=(Asset&&) noexcept;
 
     const Contents& contents() const;
+    /// The bytes that all of it was made of.
+    const SourceFile& source() const;
     /// One line each, already prefixed with the file's name: what the file asks for and does not get, at rest
     /// and at the times evaluated so far. New ones come last.
     std::vector<std::string> warnings() const;

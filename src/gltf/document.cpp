@@ -1,7 +1,6 @@
 #include "gltf/document.hpp"
 
 #include "core/error.hpp"
-#include "core/file.hpp"
 #include "gltf/container.hpp"
 #include "gltf/extensions.hpp"
 #include "gltf/read/compression.hpp"
@@ -11,9 +10,12 @@
 #include "gltf/warnings.hpp"
 
 #include <fmt/format.h>
+#include <functional>
 
 namespace sr::gltf {
 namespace {
+
+namespace fs = std::filesystem;
 
 // A file of another version may fail the checks for reasons that would mislead: the version is looked at
 // first.
@@ -51,9 +53,12 @@ std::optional<Bytes> buffer_bytes(Document& document, const json& buffer, std::s
     std::optional<Bytes> bytes;
     if (const auto uri = buffer.find("uri"); uri != buffer.end()) {
         const UriPlace place{document.name, fmt::format("/buffers/{}/uri", index)};
-        document.storage.push_back(std::make_unique<const std::vector<std::uint8_t>>(
-            read_uri(uri->get_ref<const std::string&>(), document.folder, place)));
+        const std::string& text = uri->get_ref<const std::string&>();
+        document.storage.push_back(
+            std::make_shared<const std::vector<std::uint8_t>>(read_uri(text, document.folder, place)));
         bytes = *document.storage.back();
+        if (!is_data_uri(text))
+            document.source.named[resolve_file(text, document.folder, place)].bytes = document.storage.back();
     } else if (index == 0) {
         bytes = bin;
     }
@@ -94,6 +99,14 @@ void complete(json& root, Document& document, Warnings& warnings) {
     if (root.contains(lights))
         for (json& light : root.at(lights))
             if (light.at("type") == "spot" && !light.contains("spot")) light["spot"] = json::object();
+}
+
+/// Records what the file refers to, before it is read.
+void record_names(SourceFile& source, const json& root, std::string_view text) {
+    source.json_hash = std::hash<std::string_view>{}(text);
+    source.named.clear();
+    for (const fs::path& file : named_files(root, source.path.parent_path()))
+        source.named[file].stamp = stamp_of(file);
 }
 
 void list_images(Document& document, json& images) {
@@ -152,7 +165,7 @@ Bytes Document::view(int buffer_view, std::string_view pointer) const {
 }
 
 int Document::add_buffer(std::vector<std::uint8_t> bytes) {
-    storage.push_back(std::make_unique<const std::vector<std::uint8_t>>(std::move(bytes)));
+    storage.push_back(std::make_shared<const std::vector<std::uint8_t>>(std::move(bytes)));
     buffers.push_back({*storage.back(), std::nullopt});
     return static_cast<int>(buffers.size()) - 1;
 }
@@ -207,16 +220,16 @@ const json* steradian_in(const json& object) {
     return found == extras->end() ? nullptr : &*found;
 }
 
-Document read_document(const std::filesystem::path& file, Warnings& warnings) {
+Document read_document(const SourceFile& source, Warnings& warnings) {
     Document document;
-    document.name = file.string();
-    document.folder = file.parent_path();
+    document.name = source.path.string();
+    document.folder = source.path.parent_path();
     document.values_read = std::make_unique<Tally>(Limit::values, document.name);
-    document.storage.push_back(
-        std::make_unique<const std::vector<std::uint8_t>>(read_file(file, document.name)));
+    document.source = source;
 
-    const Container container = split_container(*document.storage.back(), document.name);
+    const Container container = split_container(*source.bytes, document.name);
     json root = parse(container, document.name);
+    record_names(document.source, root, container.json);
     check_version(root, document.name);
     check_required_extensions(root, document.name);
     check_counts(root, document.name);

@@ -2,6 +2,7 @@
 // A glTF file and everything it refers to, checked and in memory, before anything is made of it.
 #include "core/limits.hpp"
 #include "gltf/container.hpp"
+#include "gltf/source_file.hpp"
 #include "gltf/warnings.hpp"
 
 #include <filesystem>
@@ -76,7 +77,8 @@ struct Document {
     std::vector<std::string> extensions_required;
     /// JSON pointers of the things that were broken and were warned of: they are absent, or have a stand-in.
     std::set<std::string> lost;
-    std::vector<std::unique_ptr<const std::vector<std::uint8_t>>> storage; // what `buffers` look into
+    SourceFile source;                  // what was read
+    std::vector<SharedBytes> storage;   // what `buffers` look into, besides
     std::unique_ptr<Tally> values_read; // from accessors, which may share their bytes
 
     /// The bytes of a buffer view. `pointer` ("/images/0") says in errors who wants them.
@@ -119,9 +121,9 @@ const json* extension(const json& object, std::string_view name);
 /// The object `steradian` in a glTF object's extras; null where it is absent.
 const json* steradian_in(const json& object);
 
-/// Reads, parses and checks a .gltf or .glb and its buffers; images are read when they are decoded
+/// Parses and checks a .gltf or .glb and reads its buffers; images are read when they are decoded
 /// (texture.hpp).
 /// @throws Error
-Document read_document(const std::filesystem::path& file, Warnings& warnings);
+Document read_document(const SourceFile& source, Warnings& warnings);
 
 } // namespace sr::gltf

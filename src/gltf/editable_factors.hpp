@@ -19,6 +19,7 @@ struct EditableFactor {
     std::variant<float scene::Material::*, vec3 scene::Material::*> member; // a vec3 is a linear colour
     float min = 0.0f;
     float max = 1.0f;
+    bool is_logarithmic = false; // a slider has small values as well as large ones
     /// True if a material has it or could have it. Shading would not notice it on others.
     bool (*is_of)(const scene::Material&);
 };
@@ -32,10 +33,22 @@ using M = scene::Material;
 constexpr bool is_layered(const M& m) {
     return m.model == scene::Model::metallic_roughness && !m.is_specular_glossiness && !m.is_unlit;
 }
+
+/// True if meshes of the material have tangents from the start.
+inline bool has_tangents(const M& m) { return m.normal_texture.is_present() || m.is_anisotropic(); }
+
+/// A coat with a normal map needs tangents.
+inline bool can_have_coat(const M& m) {
+    return is_layered(m)
+           && (!m.clearcoat_normal_texture.is_present() || m.clearcoat > 0.0f || has_tangents(m));
+}
 } // namespace detail
 
-/// All of them, group by group. Anisotropy is for materials that have some: others come without tangents.
+/// All of them, group by group. Anisotropy is for materials whose meshes have tangents: some of their own, or
+/// for a normal map.
 inline constexpr std::array editable_factors = [] {
+    using detail::can_have_coat;
+    using detail::has_tangents;
     using detail::is_layered;
     using detail::M;
     return std::array{
@@ -83,7 +96,7 @@ inline constexpr std::array editable_factors = [] {
                        .meaning = "strength, times the blue channel of its texture",
                        .pointer = "/extensions/KHR_materials_anisotropy/anisotropyStrength",
                        .member = &M::anisotropy,
-                       .is_of = [](const M& m) { return is_layered(m) && m.is_anisotropic(); }},
+                       .is_of = [](const M& m) { return is_layered(m) && has_tangents(m); }},
         EditableFactor{.key = "anisotropy_rotation",
                        .label = "rotation",
                        .group = "anisotropy",
@@ -92,14 +105,14 @@ inline constexpr std::array editable_factors = [] {
                        .member = &M::anisotropy_rotation,
                        .min = -pi,
                        .max = pi,
-                       .is_of = [](const M& m) { return is_layered(m) && m.is_anisotropic(); }},
+                       .is_of = [](const M& m) { return is_layered(m) && has_tangents(m); }},
         EditableFactor{.key = "clearcoat",
                        .label = "clearcoat",
                        .group = "clearcoat",
                        .meaning = "weight of a coat of lacquer, times the red channel of its texture",
                        .pointer = "/extensions/KHR_materials_clearcoat/clearcoatFactor",
                        .member = &M::clearcoat,
-                       .is_of = is_layered},
+                       .is_of = can_have_coat},
         EditableFactor{.key = "clearcoat_roughness",
                        .label = "its roughness",
                        .group = "clearcoat",
@@ -148,6 +161,15 @@ inline constexpr std::array editable_factors = [] {
                        .max = 3.0f,
                        .is_of = is_layered},
         EditableFactor{
+            .key = "min_film_thickness",
+            .label = "its least thickness",
+            .group = "thin film",
+            .meaning = "thickness of the film [nm], where its texture's green channel is 0",
+            .pointer = "/extensions/KHR_materials_iridescence/iridescenceThicknessMinimum",
+            .member = &M::min_film_thickness,
+            .max = 2000.0f,
+            .is_of = [](const M& m) { return is_layered(m) && m.film_thickness_texture.is_present(); }},
+        EditableFactor{
             .key = "max_film_thickness",
             .label = "its thickness",
             .group = "thin film",
@@ -164,6 +186,34 @@ inline constexpr std::array editable_factors = [] {
                        .pointer = "/extensions/KHR_materials_transmission/transmissionFactor",
                        .member = &M::transmission,
                        .is_of = is_layered},
+        EditableFactor{
+            .key = "thickness",
+            .label = "thickness",
+            .group = "transmission",
+            .meaning =
+                "way of the light below the surface [m] of the mesh, times its texture's green channel",
+            .pointer = "/extensions/KHR_materials_volume/thicknessFactor",
+            .member = &M::thickness,
+            .max = 100.0f,
+            .is_logarithmic = true,
+            .is_of = [](const M& m) { return m.is_transmissive(); }},
+        EditableFactor{.key = "attenuation_distance",
+                       .label = "attenuation",
+                       .group = "transmission",
+                       .meaning = "distance [m] over which white light becomes the attenuation colour",
+                       .pointer = "/extensions/KHR_materials_volume/attenuationDistance",
+                       .member = &M::attenuation_distance,
+                       .min = 1e-3f,
+                       .max = 1e3f,
+                       .is_logarithmic = true,
+                       .is_of = [](const M& m) { return m.is_transmissive(); }},
+        EditableFactor{.key = "attenuation_color",
+                       .label = "attenuation colour",
+                       .group = "transmission",
+                       .meaning = "what is left of white light after that distance, linear",
+                       .pointer = "/extensions/KHR_materials_volume/attenuationColor",
+                       .member = &M::attenuation_color,
+                       .is_of = [](const M& m) { return m.is_transmissive(); }},
         EditableFactor{.key = "diffuse_transmission",
                        .label = "diffuse",
                        .group = "transmission",

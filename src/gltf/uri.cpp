@@ -211,14 +211,9 @@ void collect(const json& value, const fs::path& folder, std::vector<fs::path>& f
 
 } // namespace
 
-std::vector<fs::path> named_files(const fs::path& file) {
+std::vector<fs::path> named_files(const json& root, const fs::path& folder) {
     std::vector<fs::path> files;
-    try {
-        const std::vector<std::uint8_t> bytes = read_file(file, file.string());
-        collect(parse(split_container(bytes, file.string()), file.string()), file.parent_path(), files);
-    } catch (const Error&) {
-        return {};
-    }
+    collect(root, folder, files);
     return files;
 }
 

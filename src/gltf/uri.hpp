@@ -2,6 +2,7 @@
 // The target of a glTF's `uri`: bytes within the URI itself (RFC 2397), or a file beside the glTF.
 #include <cstdint>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -35,8 +36,9 @@ std::filesystem::path resolve_file(std::string_view uri, const std::filesystem::
 std::vector<std::uint8_t> read_uri(std::string_view uri, const std::filesystem::path& folder,
                                    const UriPlace& place);
 
-/// The files beside a .gltf or .glb that its URIs may name (uri.hpp), whether or not they are there: buffers,
-/// images, IES profiles, measured BRDFs. Empty where its JSON cannot be read.
-std::vector<std::filesystem::path> named_files(const std::filesystem::path& file);
+/// The files in `folder` that the URIs of a glTF's JSON may name, whether or not they are there: buffers,
+/// images, IES profiles, environments, measured BRDFs.
+std::vector<std::filesystem::path> named_files(const nlohmann::json& root,
+                                               const std::filesystem::path& folder);
 
 } // namespace sr::gltf

@@ -187,7 +187,8 @@ void SceneFile::save(const std::string& target, const SceneEdits& edits, const s
     if (!camera.empty()) written.first_camera = this->camera(camera, edits);
     written.scene_index = scene_index_;
     written.origin = origin_;
-    gltf::write_edited_copy(file_, written, target);
+    for (const std::string& remark : gltf::write_edited_copy(asset_.source(), written, target))
+        write_remark(remark);
 }
 
 } // namespace sr::python

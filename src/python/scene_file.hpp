@@ -60,9 +60,9 @@ public:
 
     /// The camera that `camera` names, as PrepareOptions::camera does. On the GL thread. @throws Error
     scene::Camera camera(const std::string& camera, const SceneEdits& edits);
-    /// Writes a copy of the file with the edits, and with `camera`, unless it is empty, as its first one. On
-    /// the GL thread. @throws Error as gltf::write_edited_copy() does, and where the target is the file
-    /// itself
+    /// Writes a copy of the file, as it was read, with the edits, and with `camera`, unless it is empty, as
+    /// its first one. On the GL thread. @throws Error as gltf::write_edited_copy() does, and where the target
+    /// is the file itself
     void save(const std::string& target, const SceneEdits& edits, const std::string& camera);
 
 private:

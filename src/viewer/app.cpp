@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <fmt/format.h>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -62,17 +63,18 @@ Tools make_tools(Workspace& workspace) {
     return tools;
 }
 
-/// The keys of keys.json, or the built-in ones. `problem`: says what is wrong with the file; empty if nothing
-/// is.
-Keymap keys_in_use(std::string& problem) {
+/// The keys of keys.json; the built-in ones if there is no such file; absent if it is wrong. `problem`: says
+/// what is wrong with it; empty if nothing is.
+std::optional<Keymap> read_keys(std::string& problem) {
+    problem.clear();
     const std::filesystem::path file = keys_file();
     std::error_code ignored;
-    if (file.empty() || !std::filesystem::exists(file, ignored)) return {};
+    if (file.empty() || !std::filesystem::exists(file, ignored)) return Keymap();
     try {
         return Keymap::read(file);
     } catch (const Error& error) {
         problem = error.what();
-        return {};
+        return std::nullopt;
     }
 }
 
@@ -86,7 +88,7 @@ App::App(Options options)
                  .window = window_,
                  .input = input_,
                  .ui = ui_,
-                 .keys = keys_in_use(keys_problem_),
+                 .keys = read_keys(keys_problem_).value_or(Keymap()),
                  .messages = Messages(options.is_verbose),
                  .exposure = Exposure(options.ev100)},
       panels_(workspace_),
@@ -99,6 +101,7 @@ App::App(Options options)
         const auto command = workspace_.keys.command_of(key.key, key.modifiers);
         return command && opens_text_field(*command) && !workspace_.question && !ui_.has_keyboard();
     });
+    keys_watch_.set({keys_file()});
     resize();
     workspace_.has_first_page = options.scene.empty();
     if (workspace_.has_first_page)
@@ -120,8 +123,26 @@ App::~App() {
 /// one, so the first scene comes first.
 void App::report_keys() {
     if (keys_problem_.empty()) return;
-    workspace_.messages.fail("Your keys are not used, but the built-in ones.",
-                             std::exchange(keys_problem_, {}));
+    refused_keys_ = std::exchange(keys_problem_, {});
+    workspace_.messages.fail("Your keys are not used, but the built-in ones.", refused_keys_);
+}
+
+/// Takes the keys of a file of keys that has changed. One that is wrong leaves the keys as they are.
+void App::follow_keys() {
+    if (!keys_watch_.has_changed()) return;
+    Messages& messages = workspace_.messages;
+    const std::string before = refused_keys_;
+    if (std::optional<Keymap> keys = read_keys(refused_keys_)) {
+        workspace_.keys = *std::move(keys);
+        if (messages.has_error() && messages.error_text() == before) messages.clear_error();
+        std::error_code ignored;
+        messages.notify(std::filesystem::exists(keys_file(), ignored)
+                            ? fmt::format("The keys are those of {} now.", keys_file().string())
+                            : "Your file of keys is gone: the built-in keys are in use.");
+    } else {
+        messages.fail("Your keys stay as they were.", refused_keys_);
+    }
+    apply(Change::redraw);
 }
 
 void App::run(const std::stop_token& stop) {
@@ -139,6 +160,7 @@ void App::run(const std::stop_token& stop) {
             report_keys();
             if (loaded == everything) apply(follow_shape()); // the window may have changed while it loaded
         }
+        follow_keys();
         apply(update(seconds));
         apply(std::exchange(workspace_.answered, {}));
         apply(panels_.update());

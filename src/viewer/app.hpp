@@ -1,6 +1,7 @@
 #pragma once
 // Application of the viewer: the window, the loop, and the one place that applies what tools change.
 #include "viewer/app/panels.hpp"
+#include "viewer/document/watch.hpp"
 
 #include <array>
 
@@ -31,6 +32,7 @@ private:
     Changes follow_shape();
     void log_picture() const;
     void report_keys();
+    void follow_keys();
     Changes update(double seconds);
     Changes dispatch(const Event& event);
     Changes dispatch_to_tools(const Event& event);
@@ -51,6 +53,8 @@ private:
     WindowInput input_;
     Ui ui_;
     std::string keys_problem_; // of the file of keys; empty once it is shown
+    std::string refused_keys_; // what was said of the file of keys last; empty: nothing is wrong with it
+    Watch keys_watch_;
     Workspace workspace_;
     Presenter presenter_;
     Panels panels_;

@@ -52,6 +52,7 @@ enum class Command {
     fit_range,
     next_view,
     next_light_alone,
+    next_background,
     next_light,
     switch_light,
     solo_light,

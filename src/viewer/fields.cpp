@@ -78,6 +78,7 @@ bool number_field(const std::string& label, std::span<float> values, const Numbe
     const std::string format = fitting_format(
         range.format, values, [width](const std::string& text) { return field_width_of(text) <= width; });
     const int flags = (range.is_clamped && range.min < range.max ? ImGuiSliderFlags_AlwaysClamp : 0)
+                      | (range.is_logarithmic ? ImGuiSliderFlags_Logarithmic : 0)
                       | (format == range.format ? 0 : ImGuiSliderFlags_NoRoundToFormat);
     const auto count = static_cast<int>(values.size());
     if (!speed)

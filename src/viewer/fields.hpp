@@ -27,6 +27,7 @@ struct NumberRange {
     float min = 0.0f, max = 0.0f; // equal: unlimited
     const char* format = "%.3f";
     bool is_clamped = true; // typed numbers, too
+    bool is_logarithmic = false;
 };
 
 // Fields of one or more numbers. `speed`: of a drag, in a pixel; absent: a slider. @return true if one

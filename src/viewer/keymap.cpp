@@ -22,7 +22,7 @@ struct ReadBinding {
 const CommandInfo& command_named(const std::string& name, const JsonFile& file, const Pointer& at) {
     for (const CommandInfo& info : all_commands())
         if (info.name == name) return info;
-    throw Error(file.place_of(at), fmt::format("there is no command \"{}\"", name),
+    throw Error(file.place_of_key(at), fmt::format("there is no command \"{}\"", name),
                 "write its name as F1 lists it, or see steradian view --print-keys");
 }
 
@@ -46,7 +46,7 @@ void refuse_doubles(const JsonFile& file, const std::string& text) {
         if (depth != 1 || event != nlohmann::json::parse_event_t::key) return true;
         const auto name = parsed.get<std::string>();
         if (!names.insert(name).second)
-            throw Error(file.place_of(Pointer() / name), fmt::format("\"{}\" stands here twice", name),
+            throw Error(file.place_of_key(Pointer() / name), fmt::format("\"{}\" stands here twice", name),
                         "write its keys as one list: [\"W\", \"F9\"]");
         return true;
     };

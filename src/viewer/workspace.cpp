@@ -10,6 +10,7 @@
 #include <chrono>
 #include <filesystem>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <vector>
 
 namespace sr::viewer {
@@ -81,7 +82,7 @@ void Workspace::depart(Departure departure, const std::string& file) {
     switch (departure) {
     case Departure::quit: is_closing = true; break;
     case Departure::open: open(file); break;
-    case Departure::reload: reload(false); break;
+    case Departure::reload: reload(); break;
     }
 }
 
@@ -95,7 +96,7 @@ bool Workspace::save(const std::string& file) {
     if (std::filesystem::equivalent(file, open_file, ignored)) {
         messages.fail(
             "Cannot save the scene.",
-            Error({file}, "is the open file, which the edits start from", "save under another name").what());
+            Error({file}, "is the open file, which stays as it is", "save under another name").what());
         return false;
     }
     const bool is_own = std::ranges::any_of(written, [&](const WrittenFile& own) {
@@ -112,8 +113,9 @@ bool Workspace::save(const std::string& file) {
 
 bool Workspace::write(const std::string& file) {
     const bool is_free = scene::is_look_at(camera->argument());
+    std::vector<std::string> remarks;
     try {
-        scene->lights().save(scene->loaded(), is_free ? &camera->camera() : nullptr, file);
+        remarks = scene->lights().save(scene->loaded(), is_free ? &camera->camera() : nullptr, file);
     } catch (const Error& error) {
         messages.fail("Cannot save the scene.", error.what());
         return false;
@@ -124,13 +126,13 @@ bool Workspace::write(const std::string& file) {
     written.push_back({file, std::filesystem::last_write_time(file, ignored)});
     answered |= Change::lights; // the journal is out of date
     const std::string& open_file = scene->loaded().file;
-    const bool is_same = std::filesystem::last_write_time(open_file, ignored) == shown_time;
-    messages.notify(
-        fmt::format("Saved {}.{}", file,
-                    is_same ? ""
-                            : fmt::format(" {} has changed since it was opened, and the edits are set "
-                                          "into what it has now: check them.",
-                                          file_name(open_file))));
+    if (!scene->loaded().source.is_unchanged())
+        remarks.insert(
+            remarks.begin(),
+            fmt::format("{} has changed or gone since it was opened: the copy has it as it was, with "
+                        "the edits.",
+                        file_name(open_file)));
+    messages.notify(fmt::format("Saved {}.{}{}", file, remarks.empty() ? "" : " ", fmt::join(remarks, " ")));
     return true;
 }
 
@@ -145,14 +147,26 @@ void Workspace::open(const std::string& file) {
         options.plays = keeps_edits = false;
     }
     options.scene = file;
-    loading = std::async(std::launch::async, load_scene, file, options, aspect_ratio());
+    loading = std::async(std::launch::async, [file, options = options, aspect = aspect_ratio()] {
+        return load_scene(file, options, aspect);
+    });
 }
 
-void Workspace::reload(bool with_edits) {
-    keeps_edits = with_edits;
+void Workspace::reload() {
+    keeps_edits = false;
     if (!scene::is_look_at(camera->argument()))
         options.camera = camera->argument(); // the file may have changed it
     open(scene->loaded().file);
+}
+
+void Workspace::show_variant(const std::string& name) {
+    options.variant = name;
+    options.is_reloading = keeps_edits = true;
+    if (!scene::is_look_at(camera->argument())) options.camera = camera->argument();
+    loading = std::async(std::launch::async,
+                         [source = scene->loaded().source, options = options, aspect = aspect_ratio()] {
+                             return load_scene(source, options, aspect);
+                         });
 }
 
 Changes Workspace::take_loaded() {
@@ -207,8 +221,7 @@ void Workspace::show(LoadedScene loaded) {
         write_remark(remark);
     }
     has_new_files = true;
-    std::error_code ignored;
-    shown_time = std::filesystem::last_write_time(scene->loaded().file, ignored);
+    is_outdated = !has_edits && !scene->loaded().source.is_unchanged();
     remember_file(scene->loaded().file);
 }
 

@@ -59,7 +59,7 @@ struct Workspace {
     gl::Window& window;
     WindowInput& input;
     const Ui& ui;
-    const Keymap keys;
+    Keymap keys;
     Messages messages;
     Statistics statistics{};
 
@@ -88,14 +88,14 @@ struct Workspace {
     std::optional<std::future<LoadedScene>> loading{};
     bool keeps_edits = false;   // of lights, once `loading` is done
     bool has_new_files = false; // a file has loaded, and is not watched yet
+    bool is_outdated = false;   // the file changed while it loaded
 
     std::optional<Question> question{}; // takes all keys until it is answered
     Changes answered{};                 // by the answer to a question
     bool is_closing = false;
     std::string
         seen_file{}; // the next frame is written there, as it is seen without panels; empty: it is not
-    std::filesystem::file_time_type shown_time{}; // of the last change of the open file when it was shown
-    std::vector<WrittenFile> written{};           // scene files that this run has saved, the last one last
+    std::vector<WrittenFile> written{}; // scene files that this run has saved, the last one last
 
     /// Size of the window, in the unit of the pointer.
     vec2 window_size() const { return input.window_size(); }
@@ -141,8 +141,11 @@ struct Workspace {
 
     /// Begins to load a file. Another file drops the options that belong to the current one.
     void open(const std::string& file);
-    /// Begins to load the current file again.
-    void reload(bool with_edits);
+    /// Begins to load the current file again, without edits.
+    void reload();
+    /// Begins to show another material variant of the file as it was read, with all edits. No file is
+    /// loading.
+    void show_variant(const std::string& name);
     /// Shows a file that has loaded. @return what changed
     /// @throws Error if it is the file of the command line and cannot be shown
     Changes take_loaded();

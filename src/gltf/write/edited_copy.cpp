@@ -1,7 +1,6 @@
 #include "gltf/write/edited_copy.hpp"
 
 #include "core/error.hpp"
-#include "core/file.hpp"
 #include "gltf/container.hpp"
 #include "gltf/write/embedded_files.hpp"
 #include "gltf/write/light_json.hpp"
@@ -260,20 +259,40 @@ bool is_to_be_glb(const fs::path& file, bool file_is_glb, const fs::path& target
                 "name it *.gltf or *.glb");
 }
 
+/// Says which of the files that the original refers to, besides buffers, are not those that were read.
+std::vector<std::string> changed_files(const SourceFile& source, const fs::path& target) {
+    std::vector<std::string> sentences;
+    for (const auto& [path, named] : source.named) {
+        const std::optional<FileStamp> now = stamp_of(path);
+        if (named.bytes || !named.stamp || now == named.stamp) continue;
+        const std::string name = path.lexically_relative(source.path.parent_path()).string();
+        sentences.push_back(now ? fmt::format("{} has changed since it was read.", name)
+                                : fmt::format("{} is gone: put it beside {}.", name, target.string()));
+    }
+    return sentences;
+}
+
 } // namespace
 
 bool is_addable(const scene::Light& light) { return !scene::needs_its_scene(light); }
 
-void write_edited_copy(const fs::path& file, const Edits& edits, const fs::path& target) {
-    const std::vector<std::uint8_t> bytes = read_file(file, file.string());
-    const Container container = split_container(bytes, file.string());
+std::vector<std::string> write_edited_copy(const SourceFile& source, const Edits& edits,
+                                           const fs::path& target) {
+    require(source.bytes != nullptr, "the file has been read");
+    const fs::path& file = source.path;
+    const Container container = split_container(*source.bytes, file.string());
     const bool is_glb = is_to_be_glb(file, container.is_glb(), target);
     ordered_json json = EditedJson(parse_ordered(container, file.string()), edits).json();
-    if (!is_beside(file, target)) embed_files(json, file);
-    if (is_glb) return image::write_whole(target, build_glb(json.dump(), container.chunks));
-    if (container.bin) embed_buffer(json, *container.bin);
-    const std::string text = json.dump(2) + "\n";
-    image::write_whole(target, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+    embed_lost_buffers(json, source);
+    if (!is_beside(file, target)) embed_files(json, source);
+    if (is_glb) {
+        image::write_whole(target, build_glb(json.dump(), container.chunks));
+    } else {
+        if (container.bin) embed_buffer(json, *container.bin);
+        const std::string text = json.dump(2) + "\n";
+        image::write_whole(target, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+    }
+    return changed_files(source, target);
 }
 
 } // namespace sr::gltf

@@ -1,6 +1,7 @@
 #pragma once
 // Writer of a glTF file with other lights, another emission and another first camera.
 #include "gltf/editable_factors.hpp"
+#include "gltf/source_file.hpp"
 #include "scene/camera.hpp"
 #include "scene/lights/light.hpp"
 
@@ -59,11 +60,13 @@ struct Edits {
     glm::dvec3 origin{0.0};         // of the scene in the file's world (Scene::origin)
 };
 
-/// Writes a copy of `file` with `edits` to `target`, a .gltf or a .glb. What is not edited keeps its JSON. A
-/// copy in another folder has within it the files that the original refers to.
+/// Writes a copy of `source`, as it was read, with `edits` to `target`, a .gltf or a .glb. What is not edited
+/// keeps its JSON. A copy in another folder has within it the files that the original refers to, and any copy
+/// has those of its buffers that have changed or gone since they were read.
+/// @return one sentence for each other file that has changed or gone since, such as a texture
 /// @throws Error if `target` has another extension or cannot be written, if a light cannot be stated
 /// (light_json.hpp), or a file cannot be embedded (embedded_files.hpp)
-void write_edited_copy(const std::filesystem::path& file, const Edits& edits,
-                       const std::filesystem::path& target);
+std::vector<std::string> write_edited_copy(const SourceFile& source, const Edits& edits,
+                                           const std::filesystem::path& target);
 
 } // namespace sr::gltf

@@ -29,6 +29,16 @@ std::string_view media_type_of(const fs::path& file) {
     return "application/octet-stream";
 }
 
+/// The bytes of the buffer behind a URI as they were read, if its file has changed since or is gone; or null.
+SharedBytes lost_bytes(const std::string& uri, const SourceFile& source) {
+    for (const fs::path& file : candidate_files(uri, source.path.parent_path())) {
+        const auto named = source.named.find(file);
+        if (named != source.named.end() && named->second.bytes)
+            return stamp_of(file) == named->second.stamp ? nullptr : named->second.bytes;
+    }
+    return nullptr;
+}
+
 class Embedding {
 public:
     explicit Embedding(const fs::path& file) : file_(file) {}
@@ -77,7 +87,17 @@ private:
 
 } // namespace
 
-void embed_files(ordered_json& gltf, const fs::path& file) { Embedding(file).embed(gltf, ""); }
+void embed_files(ordered_json& gltf, const SourceFile& source) { Embedding(source.path).embed(gltf, ""); }
+
+void embed_lost_buffers(ordered_json& gltf, const SourceFile& source) {
+    if (!gltf.contains("buffers")) return;
+    for (ordered_json& buffer : gltf["buffers"]) {
+        const auto uri = buffer.find("uri");
+        if (uri == buffer.end()) continue;
+        if (const SharedBytes bytes = lost_bytes(uri->get_ref<const std::string&>(), source))
+            *uri = data_uri("application/octet-stream", *bytes);
+    }
+}
 
 void embed_buffer(ordered_json& gltf, Bytes buffer) {
     const auto buffers = gltf.find("buffers");

@@ -29,7 +29,10 @@ Changes Panels::update() {
         first_page_.rest();
         return {};
     }
-    return ws_.has_first_page && first_page_.update() ? Changes(Change::redraw) : Changes();
+    if (!ws_.has_first_page || !first_page_.update()) return {};
+    if (const std::string problem = first_page_.take_problem(); !problem.empty())
+        ws_.messages.notify(problem);
+    return Change::redraw;
 }
 
 bool Panels::execute(Command command) {
@@ -138,6 +141,7 @@ void Panels::draw_menu() {
 void Panels::draw_views_menu() {
     if (!ImGui::BeginMenu("Views")) return;
     if (ImGui::MenuItem("radiance", nullptr, !ws_.display.view)) ws_.input.put(ViewEvent{});
+    tooltip("the picture itself");
     for (const output::Variable& variable : output::all_variables()) {
         if (!output::view_named(variable.name)) continue;
         if (ImGui::MenuItem(variable.name, nullptr, ws_.display.view == &variable))
@@ -155,6 +159,7 @@ void Panels::draw_lights_menu() {
     const auto alone = ws_.scene->alone();
     if (!ImGui::BeginMenu("light alone", !entries.empty())) return;
     if (ImGui::MenuItem("all lights", nullptr, !alone)) ws_.input.put(LightViewEvent{});
+    tooltip("the picture by all lights again");
     for (std::size_t i = 0; i < entries.size(); ++i)
         if (ImGui::MenuItem(fmt::format("{}##{}", entries[i].name, i).c_str(), nullptr, alone == i))
             ws_.input.put(LightViewEvent{i});

@@ -14,6 +14,7 @@
 #include <sys/stat.h>
 #include <type_traits>
 #include <unistd.h>
+#include <utility>
 #include <variant>
 
 namespace sr::viewer {
@@ -100,7 +101,10 @@ json json_of(const LightEdit& edit) {
     json entry{{"kind", static_cast<int>(edit.kind)},
                {"source", edit.source},
                {"is_enabled", edit.is_enabled},
-               {"is_removed", edit.is_removed}};
+               {"is_removed", edit.is_removed},
+               {"in_file", edit.name},
+               {"node", edit.node},
+               {"shape", scene::light_kind_names()[edit.light.index()]}};
     if (edit.overrides_quantity)
         entry["quantity"] = json_of(edit.kind == Kind::material ? edit.emission : quantity_of(edit.light));
     if (edit.overrides_size || edit.is_added())
@@ -156,16 +160,43 @@ void recover(LightEdit& edit, const json& entry) {
         scene::set_quantity(edit.light, quantity);
 }
 
-/// Brings the entries of a journal into the edits. @return how many of them the file has a light for
-std::size_t recover(std::vector<LightEdit>& edits, const json& entries) {
-    std::size_t count = 0;
+bool have_same_name(const LightEdit& a, const LightEdit& b) {
+    return a.kind == b.kind && a.is_added() == b.is_added() && a.name == b.name;
+}
+
+/// True if an edit is of the light or the material of an entry, in a file whose JSON has not changed since.
+/// Numbers of lights depend on the time at which they were seen first; their nodes do not.
+bool is_of(const LightEdit& edit, const json& entry) {
+    if (static_cast<int>(edit.kind) != entry.at("kind").get<int>()) return false;
+    if (edit.node != entry.at("node").get<int>()) return false;
+    return edit.node < 0 ? edit.source == entry.at("source").get<int>()
+                         : edit.name == entry.at("in_file").get<std::string>();
+}
+
+/// The same in a file that has changed: numbers may be those of others.
+bool is_named_by(const LightEdit& edit, const json& entry) {
+    const bool is_numbered = edit.kind == Kind::softbox || edit.source < 0; // by us, not by the file
+    if (is_numbered) return is_of(edit, entry);
+    return static_cast<int>(edit.kind) == entry.at("kind").get<int>() && !edit.name.empty()
+           && edit.name == entry.at("in_file").get<std::string>() && entry.at("is_only_name").get<bool>()
+           && entry.at("shape") == scene::light_kind_names()[edit.light.index()];
+}
+
+/// Brings the entries of a journal into the edits of `lost`.
+void recover(LostEdits& lost, const json& entries) {
+    std::vector<LightEdit>& edits = lost.edits;
     for (const json& entry : entries) {
-        const auto kind = static_cast<Kind>(entry.at("kind").get<int>());
+        const auto matches = [&](const LightEdit& edit) {
+            return lost.has_file_changed ? is_named_by(edit, entry) : is_of(edit, entry);
+        };
+        auto known = std::ranges::find_if(edits, matches);
         const int source = entry.at("source").get<int>();
-        auto known = std::ranges::find_if(
-            edits, [&](const LightEdit& e) { return e.kind == kind && e.source == source; });
         const bool is_added = source < 0 && entry.contains("added");
-        if (known == edits.end() && !is_added) continue;
+        const bool is_ambiguous = std::ranges::count_if(edits, matches) > 1;
+        if (is_ambiguous || (known == edits.end() && !is_added)) {
+            lost.missing.push_back(entry.at("in_file").get<std::string>());
+            continue;
+        }
         if (known == edits.end()) {
             LightEdit edit;
             edit.source = source;
@@ -173,16 +204,28 @@ std::size_t recover(std::vector<LightEdit>& edits, const json& entries) {
             known = edits.insert(edits.end(), std::move(edit));
         }
         recover(*known, entry);
-        ++count;
+        ++lost.count;
     }
-    return count;
 }
 
-/// Time and size of the file, by which a change is noticed.
-std::string stamp_of(const std::string& file) {
-    std::error_code ignored;
-    const auto time = fs::last_write_time(file, ignored).time_since_epoch().count();
-    return fmt::format("{} {}", time, fs::file_size(file, ignored));
+/// Moves a damaged journal to where no run looks for it. @return its new path, or the old one if it cannot be
+/// moved
+fs::path moved_aside(const fs::path& journal) {
+    fs::path aside = journal.string() + ".damaged";
+    std::error_code failure;
+    for (int number = 2; fs::exists(aside, failure); ++number)
+        aside = fmt::format("{}.damaged{}", journal.string(), number);
+    fs::rename(journal, aside, failure);
+    return failure ? journal : aside;
+}
+
+/// Reads a journal. @throws Error if it cannot be read; json::exception if it is damaged
+LostEdits read_journal(const fs::path& journal, const std::vector<LightEdit>& fresh, std::size_t json_hash) {
+    const json root = json::parse(read_text(journal));
+    LostEdits lost{journal, fresh};
+    lost.has_file_changed = root.at("json_hash").get<std::size_t>() != json_hash;
+    recover(lost, root.at("edits"));
+    return lost;
 }
 
 fs::path lock_of(fs::path journal) { return journal.replace_extension(".lock"); }
@@ -239,39 +282,51 @@ Journal::~Journal() {
     if (lock_ >= 0) unlock(file_, lock_);
 }
 
-std::optional<LostEdits> Journal::find(const std::vector<LightEdit>& fresh) const {
-    if (file_.empty()) return std::nullopt;
-    std::optional<fs::path> newest;
+FoundJournals Journal::find(const std::vector<LightEdit>& fresh, std::size_t json_hash) const {
+    FoundJournals found;
+    if (file_.empty()) return found;
+    std::vector<std::pair<fs::file_time_type, fs::path>> journals;
     std::error_code failure, ignored;
     for (fs::directory_iterator entry(file_.parent_path(), failure);
          !failure && entry != fs::directory_iterator(); entry.increment(failure)) {
         const std::string name = entry->path().filename().string();
         const bool is_journal = name.starts_with(prefix_) && entry->path().extension() == ".json";
-        if (!is_journal || entry->path() == file_ || !is_lost(entry->path())) continue;
-        if (!newest || fs::last_write_time(*newest, ignored) < fs::last_write_time(entry->path(), ignored))
-            newest = entry->path();
+        if (is_journal && entry->path() != file_ && is_lost(entry->path()))
+            journals.emplace_back(entry->last_write_time(ignored), entry->path());
     }
-    if (!newest) return std::nullopt;
-    try {
-        const json journal = json::parse(read_text(*newest));
-        LostEdits lost{*newest, fresh};
-        lost.count = recover(lost.edits, journal.at("edits"));
-        lost.has_file_changed = journal.at("stamp") != stamp_of(scene_file_);
-        if (lost.count > 0) return lost;
-    } catch (const Error&) {
-    } catch (const json::exception&) {
+    std::ranges::sort(journals, std::greater());
+    for (const auto& [time, journal] : journals) {
+        if (found.newest) break;
+        try {
+            LostEdits lost = read_journal(journal, fresh, json_hash);
+            if (lost.count > 0 || !lost.missing.empty()) found.newest = std::move(lost);
+        } catch (const Error& error) {
+            found.problems.emplace_back(error.what());
+        } catch (const json::exception&) {
+            found.problems.emplace_back(Error({moved_aside(journal).string()},
+                                              "is a damaged journal of unsaved edits",
+                                              "look into it, an entry is an edit, or remove it")
+                                            .what());
+        }
     }
-    return std::nullopt;
+    return found;
 }
 
-bool Journal::write(const LightEditor& editor) const {
+bool Journal::write(const LightEditor& editor, std::size_t json_hash) const {
     if (!editor.is_unsaved()) {
         remove();
         return true;
     }
-    json journal{{"stamp", stamp_of(scene_file_)}, {"edits", json::array()}};
-    for (const LightEdit& edit : editor.edits())
-        if (edit.is_news()) journal["edits"].push_back(json_of(edit));
+    json journal{{"json_hash", json_hash}, {"edits", json::array()}};
+    for (const LightEdit& edit : editor.edits()) {
+        if (!edit.is_news()) continue;
+        json entry = json_of(edit);
+        entry["is_only_name"] =
+            std::ranges::count_if(editor.edits(),
+                                  [&](const LightEdit& other) { return have_same_name(other, edit); })
+            == 1;
+        journal["edits"].push_back(std::move(entry));
+    }
     // A name of a light that is no UTF-8 loses those letters, not the edits.
     return write_lines(file_, {journal.dump(-1, ' ', false, json::error_handler_t::replace)});
 }

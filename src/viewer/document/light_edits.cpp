@@ -37,6 +37,8 @@ void rebase_lights(std::vector<LightEdit>& edits, const FileLights& now) {
             LightEdit edit;
             edit.source = light.number;
             edit.light = light.light;
+            edit.name = name_of(light.light);
+            edit.node = now.node_of(light.number);
             known = edits.insert(edits.begin() + at, std::move(edit));
         } else {
             known->light = edited(light.light, *known);
@@ -318,6 +320,14 @@ void LightEditor::set_factors(std::size_t material, const MaterialFactors& facto
     edits_[edit_of_material(material)].factors = factors;
 }
 
+void LightEditor::set_emission(std::size_t material, vec3 emission) {
+    remember("emission of " + stated(material).name);
+    LightEdit& edit = edits_[edit_of_material(material)];
+    edit.is_enabled = true;
+    edit.overrides_quantity = emission != vec3(0.0f);
+    edit.emission = edit.overrides_quantity ? emission : file_.materials[material].emission;
+}
+
 bool LightEditor::rename(std::size_t entry, const std::string& name) {
     if (!can_move(entry)) return false;
     remember(of("name of", entry));
@@ -432,8 +442,8 @@ void LightEditor::apply(LoadedScene& loaded) {
         scene::add_light_surfaces(scene);
 }
 
-void LightEditor::save(const LoadedScene& loaded, const scene::Camera* view,
-                       const std::string& target) const {
+std::vector<std::string> LightEditor::save(const LoadedScene& loaded, const scene::Camera* view,
+                                           const std::string& target) const {
     const scene::Scene& scene = loaded.stage.scene;
     gltf::Edits written;
     written.scene_index = loaded.scene_index;
@@ -465,7 +475,7 @@ void LightEditor::save(const LoadedScene& loaded, const scene::Camera* view,
             written.lights.push_back(*std::move(edited));
         }
     }
-    gltf::write_edited_copy(loaded.file, written, target);
+    return gltf::write_edited_copy(loaded.source, written, target);
 }
 
 } // namespace sr::viewer

@@ -33,7 +33,8 @@ struct LightEdit {
     vec3 emission{0.0f};             // current value, of materials
     MaterialFactors factors{};       // of materials
     std::size_t material = 0;        // index in the scene, of materials
-    std::string name{};              // of materials
+    std::string name{};              // in the file, before any edit
+    int node = -1;                   // of a light of the file
     bool is_enabled = true;          // a disabled light emits nothing and stays where it is
     bool is_present = true;          // the file shows it at this time, in this variant
     bool is_removed = false;         // by a person
@@ -120,6 +121,9 @@ public:
     /// Sets factors of a material of the scene. Those that are absent are the file's again.
     void set_factors(std::size_t material, const MaterialFactors& factors);
     const MaterialFactors& factors_of(std::size_t material) const;
+    /// Sets what a material of the scene emits, times its texture [the unit of radiance]. It is a light from
+    /// then on; black is as the file has it.
+    void set_emission(std::size_t material, vec3 emission);
     /// The material as the file states it.
     const scene::Material& stated(std::size_t material) const { return file_.materials[material].stated; }
     std::size_t material_count() const { return file_.materials.size(); }
@@ -159,10 +163,12 @@ public:
     /// them to its RenderScene.
     void rebase(const LoadedScene& loaded);
 
-    /// Writes a copy of the file with the edits and, if `view` is given, a new first camera. What is edited
-    /// is stated in extras.steradian.
-    /// @throws Error as gltf::write_edited_copy(), and for an edited light that shares its node with another
-    void save(const LoadedScene& loaded, const scene::Camera* view, const std::string& target) const;
+    /// Writes a copy of the file as it was read with the edits and, if `view` is given, a new first camera.
+    /// What is edited is stated in extras.steradian.
+    /// @return as gltf::write_edited_copy(). @throws Error as gltf::write_edited_copy(), and for an edited
+    /// light that shares its node with another
+    std::vector<std::string> save(const LoadedScene& loaded, const scene::Camera* view,
+                                  const std::string& target) const;
 
 private:
     using Edits = std::vector<LightEdit>;

@@ -18,14 +18,14 @@ void record_contents(LoadedScene& loaded, const scene::Scene& scene, const gltf:
 }
 
 /// Opens the file with the requested variant, or with none if the file has lost it.
-gltf::Asset open_asset(const std::string& file, const Options& options, LoadedScene& loaded) {
+gltf::Asset open_asset(const gltf::SourceFile& source, const Options& options, LoadedScene& loaded) {
     loaded.variant = options.variant;
     if (!options.is_reloading || options.variant.empty())
-        return gltf::Asset(file, {options.scene_index, options.variant, options.is_strict});
+        return gltf::Asset(source, {options.scene_index, options.variant, options.is_strict});
     try {
-        return gltf::Asset(file, {options.scene_index, options.variant, options.is_strict});
+        return gltf::Asset(source, {options.scene_index, options.variant, options.is_strict});
     } catch (const Error& error) {
-        gltf::Asset plain(file, {options.scene_index, {}, options.is_strict});
+        gltf::Asset plain(source, {options.scene_index, {}, options.is_strict});
         loaded.variant.clear();
         loaded.remarks.emplace_back(error.what());
         return plain;
@@ -64,13 +64,18 @@ scene::Bounds bounds_of(const scene::Scene& scene, ObjectId object) {
 }
 
 LoadedScene load_scene(const std::string& file, const Options& options, float aspect_ratio) {
+    return load_scene(gltf::read_source(file), options, aspect_ratio);
+}
+
+LoadedScene load_scene(const gltf::SourceFile& source, const Options& options, float aspect_ratio) {
     const auto begin = std::chrono::steady_clock::now();
     LoadedScene result;
-    gltf::Asset asset = open_asset(file, options, result);
+    gltf::Asset asset = open_asset(source, options, result);
     choose_moment(result, asset, options);
     scene::Scene scene = asset.rest_pose();
     if (!result.moment.animations.empty()) asset.evaluate_into(scene, result.moment);
-    result.file = file;
+    result.file = source.path.string();
+    result.source = asset.source();
     record_contents(result, scene, asset);
     const std::vector<std::string> warnings = asset.warnings();
     result.remarks.insert(result.remarks.end(), warnings.begin(), warnings.end());
@@ -79,7 +84,7 @@ LoadedScene load_scene(const std::string& file, const Options& options, float as
     if (!result.animations.empty()) result.asset = std::move(asset);
     scene::PrepareOptions stage{options.camera, options.rig, aspect_ratio, options.hide_emitters};
     stage.environment = options.environment_light;
-    result.stage = scene::prepare_scene(std::move(scene), file, stage);
+    result.stage = scene::prepare_scene(std::move(scene), result.file, stage);
     result.remarks.insert(result.remarks.end(), result.stage.remarks.begin(), result.stage.remarks.end());
     result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return result;

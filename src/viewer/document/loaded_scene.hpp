@@ -30,6 +30,7 @@ struct ObjectId {
 
 struct LoadedScene {
     std::string file;
+    gltf::SourceFile source; // the bytes that it was made of
     scene::RenderScene stage;
     scene::Bounds bounds;           // of the file's contents
     std::optional<int> scene_index; // that was requested
@@ -52,6 +53,9 @@ scene::Bounds bounds_of(const scene::Scene& scene, ObjectId object);
 /// Loads a file. @throws Error; but while reloading, an animation, a time or a variant that the file has lost
 /// is a remark
 LoadedScene load_scene(const std::string& file, const Options& options, float aspect_ratio);
+
+/// Loads a file again from the bytes that were read, with other options. @throws Error likewise
+LoadedScene load_scene(const gltf::SourceFile& source, const Options& options, float aspect_ratio);
 
 /// Poses the file's contents at another time, without surfaces of lights and softboxes. Needs an asset.
 /// @throws Error if a value makes no sense then; the scene must be posed again

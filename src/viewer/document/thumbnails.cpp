@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <fstream>
 #include <spawn.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -60,18 +61,50 @@ fs::path unfinished(const fs::path& picture) {
     return fs::path(picture).replace_extension(fmt::format("{}.part.png", ::getpid()));
 }
 
+/// The messages of the process that writes a picture.
+fs::path log_of(const fs::path& picture) {
+    return fs::path(picture).replace_extension(fmt::format("{}.part.log", ::getpid()));
+}
+
+/// Says why pictures cannot be written into a folder, which is made; empty if they can.
+std::string problem_of(const fs::path& folder) {
+    if (folder.empty())
+        return "The cache folder ($XDG_CACHE_HOME or ~/.cache) cannot be made, so the first page has no new "
+               "pictures.";
+    std::error_code failure;
+    fs::create_directories(folder, failure);
+    const fs::path trial = folder / fmt::format("{}.part.log", ::getpid());
+    const bool is_written = !failure && std::ofstream(trial).put('\n').flush().good();
+    fs::remove(trial, failure);
+    return is_written
+               ? ""
+               : fmt::format("{} cannot be written, so the first page has no new pictures.", folder.string());
+}
+
+/// The last line of a log, which is the error of a process that has failed, without the name of its file.
+std::string reason_in(const fs::path& log, const std::string& file) {
+    std::ifstream in(log);
+    std::string last;
+    for (std::string line; std::getline(in, line);)
+        if (!line.empty()) last = line;
+    const std::string name = file + ":";
+    if (last.starts_with(name)) last.erase(0, last.find_first_not_of(' ', name.size()));
+    return last.empty() ? "It cannot be rendered." : last;
+}
+
 } // namespace
 
 Thumbnails::Thumbnails(const std::vector<std::string>& files, fs::path folder) : folder_(std::move(folder)) {
     std::error_code failure;
-    if (folder_.empty() || (fs::create_directories(folder_, failure), failure)) return;
-    drop_old_ones(folder_);
+    problem_ = problem_of(folder_);
+    if (!folder_.empty()) drop_old_ones(folder_);
     for (const std::string& file : files) {
         const fs::path picture = picture_in(folder_, file);
-        if (picture.empty()) continue;
-        if (fs::exists(picture, failure))
+        if (picture.empty())
+            faults_[file] = "The file is not there.";
+        else if (fs::exists(picture, failure))
             pictures_[file] = picture;
-        else
+        else if (problem_.empty())
             wanted_.push_back(file);
     }
     std::ranges::reverse(wanted_);
@@ -85,7 +118,9 @@ void Thumbnails::stop() {
     ::waitpid(process_, nullptr, 0);
     process_ = 0;
     std::error_code ignored;
-    fs::remove(unfinished(picture_in(folder_, file_)), ignored);
+    const fs::path picture = picture_in(folder_, file_);
+    fs::remove(unfinished(picture), ignored);
+    fs::remove(log_of(picture), ignored);
 }
 
 /// Renders in a process of its own: a file that crashes or hangs a driver costs its picture alone.
@@ -93,7 +128,10 @@ void Thumbnails::start() {
     file_ = std::move(wanted_.back());
     wanted_.pop_back();
     const fs::path picture = picture_in(folder_, file_);
-    if (picture.empty()) return; // the file is gone
+    if (picture.empty()) {
+        faults_[file_] = "The file is not there any more.";
+        return;
+    }
     const std::string target = unfinished(picture).string(), size = fmt::format("{}x{}", width, height);
     std::vector<std::string> words{"steradian", "render", "--output", target, "--size", size,
                                    "--samples", "4",      "--time",   "10s",  "--",     file_};
@@ -102,8 +140,11 @@ void Thumbnails::start() {
     arguments.push_back(nullptr);
     posix_spawn_file_actions_t files;
     posix_spawn_file_actions_init(&files);
-    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    for (const int stream : {STDIN_FILENO, STDOUT_FILENO})
         posix_spawn_file_actions_addopen(&files, stream, "/dev/null", O_RDWR, 0);
+    constexpr mode_t for_its_owner = 0600;
+    posix_spawn_file_actions_addopen(&files, STDERR_FILENO, log_of(picture).c_str(),
+                                     O_WRONLY | O_CREAT | O_TRUNC, for_its_owner);
     posix_spawnattr_t attributes;
     posix_spawnattr_init(&attributes);
     posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP); // Ctrl-C is for us
@@ -125,20 +166,41 @@ bool Thumbnails::update() {
     }
     int status = 0;
     if (::waitpid(process_, &status, WNOHANG) == 0) {
-        if (Clock::now() - begun_ > patience) stop();
-        return false;
+        if (Clock::now() - begun_ <= patience) return false;
+        stop();
+        faults_[file_] = fmt::format("Its picture takes longer than {} s.", patience.count());
+        return true;
     }
     process_ = 0;
-    const fs::path picture = picture_in(folder_, file_), part = unfinished(picture);
-    std::error_code failure;
-    if (WIFEXITED(status) && WEXITSTATUS(status) == 0 && !picture.empty())
-        fs::rename(part, picture, failure);
-    else
-        fs::remove(part, failure);
-    const bool is_made = !failure && fs::exists(picture, failure);
-    if (is_made) pictures_[file_] = picture;
+    end(status);
     if (!wanted_.empty()) start();
-    return is_made;
+    return true;
+}
+
+/// Takes the picture of a process that has ended, or the reason why there is none.
+void Thumbnails::end(int status) {
+    const fs::path picture = picture_in(folder_, file_), part = unfinished(picture), log = log_of(picture);
+    std::error_code failure;
+    if (picture.empty()) {
+        faults_[file_] = "The file is not there any more.";
+    } else if (WIFSIGNALED(status)) {
+        faults_[file_] = fmt::format("Rendering it ended with signal {}.", WTERMSIG(status));
+    } else if (WEXITSTATUS(status) != 0) {
+        faults_[file_] = reason_in(log, file_);
+    } else {
+        fs::rename(part, picture, failure);
+        if (failure)
+            faults_[file_] = "Its picture cannot be written: " + failure.message() + ".";
+        else
+            pictures_[file_] = picture;
+    }
+    fs::remove(part, failure);
+    fs::remove(log, failure);
+}
+
+std::string Thumbnails::fault_of(const std::string& file) const {
+    const auto found = faults_.find(file);
+    return found == faults_.end() ? std::string() : found->second;
 }
 
 fs::path Thumbnails::picture_of(const std::string& file) const {

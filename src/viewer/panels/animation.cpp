@@ -34,7 +34,10 @@ void clip_combo(AnimationRequest& request, const Playback& playback, Animations 
         const std::string label = fmt::format("{} {} ({:.2f} s)##{}", i, all[i].name, all[i].duration, i);
         if (ImGui::Selectable(label.c_str(), argument == now)) request.animation = argument;
     }
-    if (all.size() > 1 && ImGui::Selectable("all at once", now == "all")) request.animation = "all";
+    if (all.size() > 1) {
+        if (ImGui::Selectable("all at once", now == "all")) request.animation = "all";
+        tooltip("the later one wins where two move the same property");
+    }
     ImGui::EndCombo();
 }
 

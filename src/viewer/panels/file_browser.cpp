@@ -37,7 +37,7 @@ fs::path expanded(const std::string& path) {
 void FileBrowser::show(std::vector<std::string_view> extensions, const std::string& typed) {
     extensions_ = std::move(extensions);
     type(typed);
-    list();
+    list(typed_.data());
     focus_.begin();
 }
 
@@ -46,9 +46,9 @@ void FileBrowser::type(const std::string& path) {
     std::strncpy(typed_.data(), path.c_str(), typed_.size() - 1);
 }
 
-/// Lists what goes on from the typed text, folders first.
-void FileBrowser::list() {
-    listed_ = typed_.data();
+/// Lists what goes on from a typed text, folders first.
+void FileBrowser::list(const char* typed) {
+    listed_ = typed;
     const auto slash = listed_.rfind('/');
     folder_ = slash == std::string::npos ? "" : listed_.substr(0, slash + 1);
     const std::string begun = slash == std::string::npos ? listed_ : listed_.substr(slash + 1);
@@ -85,10 +85,11 @@ int FileBrowser::call_back(ImGuiInputTextCallbackData* data) {
     return 0;
 }
 
-/// Appends the letters that all entries have in common.
-void FileBrowser::complete(ImGuiInputTextCallbackData& data) const {
+/// Appends the letters that all entries have in common. The last letters may have come in this frame.
+void FileBrowser::complete(ImGuiInputTextCallbackData& data) {
+    if (listed_ != data.Buf) list(data.Buf);
     const auto first = std::ranges::find_if(entries_, [](const Entry& e) { return e.name != "../"; });
-    if (listed_ != data.Buf || first == entries_.end()) return;
+    if (first == entries_.end()) return;
     std::string common = first->name;
     for (auto entry = first + 1; entry != entries_.end(); ++entry) {
         const auto [end, other] = std::ranges::mismatch(common, entry->name);
@@ -105,7 +106,7 @@ std::optional<std::string> FileBrowser::chosen_or_entered(const std::string& pat
     std::error_code ignored;
     if (!fs::is_directory(expanded(path), ignored)) return expanded(path).string();
     type(path.ends_with('/') ? path : path + "/");
-    list();
+    list(typed_.data());
     ends_left_ = 4;
     focus_.begin();
     return std::nullopt;
@@ -123,7 +124,7 @@ std::optional<std::string> FileBrowser::draw(const char* hint, float width, floa
     focus_.update(ImGui::IsItemActive());
     tooltip("Tab completes a name, Enter opens a folder or takes a file; ~/ is the home folder");
     if (is_entered && typed_[0] != '\0') chosen = chosen_or_entered(typed_.data());
-    if (listed_ != typed_.data()) list();
+    if (listed_ != typed_.data()) list(typed_.data());
     if (const auto listed = draw_list(width, list_height)) {
         type(*listed);
         chosen = chosen_or_entered(*listed);

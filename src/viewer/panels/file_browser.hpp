@@ -34,8 +34,8 @@ private:
     };
 
     static int call_back(ImGuiInputTextCallbackData* data);
-    void complete(ImGuiInputTextCallbackData& data) const;
-    void list();
+    void complete(ImGuiInputTextCallbackData& data);
+    void list(const char* typed);
     std::optional<std::string> draw_list(float width, float height);
     /// The path itself, unless it is a folder; then that is listed.
     std::optional<std::string> chosen_or_entered(const std::string& path);

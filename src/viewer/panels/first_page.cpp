@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
+#include <fmt/format.h>
 #include <imgui.h>
 #include <utility>
 
@@ -57,6 +58,11 @@ bool FirstPage::update() {
     return thumbnails_->update();
 }
 
+std::string FirstPage::take_problem() {
+    if (!thumbnails_ || std::exchange(is_problem_taken_, true)) return {};
+    return thumbnails_->problem();
+}
+
 /// The picture of a file; null if there is none, or none yet.
 const gl::Texture* FirstPage::picture_of(const std::string& file) {
     const auto known = pictures_.find(file);
@@ -76,10 +82,13 @@ bool FirstPage::draw_row(const std::string& file, const std::string& name, const
     const float letter = ImGui::GetFontSize(), gap = 0.6f * letter;
     const ImVec2 side{4.4f * letter * Thumbnails::width / Thumbnails::height, 4.4f * letter};
     const float wrap = std::max(ImGui::GetContentRegionAvail().x - side.x - gap, 6.0f * letter);
-    const float text = letter + ImGui::CalcTextSize(what.c_str(), nullptr, false, wrap).y;
+    const std::string fault = thumbnails_ ? in_plain_letters(thumbnails_->fault_of(file)) : std::string();
+    const std::string& second = fault.empty() ? what : fault;
+    const float text = letter + ImGui::CalcTextSize(second.c_str(), nullptr, false, wrap).y;
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float height = std::max(side.y, text);
     const bool is_chosen = ImGui::Selectable(("##" + file).c_str(), false, 0, {0.0f, height});
+    if (!fault.empty()) tooltip(fmt::format("{}: {}", file, fault));
     if (!ImGui::IsItemVisible()) return is_chosen;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 end{at.x + side.x, at.y + side.y};
@@ -87,10 +96,13 @@ bool FirstPage::draw_row(const std::string& file, const std::string& name, const
         list.AddImage(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(picture->id())), at, end);
     else
         list.AddRectFilled(at, end, IM_COL32(40, 40, 44, 255), 3.0f);
+    if (!fault.empty())
+        list.AddText(ImGui::GetFont(), 2.0f * letter,
+                     {at.x + 0.5f * side.x - 0.3f * letter, at.y + 0.25f * side.y}, palette::orange, "!");
     const ImU32 ink = ImGui::IsItemHovered() ? palette::white : palette::blue;
     list.AddText({end.x + gap, at.y}, ink, name.c_str());
-    list.AddText(ImGui::GetFont(), letter, {end.x + gap, at.y + 1.2f * letter}, palette::white, what.c_str(),
-                 nullptr, wrap);
+    list.AddText(ImGui::GetFont(), letter, {end.x + gap, at.y + 1.2f * letter},
+                 fault.empty() ? palette::white : palette::orange, second.c_str(), nullptr, wrap);
     return is_chosen;
 }
 

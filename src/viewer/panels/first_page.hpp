@@ -21,8 +21,10 @@ public:
     void request_focus() { browser_.request_focus(); }
     bool wants_frame() const { return browser_.wants_focus() || wants_frame_; }
 
-    /// Goes on making thumbnails. @return true if there is another one
+    /// Goes on making thumbnails. @return true if there is another one, or a file that gets none
     bool update();
+    /// Says, once, why no thumbnails are made; empty if they are.
+    std::string take_problem();
     /// Stops making them: a scene is there.
     void rest() { thumbnails_.reset(); }
 
@@ -42,6 +44,7 @@ private:
     std::map<std::string, gl::Texture> pictures_; // by file
     bool may_read_ = false; // a picture, in this frame: one a frame, so that no frame takes long
     bool wants_frame_ = false;
+    bool is_problem_taken_ = false;
 };
 
 } // namespace sr::viewer

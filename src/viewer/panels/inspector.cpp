@@ -7,6 +7,7 @@
 #include "viewer/ui.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <imgui.h>
 #include <span>
@@ -81,10 +82,12 @@ bool draw_factors(LightEditor& edits, MaterialFactors& factors, const scene::Mat
 /// Field of a factor. @return true if it changed
 bool draw_factor(const gltf::EditableFactor& factor, vec3& value, LightEditor& edits) {
     const std::string label = fmt::format("{}##{}", factor.label, factor.key);
-    const char* const format = factor.max > 100.0f ? "%.0f" : "%.3f";
-    const bool is_changed = std::holds_alternative<float scene::Material::*>(factor.member)
-                                ? number_field(label, value.x, {factor.min, factor.max, format})
-                                : color_field(label, std::span(&value.x, 3));
+    const char* const format = factor.is_logarithmic ? "%.3g" : factor.max > 100.0f ? "%.0f" : "%.3f";
+    if (std::isinf(value.x)) value.x = factor.max; // nothing is attenuated
+    const bool is_changed =
+        std::holds_alternative<float scene::Material::*>(factor.member)
+            ? number_field(label, value.x, {factor.min, factor.max, format, true, factor.is_logarithmic})
+            : color_field(label, std::span(&value.x, 3));
     if (ImGui::IsItemActivated()) edits.begin_step();
     tooltip(std::string(factor.meaning));
     return is_changed;
@@ -115,24 +118,29 @@ bool draw_other_factors(LightEditor& edits, MaterialFactors& factors, const scen
     return has_changed;
 }
 
-/// Field of what a material emits, if it does: the same edit as among the lights.
+/// Field of what a material emits: the same edit as among the lights. One that emits nothing yet becomes a
+/// light.
 Changes draw_emission(LightEditor& edits, const LoadedScene& loaded, std::size_t material) {
     const auto is_of_material = [&](const LightEntry& entry) {
         return entry.kind == LightEdit::Kind::material && edits.edits()[entry.edit].material == material;
     };
     const auto entry = std::ranges::find_if(edits.entries(), is_of_material);
-    if (entry == edits.entries().end()) return {};
-    vec3 emission = edits.edits()[entry->edit].emission;
-    const float brightest = std::max({emission.r, emission.g, emission.b, 1e-3f});
+    const bool is_light = entry != edits.entries().end();
+    vec3 emission = is_light ? edits.edits()[entry->edit].emission : vec3(0.0f);
+    constexpr float first_step = 200.0f; // of a drag that begins at 0
+    const float brightest = std::max({emission.r, emission.g, emission.b, is_light ? 1e-3f : first_step});
     const std::string unit = with_superscripts(std::string(scene::radiance_unit(loaded.stage.scene.units)));
     const bool is_changed = number_field(fmt::format("emission##{}", material), emission,
                                          {0.0f, 1e9f, "%.4g"}, 0.005f * brightest);
     if (ImGui::IsItemActivated()) edits.begin_step();
     tooltip(fmt::format("what it emits, red, green and blue [{}], times its texture; also among the lights",
                         unit));
-    if (!is_changed || emission == vec3(0.0f)) return {}; // a light is switched off among the lights
-    edits.set_quantity(static_cast<std::size_t>(entry - edits.entries().begin()), emission);
-    return Change::lights;
+    if (!is_changed) return {};
+    const bool was_dark = !edits.stated(material).is_emissive();
+    if (is_light && emission == vec3(0.0f) && !was_dark)
+        return {}; // a light is switched off among the lights
+    edits.set_emission(material, emission);
+    return is_light && emission != vec3(0.0f) ? Change::lights : Change::lights | Change::shadows;
 }
 
 } // namespace
@@ -186,7 +194,8 @@ Changes draw_material(LightEditor& edits, const LoadedScene& loaded, std::size_t
         // Alpha and glass change shadows, and the mixer's pictures have the old material.
         if (has_changed) changes = Change::lights | Change::shadows;
     }
-    changes |= draw_emission(edits, loaded, material);
+    if (material < edits.material_count() && !shown.is_unlit)
+        changes |= draw_emission(edits, loaded, material);
     if (const auto chosen = draw_texture_rows(loaded, shown)) texture = chosen;
     return changes;
 }

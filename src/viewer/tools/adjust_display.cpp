@@ -10,6 +10,8 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <imgui.h>
+#include <utility>
+#include <vector>
 
 namespace sr::viewer {
 namespace {
@@ -40,6 +42,10 @@ private:
     Changes draw_views();
     Changes fit_range();
     Changes set_view(const output::Variable* view);
+    Changes next_background();
+
+    const vec3 background_at_start_ = ws_.options.rendering.background; // [cd/m²]
+    std::size_t background_ = 0;                                        // in use, of those to choose from
 };
 
 std::optional<Changes> AdjustDisplay::handle(const Event& event) {
@@ -62,6 +68,7 @@ std::optional<Changes> AdjustDisplay::handle(const Event& event) {
     }
     case Command::fit_range: return fit_range();
     case Command::next_view: return set_view(next_view(display.view));
+    case Command::next_background: return next_background();
     default: return std::nullopt;
     }
     return Change::display;
@@ -145,9 +152,12 @@ Changes AdjustDisplay::draw_views() {
     if (!is_open) return {};
     const output::Variable* chosen = shown;
     if (ImGui::Selectable("radiance", !shown)) chosen = nullptr;
-    for (const output::Variable& variable : output::all_variables())
-        if (output::view_named(variable.name) && ImGui::Selectable(variable.name, shown == &variable))
-            chosen = &variable;
+    tooltip("the picture itself");
+    for (const output::Variable& variable : output::all_variables()) {
+        if (!output::view_named(variable.name)) continue;
+        if (ImGui::Selectable(variable.name, shown == &variable)) chosen = &variable;
+        tooltip(variable.what);
+    }
     ImGui::EndCombo();
     return chosen == shown ? Changes() : set_view(chosen);
 }
@@ -168,6 +178,34 @@ Changes AdjustDisplay::set_view(const output::Variable* view) {
     ws_.display.view = view;
     if (shader == before) return Change::display;
     ws_.display.comparison = ComparisonMode::none;
+    return Change::materials;
+}
+
+/// Shows black, grey or white, at the current exposure, or what the run began with, where there is no
+/// surface.
+Changes AdjustDisplay::next_background() {
+    struct Background {
+        const char* name;
+        vec3 L; // [cd/m²]
+    };
+    const float white = 1.0f / image::exposure_factor(ws_.exposure.ev100());
+    constexpr float grey = 0.18f; // the reflectance of a photographer's grey card
+    std::vector<Background> all{{"black", vec3(0.0f)}, {"grey", vec3(grey * white)}, {"white", vec3(white)}};
+    if (background_at_start_ != vec3(0.0f))
+        all.insert(all.begin(), {"as at the start", background_at_start_});
+    background_ = (background_ + 1) % all.size();
+    const auto& [name, L] = all[background_];
+    vec3& background = ws_.options.rendering.background;
+    const vec3 before = std::exchange(background, L);
+    try {
+        ws_.scene->restart(ws_.options, ws_.camera->camera(), ws_.width, ws_.height);
+    } catch (const Error& error) {
+        background = before;
+        ws_.messages.fail("Cannot show this background.", error.what());
+        return Change::redraw;
+    }
+    ws_.messages.notify(fmt::format("Background: {}, {:.4g} {}.", name, luminance(L),
+                                    scene::radiance_unit(ws_.scene->stage().scene.units)));
     return Change::materials;
 }
 

@@ -135,8 +135,7 @@ Changes Animate::draw_section() {
 /// Loads the file again, with the edits.
 Changes Animate::choose_variant(const std::string& name) {
     if (name == ws_.scene->loaded().variant || ws_.loading) return {};
-    ws_.options.variant = name;
-    ws_.reload(true);
+    ws_.show_variant(name);
     return Change::redraw;
 }
 

@@ -1,6 +1,5 @@
 // File tool: opens, reloads and saves scenes, writes screenshots, watches files for changes.
 #include "core/error.hpp"
-#include "gltf/uri.hpp"
 #include "output/write.hpp"
 #include "settings/provenance.hpp"
 #include "viewer/config.hpp"
@@ -12,6 +11,7 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <iterator>
+#include <utility>
 
 namespace sr::viewer {
 class Files : public Tool {
@@ -101,8 +101,8 @@ Changes Files::open_neighbour(int step) {
 Changes Files::update(double /*seconds*/) {
     const std::string& file = ws_.scene->loaded().file;
     if (watched_ != file || ws_.has_new_files) {
-        std::vector<std::filesystem::path> files = gltf::named_files(file);
-        files.emplace_back(file);
+        std::vector<std::filesystem::path> files{file};
+        for (const auto& [named, as_read] : ws_.scene->loaded().source.named) files.push_back(named);
         scene_watch_.set(std::move(files));
         watched_ = file;
         ws_.has_new_files = false;
@@ -110,7 +110,8 @@ Changes Files::update(double /*seconds*/) {
     Changes changes;
     if (!awaited_.empty() && ws_.scene->render().is_converged()) changes |= write(awaited_);
     if (ws_.options.submission.empty() && shader_watch_.has_changed()) changes |= ws_.reload_shaders();
-    if (!ws_.loading && scene_watch_.has_changed()) changes |= reload();
+    if (!ws_.loading && (std::exchange(ws_.is_outdated, false) || scene_watch_.has_changed()))
+        changes |= reload();
     const bool is_refused = dialog_.is_waiting() && !ws_.loading && !ws_.question;
     if (!is_refused) return changes;
     dialog_.retry();

@@ -30,6 +30,7 @@ bool ends_mixing(Command command) {
     case Command::screenshot_png:
     case Command::screenshot_exr:
     case Command::turntable:
+    case Command::next_background:
     case Command::play: return true;
     default: return false;
     }

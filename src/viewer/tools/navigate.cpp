@@ -196,6 +196,8 @@ Changes Navigate::copy_view() {
     const output::Variable* const view = ws_.display.view;
     if (view) text += fmt::format(" --view {}", view->name);
     if (stop.error && !view) text += fmt::format(" --error {}%", static_cast<float>(100.0 * *stop.error));
+    if (const vec3 L = ws_.options.rendering.background; L != vec3(0.0f))
+        text += fmt::format(" --background {:.6g},{:.6g},{:.6g}", L.r, L.g, L.b);
     text += ws_.time_arguments();
     ws_.input.set_clipboard(text);
     ws_.messages.notify("Copied: " + text);

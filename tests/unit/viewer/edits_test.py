@@ -24,6 +24,23 @@ def journals(display: Display) -> list[Path]:
     return list((display.file.parent / "state" / "steradian").glob("*.json"))
 
 
+def with_materials_reversed(scene: Path) -> str:
+    """The same scene by another exporter: its materials have other numbers."""
+    root = json.loads(scene.read_text())
+    last = len(root["materials"]) - 1
+    root["materials"].reverse()
+    for mesh in root["meshes"]:
+        for primitive in mesh["primitives"]:
+            primitive["material"] = last - primitive["material"]
+    return json.dumps(root)
+
+
+def edited_lights(file: Path) -> list[str]:
+    """Names of the materials that state what they emit, as edits do."""
+    return [material["name"] for material in json.loads(file.read_text())["materials"]
+            if "quantity" in material.get("extras", {}).get("steradian", {})]
+
+
 def close(display: Display, viewer: Viewer):
     """Asks the window to close, as a window manager does."""
     from Xlib import display as xlib
@@ -126,11 +143,21 @@ def saving(viewer: Viewer, scene: Path):
     asked = viewer.errors().count("unsaved edits. Reload it?")
     viewer.key("ctrl+period")  # brightens the light
     is_unsaved(viewer, True)
-    viewer.write(scene, scene.read_text() + "\n")  # another program changes what the edits start from
+    viewer.write(scene, with_materials_reversed(scene))  # another program changes what the edits start from
     viewer.said("unsaved edits. Reload it?", asked + 1)
     viewer.key("Escape", "ctrl+s")
     viewer.type("")
-    viewer.said(f"Saved {edited}. scene.gltf has changed since it was opened")
+    viewer.said(f"Saved {edited}. scene.gltf has changed or gone since it was opened")
+    brightened = edited.read_bytes()
+    assert edited_lights(scene) == [] and edited_lights(edited) == ["lamp"], edited_lights(edited)
+    viewer.key("ctrl+period")
+    is_unsaved(viewer, True)
+    scene.unlink()
+    viewer.said("unsaved edits. Reload it?", asked + 2)
+    viewer.key("Escape", "ctrl+z", "ctrl+s")
+    viewer.type("")
+    viewer.said(f"Saved {edited}. scene.gltf has changed or gone since it was opened", 2)
+    assert edited.read_bytes() == brightened, "a removed file gives another copy"
 
 
 def typing_ahead(viewer: Viewer, target: Path):
@@ -155,14 +182,19 @@ def opening(viewer: Viewer, other: Path):
 
 
 def crashing(viewer: Viewer, display: Display, scene: Path):
-    """Edits of a run that was killed are offered at the next start; a clean end leaves no journal."""
+    """Edits of a run that was killed are offered at the next start, by name if the file has changed; a clean end leaves no journal."""
     viewer.key("Tab", "space")
     is_unsaved(viewer, True)
     viewer.wait(lambda: journals(display), "a journal", 20)
     viewer.process.kill()
     viewer.process.wait()
+    journal = journals(display)[0]
+    damaged = journal.with_name(journal.name.rpartition("-")[0] + "-9.json")
+    damaged.write_text('{"edits": ')
+    viewer.write(scene, with_materials_reversed(scene))
     viewer = Viewer(display, STERADIAN, SCRATCH / "again", scene, *OPTIONS)
-    viewer.said("Asked: An earlier run ended without saving 1 edited light or material of veach.gltf.")
+    viewer.said(f"{damaged}.damaged: is a damaged journal of unsaved edits")
+    viewer.said("Asked: An earlier run ended without saving 1 edited light or material of veach.gltf. The file has changed since")
     viewer.key("r")
     viewer.said("The edits are recovered.")
     is_unsaved(viewer, True)
@@ -172,8 +204,8 @@ def crashing(viewer: Viewer, display: Display, scene: Path):
     viewer.key("s")
     viewer.process.communicate(timeout=30)
     assert viewer.process.returncode == 0, viewer.errors()
-    stated = [node["extras"]["steradian"] for node in json.loads(copy.read_text())["nodes"] if "extras" in node]
-    assert [emission["quantity"]["value"] for emission in stated] == [0], f"not switched off: {stated}"
+    stated = [node for node in json.loads(copy.read_text())["nodes"] if "extras" in node]
+    assert [node["extras"]["steradian"]["quantity"]["value"] for node in stated] == [0], f"not switched off: {stated}"
     assert not journals(display), journals(display)
 
 

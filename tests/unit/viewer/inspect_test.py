@@ -48,6 +48,20 @@ def hiding(viewer: Viewer):
     viewer.changed_by(lambda: viewer.key("0"))
 
 
+def emitting(viewer: Viewer):
+    """A material that gets an emission lights the picture, and is among the lights; undo makes it dark again."""
+    viewer.display.do("mousemove", 850, 500, "click", "--repeat", 30, 5)  # the end of the panel, where the field is
+    viewer.pause()
+    before = viewer.shot()
+    viewer.changed_by(lambda: viewer.pull((758, 542), (798, 542)))
+    viewer.move(5, 595)
+    assert not same(viewer.shot(), before), "the material emits nothing"
+    viewer.changed_by(lambda: viewer.key("ctrl+z"))
+    viewer.said("Undone: emission of ")
+    assert same(viewer.shot(), before)
+    viewer.changed_by(lambda: viewer.key("ctrl+y"))
+
+
 def editing(viewer: Viewer, slider: tuple[int, int]):
     """A drag of the slider changes the roughness in the picture. Undo takes it back, redo brings it again, a saved file has it."""
     before = viewer.shot()
@@ -64,6 +78,7 @@ def editing(viewer: Viewer, slider: tuple[int, int]):
     viewer.pause()
     viewer.changed_by(lambda: viewer.pull((slider[0] - 20, slider[1] + 60), (slider[0] + 20, slider[1] + 60)))
     assert not same(viewer.shot(), edited), "the material has no coat"
+    emitting(viewer)
     target = SCRATCH / "saved.gltf"
     viewer.key("ctrl+s")
     viewer.type(str(target))
@@ -86,6 +101,8 @@ def main() -> int:
         assert len(changed) == 1 and name, (name, changed)
         coats = [m["extensions"]["KHR_materials_clearcoat"] for m in saved["materials"] if m["name"] == changed[0]]
         assert coats[0]["clearcoatFactor"] > 0 and "KHR_materials_clearcoat" in saved["extensionsUsed"], coats
+        emissions = [m["extras"]["steradian"]["quantity"] for m in saved["materials"] if m["name"] == changed[0]]
+        assert emissions[0]["value"] > 1 and emissions[0]["unit"] == "cd/m^2", emissions
         for key in "o", "o", "o", "o":
             viewer.key(key)
         viewer.close()

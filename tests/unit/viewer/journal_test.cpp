@@ -6,11 +6,13 @@
 #include "viewer/document/new_light.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cstdlib>
 #include <fstream>
 #include <glm/gtc/matrix_transform.hpp>
 #include <string>
 #include <unistd.h>
+#include <vector>
 
 using namespace sr;
 using namespace sr::viewer;
@@ -46,11 +48,14 @@ LoadedScene loaded_with(const std::string& file, scene::Rig rig = scene::Rig::au
     return load_scene(file, options, 1.0f);
 }
 
+constexpr std::size_t same_file = 1, other_file = 2; // hashes
+
 /// Writes the edits as a run that ends without an answer does, and recovers them in the next one.
 void recover_into(LightEditor& fresh, const LightEditor& edited, const std::string& file) {
-    Journal(file).write(edited);
-    const auto lost = Journal(file).find(fresh.edits());
+    Journal(file).write(edited, same_file);
+    const auto lost = Journal(file).find(fresh.edits(), same_file).newest;
     ASSERT_TRUE(lost.has_value());
+    EXPECT_TRUE(lost->missing.empty());
     EXPECT_FALSE(lost->has_file_changed);
     fresh.recover(lost->edits);
 }
@@ -136,8 +141,8 @@ const Test any_path("unit.viewer.journal.any_path_and_name_will_do", [] {
     const LoadedScene loaded = loaded_with(place.file);
     LightEditor edited(loaded, false), fresh(loaded, false);
     edited.add(scene::PointLight{"caf\xe9", vec3(0.0f), vec3(2.0f)});
-    Journal(place.file).write(edited);
-    const auto lost = Journal(place.file).find(fresh.edits());
+    Journal(place.file).write(edited, same_file);
+    const auto lost = Journal(place.file).find(fresh.edits(), same_file).newest;
     ASSERT_TRUE(lost.has_value());
     EXPECT_EQ(lost->count, 1u);
 });
@@ -150,17 +155,86 @@ const Test alive("unit.viewer.journal.a_run_that_lives_has_lost_nothing", [] {
     edited.enable(0, false);
     {
         const Journal mine(place.file), other(place.file);
-        mine.write(edited);
-        EXPECT_FALSE(other.find(fresh.edits())) << "the run that wrote it lives";
-        other.write(fresh);
-        EXPECT_FALSE(other.find(fresh.edits())) << "a journal without edits removes its own file alone";
+        mine.write(edited, same_file);
+        EXPECT_FALSE(other.find(fresh.edits(), same_file).newest) << "the run that wrote it lives";
+        other.write(fresh, same_file);
+        EXPECT_FALSE(other.find(fresh.edits(), same_file).newest)
+            << "a journal without edits removes its own file alone";
     }
     // The same process has no claim on it any more, so that a process id that is used again does no harm.
     const Journal next(place.file);
-    EXPECT_TRUE(next.find(fresh.edits()).has_value());
-    next.write(edited);
+    EXPECT_TRUE(next.find(fresh.edits(), same_file).newest.has_value());
+    next.write(edited, same_file);
     next.remove();
-    EXPECT_TRUE(next.find(fresh.edits()).has_value()) << "a new run keeps what another one has lost";
+    EXPECT_TRUE(next.find(fresh.edits(), same_file).newest.has_value())
+        << "a new run keeps what another one has lost";
+});
+
+/// Gives two lights the same name.
+void make_twins(LoadedScene& loaded) {
+    for (const std::size_t light : {2u, 3u}) set_name(loaded.stage.scene.lights[light], "twin");
+}
+
+const Test renumbered("unit.viewer.journal.a_file_that_has_changed_gets_edits_by_name", [] {
+    const Place place("zoo.gltf");
+    LoadedScene loaded = loaded_with(place.file);
+    ASSERT_GE(loaded.stage.scene.lights.size(), 4u);
+    make_twins(loaded);
+    LightEditor edited(loaded, false);
+    const LightEditor fresh(loaded, false);
+    LoadedScene reordered = loaded_with(place.file); // as another exporter writes it
+    make_twins(reordered);
+    std::ranges::reverse(reordered.stage.scene.lights);
+    std::ranges::reverse(reordered.light_nodes);
+    const LightEditor other(reordered, false);
+    const std::string name = name_of(edited.edits()[0].light);
+    const vec3 quantity = 3.0f * quantity_of(edited.edits()[0].light);
+    edited.set_quantity(0, quantity);
+    edited.rename(0, "renamed");
+    edited.enable(2, false);
+    edited.add(scene::PointLight{"spark", vec3(0.1f), vec3(2.0f)});
+    Journal(place.file).write(edited, same_file);
+    const auto unchanged = Journal(place.file).find(fresh.edits(), same_file).newest.value();
+    EXPECT_EQ(unchanged.count, 3u) << "nodes tell two lights of one name apart";
+    EXPECT_FALSE(unchanged.has_file_changed);
+    const auto lost = Journal(place.file).find(other.edits(), other_file).newest.value();
+    EXPECT_TRUE(lost.has_file_changed);
+    EXPECT_EQ(lost.count, 2u);
+    EXPECT_EQ(lost.missing, std::vector<std::string>{"twin"}) << "nobody knows which of two";
+    for (const LightEdit& edit : lost.edits)
+        if (edit.kind == LightEdit::Kind::light) {
+            EXPECT_EQ(edit.is_news(), edit.name == name || edit.is_added()) << edit.name;
+            EXPECT_EQ(name_of(edit.light) == "renamed", edit.name == name);
+        }
+    const auto found = std::ranges::find(lost.edits, name, &LightEdit::name);
+    ASSERT_NE(found, lost.edits.end());
+    EXPECT_LT(glm::distance(quantity_of(found->light), quantity), 1e-4f * glm::length(quantity));
+});
+
+const Test damaged("unit.viewer.journal.a_damaged_one_is_moved_aside_and_said_once", [] {
+    const Place place("cornell.gltf");
+    const LoadedScene loaded = loaded_with(place.file);
+    LightEditor edited(loaded, false);
+    const LightEditor fresh(loaded, false);
+    edited.enable(0, false);
+    const fs::path folder = place.folder / "steradian";
+    for (const char* text : {"", "{\"edits\": [", "[]", "{\"json_hash\": 1, \"edits\": [{\"kind\": 1}]}",
+                             "{\"json_hash\": 1, \"edits\": 3}"}) {
+        Journal(place.file).write(edited, same_file); // the good one, which is older
+        const std::string good = fs::directory_iterator(folder)->path().filename().string();
+        const fs::path bad = folder / (good.substr(0, good.rfind('-')) + "-7.json");
+        std::ofstream(bad) << text;
+        fs::last_write_time(bad, fs::last_write_time(folder / good) + std::chrono::seconds(5));
+        FoundJournals found = Journal(place.file).find(fresh.edits(), same_file);
+        ASSERT_EQ(found.problems.size(), 1u) << text;
+        EXPECT_EQ(found.problems[0].find(bad.string() + ".damaged: is a damaged journal"), 0u)
+            << found.problems[0];
+        EXPECT_TRUE(found.newest.has_value()) << "the older one is found";
+        EXPECT_TRUE(fs::exists(bad.string() + ".damaged"));
+        found = Journal(place.file).find(fresh.edits(), same_file);
+        EXPECT_TRUE(found.problems.empty()) << "once";
+        fs::remove_all(folder);
+    }
 });
 
 } // namespace

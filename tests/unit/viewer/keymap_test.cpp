@@ -69,10 +69,9 @@ const Test round_trip("unit.viewer.keymap.what_is_printed_is_read_again", [] {
 });
 
 const Test refusals("unit.viewer.keymap.a_wrong_file_is_refused_with_its_place", [] {
-    EXPECT_EQ(
-        refusal_of("{\n \"Frame evrything\": \"A\"}"),
-        "keys.json:2:21: there is no command \"Frame evrything\": write its name as F1 lists it, or see "
-        "steradian view --print-keys");
+    EXPECT_EQ(refusal_of("{\n \"Frame evrything\": \"A\"}"),
+              "keys.json:2:2: there is no command \"Frame evrything\": write its name as F1 lists it, or see "
+              "steradian view --print-keys");
     EXPECT_EQ(refusal_of("{\"Pixels\": [\"F9\",\n\"Ctl P\"]}").substr(0, 45),
               "keys.json:2:1: there is no key \"Ctl P\": write");
     EXPECT_EQ(

@@ -125,6 +125,29 @@ def finding(viewer: Viewer):
     assert viewer.errors().count("Reference kept.") == framed, "a letter that was typed is a command"
 
 
+def followed(viewer: Viewer, keys: Path):
+    """The keys follow the file. One that is broken leaves those of before; without a file the built-in keys work."""
+    viewer.write(keys, '{"Copy the view": "F8"}')
+    viewer.said(f"The keys are those of {keys} now.")
+    viewer.key("F8")
+    viewer.said("Copied: --camera", 2)
+    viewer.pause()
+    without_error = viewer.screen(200, 30)
+    viewer.write(keys, '{"Copy the vew": "F9"}')
+    viewer.said(f'{keys}:1:2: there is no command "Copy the vew"')
+    viewer.wait(lambda: viewer.screen(200, 30) != without_error, "the error over the picture")
+    viewer.key("F9", "F8")
+    viewer.said("Copied: --camera", 3)
+    viewer.write(keys, '{"Copy the view": "F9"}')
+    viewer.wait(lambda: viewer.screen(200, 30) == without_error, "the picture without the error")
+    viewer.key("F8", "F9")
+    viewer.said("Copied: --camera", 4)
+    keys.unlink()
+    viewer.said("Your file of keys is gone: the built-in keys are in use.")
+    viewer.key("F9", "ctrl+c")
+    viewer.said("Copied: --camera", 5)
+
+
 def remapped(display: Display):
     """A file gives commands other keys. One that is wrong is refused with its place; the built-in keys work then."""
     folder = Path(display.environment["XDG_CONFIG_HOME"]) / "steradian"
@@ -142,6 +165,7 @@ def remapped(display: Display):
     viewer.wait(lambda: viewer.screen(200, 30) != with_error, "the picture without the error")
     viewer.key("ctrl+c")
     viewer.said("Copied: --camera")
+    followed(viewer, folder / "keys.json")
     viewer.close()
     (folder / "keys.json").write_text('{"Next tone curve": "F8",\n "Copy the view": "T"}')
     printed = json.loads(subprocess.run([STERADIAN, "view", "--print-keys"], env=display.environment, capture_output=True).stdout)

@@ -4,6 +4,7 @@ oiiotool.
 
 usage: mixer_test.py STERADIAN SCENES_FOLDER SCRATCH_FOLDER
 """
+import json
 import shutil
 import sys
 
@@ -65,6 +66,32 @@ def switching(viewer: Viewer):
     assert "Mixing has ended." not in viewer.errors(), viewer.errors()
 
 
+def grouping(viewer: Viewer):
+    """Lights whose names differ in a number have a common fader, which brightens both by as much."""
+    viewer.key("ctrl+y")
+    viewer.said("Redone: enabling softbox.")
+    for name in "lamp 1", "lamp 2":
+        viewer.fields = viewer.errors().count("text field focused")
+        viewer.key("Tab", "F2")
+        viewer.wait(lambda: viewer.errors().count("text field focused") > viewer.fields, "the field of the name")
+        viewer.key("ctrl+a")
+        viewer.type(name)
+    viewer.key("shift+m")
+    viewer.said("Mixing 2 lights, 1 samples each.", 2)
+    quantities = []
+    for number in 1, 2:
+        viewer.pull((875, 102), (875 + 20 * number, 102))
+        saved = SCRATCH / f"group{number}.gltf"
+        viewer.fields = viewer.errors().count("text field focused")
+        viewer.key("ctrl+s", "ctrl+a")
+        viewer.type(str(saved))
+        viewer.wait(saved.exists, "a saved file")
+        lamps = [node for node in json.loads(saved.read_text())["nodes"] if node.get("name") in ("lamp 1", "lamp 2")]
+        quantities.append([lamp["extras"]["steradian"]["quantity"]["value"] for lamp in lamps])
+    ratios = [after / before for before, after in zip(*quantities)]
+    assert len(ratios) == 2 and ratios[0] > 1.2 and abs(ratios[0] / ratios[1] - 1) < 1e-4, (quantities, ratios)
+
+
 def main() -> int:
     skip_without("oiiotool")
     shutil.rmtree(SCRATCH, ignore_errors=True)
@@ -78,6 +105,7 @@ def main() -> int:
         switching(viewer)
         viewer.changed_by(lambda: viewer.key("shift+m"))
         viewer.wait(lambda: picture_of(viewer)[2] > size[0], "the room of the panel")
+        grouping(viewer)
         viewer.close()
     return 0
 

@@ -97,6 +97,39 @@ def history(viewer: Viewer):
     viewer.said("There is no later view.")
 
 
+def turning(viewer: Viewer):
+    """A turntable asks how many pictures a full turn has, and ends where it began."""
+    viewer.key("ctrl+F12")
+    viewer.said("Asked: A turntable")
+    viewer.key("Escape", "ctrl+F12")
+    viewer.said("Asked: A turntable", 2)
+    before = camera_of(viewer)
+    viewer.key("1")
+    viewer.said("-turntable: 12 pictures.")
+    folder, = viewer.folder.glob("*-turntable")
+    pictures = [file.read_bytes() for file in sorted(folder.iterdir())]
+    assert len(pictures) == 12 and len(set(pictures)) == 12, [file.name for file in folder.iterdir()]
+    copied = viewer.errors().count("Copied: ")
+    viewer.key("ctrl+c")
+    viewer.said("Copied: ", copied + 1)
+    after = camera_of(viewer)
+    assert all(abs(a - b) < 1e-3 for key in ("eye", "target") for a, b in zip(before[key], after[key])), (before, after)
+
+
+def background(viewer: Viewer):
+    """Alt B shows another background, which a copied view has, too."""
+    viewer.changed_by(lambda: viewer.key("alt+b"))
+    viewer.said("Background: grey, ")
+    viewer.key("ctrl+c")
+    viewer.wait(lambda: re.search(r"Copied: .*--background \d", viewer.errors()), "the background in the copied view")
+    viewer.changed_by(lambda: viewer.key("alt+b"))
+    viewer.said("Background: white, ")
+    viewer.wait(lambda: min(viewer.screen(*CORNER)) > 200, "a white background")
+    viewer.changed_by(lambda: viewer.key("alt+b"))
+    viewer.said("Background: black, ")
+    viewer.wait(lambda: max(viewer.screen(*CORNER)) < 50, "a black background")
+
+
 def grid(viewer: Viewer):
     """Shift G draws a grid and axes over the picture, and takes them away again."""
     viewer.move(5, 395)
@@ -117,6 +150,27 @@ def has_picture(viewer: Viewer) -> bool:
     return red > 60 and red > 2 * green and red > 2 * blue
 
 
+ORANGE = 230, 159, 0
+CORNER = 600, 50  # of the picture, beside the box
+
+
+def broken(display: Display, folder: Path):
+    """A file that cannot be rendered is marked. A cache that cannot be written is said; the page works without it."""
+    recent = Path(display.environment["XDG_CONFIG_HOME"]) / "steradian/recent"
+    (folder / "z.gltf").write_text('{"asset": {"version": "2.0"},')
+    lines = recent.read_text().splitlines()
+    recent.write_text("\n".join([lines[0], str(folder / "z.gltf"), *lines[1:]]) + "\n")
+    cache = Path(display.environment["XDG_CACHE_HOME"]) / "steradian/thumbnails"
+    shutil.rmtree(cache, ignore_errors=True)
+    cache.parent.mkdir(parents=True, exist_ok=True)
+    cache.write_text("no folder")
+    viewer = Viewer(display, STERADIAN, SCRATCH / "run", *OPTIONS)
+    viewer.said(f"{cache} cannot be written, so the first page has no new pictures.")
+    assert viewer.errors().count("cannot be written") == 1, viewer.errors()
+    viewer.close()
+    cache.unlink()
+
+
 def main() -> int:
     skip_without()
     shutil.rmtree(SCRATCH, ignore_errors=True)
@@ -134,10 +188,14 @@ def main() -> int:
         kept = bookmarks(viewer)
         history(viewer)
         grid(viewer)
+        background(viewer)
+        turning(viewer)
         viewer.close()
+        broken(display, folder)
         viewer = Viewer(display, STERADIAN, SCRATCH / "run", *OPTIONS)
         viewer.said("text field focused")
         viewer.wait(lambda: has_picture(viewer), "a thumbnail of the file")
+        viewer.wait(lambda: viewer.count(ORANGE) > 5, "the reason why the broken file has no picture")
         pictures = {file.name: file.stat().st_mtime_ns for file in (SCRATCH / "display/cache/steradian/thumbnails").glob("*[0-9a-f].png")}
         assert pictures, "the thumbnail is not in the cache"
         viewer.click(44, 224)  # the first of the recent files
