@@ -30,8 +30,8 @@ def first_page(viewer: Viewer, folder: Path):
     viewer.said("text field focused", 3)
     viewer.fields = 2
     viewer.type(str(folder.parent))
-    viewer.wait(lambda: viewer.title() == "Steradian", "no scene")
-    viewer.pause()
+    viewer.said("text field focused", 4)  # of the folder
+    assert viewer.title() == "Steradian", viewer.title()
     viewer.display.do("type", "--delay", "20", "fold")
     viewer.pause()
     viewer.key("Tab")
