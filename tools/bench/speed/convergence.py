@@ -14,7 +14,7 @@ TARGET = 1e-3            # relMSE
 TARGET_OF_HELMET = 4e-3  # of 99.9 % of the pixels: to 1e-3 Mitsuba would take minutes
 ERRORS = [20, 14, 10, 7, 5, 3.5, 2.5, 1.8, 1.2]  # of --error [percent]
 MOST = {"ours": 2048, "Mitsuba": 16384}          # samples a pixel of the search
-MOST_S = {False: 30.0, True: 4.0}                # a search ends at a render that takes longer, by --quick
+MOST_S = {False: 30.0, True: 10.0}               # a search ends at a render that takes longer, by --quick
 LONG = {"ours": 2048, "Mitsuba": 4096}           # samples a pixel of the long picture
 
 
