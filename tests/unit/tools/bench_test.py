@@ -55,7 +55,7 @@ class Search(unittest.TestCase):
     def side(self, errors):
         """A renderer whose n samples take n seconds."""
         side = object.__new__(convergence.Side)
-        side.name, side.errors, side.setting = "ours", {}, types.SimpleNamespace(is_quick=False, progress=types.SimpleNamespace(say=lambda text: None))
+        side.name, side.errors, side.noise, side.setting = "ours", {}, 1e-3, types.SimpleNamespace(is_quick=False, progress=types.SimpleNamespace(say=lambda text: None))
         side.picture, side.reference, rendered = None, None, []
         side.render = lambda count: rendered.append(count) or float(count)
         side.judge = lambda *_: errors[rendered[-1]]
@@ -67,11 +67,17 @@ class Search(unittest.TestCase):
     def test_ends_at_a_render_that_takes_too_long(self):
         with self.assertRaises(convergence.NotReached) as raised:
             self.side({16: 1e-1, 32: 1e-2, 64: 1e-3}).bracket([16, 32, 64], 5e-3)
-        self.assertEqual(raised.exception.seconds, 32.0)
+        self.assertEqual(raised.exception.count, 32)
+        raised.exception.seconds = [32.0]
         line = convergence.error_line("", [8.0], raised.exception, 0.35, "")
         self.assertEqual((line.is_met, line.ratio), (True, None))
         self.assertIn("below 0.25", line.remark)
         self.assertIsNone(convergence.error_line("", [16.0], raised.exception, 0.35, "").is_met)
+
+    def test_a_count_within_the_noise_of_the_long_picture_bounds_nothing(self):
+        with self.assertRaises(convergence.NotReached) as raised:
+            self.side({16: 1e-2, 32: 5.5e-3}).bracket([16, 32], 5e-3)
+        self.assertEqual(raised.exception.count, 16)
 
     def test_a_line_compares_turn_by_turn(self):
         line = convergence.error_line("", [1.0, 2.0, 9.0], [4.0, 4.0, 10.0], 0.35, "")
