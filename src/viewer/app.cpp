@@ -99,8 +99,11 @@ App::App(Options options)
     workspace_.display.curve = options.tone_curve;
     keys_watch_.set({keys_file()});
     input_.keep_after([this](const KeyEvent& key) {
+        if (workspace_.question) return false;
+        // A field takes no characters in the frame of a key with Ctrl. Enter in the palette may open a field.
+        if (ui_.has_keyboard()) return (key.modifiers & control) || panels_.runs_command(key.key);
         const auto command = workspace_.keys.command_of(key.key, key.modifiers);
-        return command && opens_text_field(*command) && !workspace_.question && !ui_.has_keyboard();
+        return command && opens_text_field(*command);
     });
     resize();
     workspace_.has_first_page = options.scene.empty();
@@ -199,8 +202,11 @@ void App::hand_on_typed() {
     }
     if (++frames_kept_ == 1) return; // the key has not been handled yet
     if (!ui_.has_keyboard() && draws_again() && frames_kept_ < longest) return;
-    frames_kept_ = longest;
-    ui_.replay(input_.release());
+    const std::vector<TypedEvent> typed = input_.release();
+    const bool runs_command =
+        std::ranges::any_of(typed, [&](const TypedEvent& event) { return panels_.runs_command(event.key); });
+    frames_kept_ = runs_command ? 0 : longest; // the command may open a field
+    ui_.replay(typed);
     frames_to_draw_ = std::max(frames_to_draw_, frames_after_change);
 }
 

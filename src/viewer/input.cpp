@@ -100,6 +100,10 @@ WindowInput& WindowInput::of(GLFWwindow* window) {
 }
 
 bool WindowInput::keep(const TypedEvent& event) {
+    // A key that went on at once does not look held.
+    if (is_keeping_ && event.character == 0 && event.action == GLFW_RELEASE
+        && std::ranges::none_of(kept_, [&](const TypedEvent& kept) { return kept.key == event.key; }))
+        return false;
     const bool is_own = std::exchange(is_own_character_, false) && event.character != 0;
     if (is_keeping_ && !is_own) kept_.push_back(event);
     if (is_keeping_) return !is_own;

@@ -102,7 +102,8 @@ bool Workspace::save(const std::string& file) {
     const bool is_own = std::ranges::any_of(written, [&](const WrittenFile& own) {
         return own.file == file && own.time == std::filesystem::last_write_time(file, ignored);
     });
-    if (is_own || !std::filesystem::exists(file, ignored)) return write(file);
+    const bool is_refused = !has_extension(file, scene_extensions); // by write(), with the reason
+    if (is_own || is_refused || !std::filesystem::exists(file, ignored)) return write(file);
     const std::string free = edited_name(open_file);
     ask({fmt::format("{} exists already. Replace it?", file),
          {{GLFW_KEY_S, fmt::format("Save as {}", file_name(free)), [this, free] { write(free); }},

@@ -55,6 +55,10 @@ bool Panels::take(const KeyEvent& key) {
     return true;
 }
 
+bool Panels::runs_command(int key) const {
+    return palette_.is_open() && (key == GLFW_KEY_ENTER || key == GLFW_KEY_KP_ENTER);
+}
+
 void Panels::toggle() {
     are_shown_ = !are_shown_;
     remember_panels({ws_.layout.column(), are_shown_});

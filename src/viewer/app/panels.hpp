@@ -27,6 +27,8 @@ public:
     bool close_one();
     /// True while keys are typed into the palette.
     bool holds_keyboard() const { return palette_.is_open() || has_first_page(); }
+    /// True if this key runs a command of the palette.
+    bool runs_command(int key) const;
     /// Takes the keys that go through the rows of the palette. @return false for any other
     bool take(const KeyEvent& key);
 

@@ -207,7 +207,9 @@ void LightsPanel::draw_buttons(bool has_selected, const Keymap& keys, std::optio
     if (!has_selected) return;
     ImGui::SameLine();
     button("duplicate", Command::duplicate_light, "add a copy of the selected light");
+    const float width = ImGui::CalcTextSize("remove").x + 2.0f * ImGui::GetStyle().FramePadding.x;
     ImGui::SameLine();
+    if (ImGui::GetContentRegionAvail().x < width) ImGui::NewLine(); // a narrow column
     button("remove", Command::delete_light, "remove the selected light");
 }
 

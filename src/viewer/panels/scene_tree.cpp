@@ -133,8 +133,10 @@ void ScenePanel::draw_objects(Frame& frame) {
         tooltip(frame.keys.hint(tip, command));
     }
     if (!frame.object) {
+        ImGui::PushTextWrapPos();
         ImGui::TextDisabled(
             "%s", frame.keys.hint("select an object, or point at one", Command::inspect_pointed).c_str());
+        ImGui::PopTextWrapPos();
     } else if (const auto material = draw_object_facts(frame.loaded, *frame.object)) {
         material_ = material;
         draw_factors_of(*material, frame);

@@ -102,7 +102,7 @@ Changes AdjustDisplay::draw_section() {
     const Changes changes = draw_views();
     if (!display.view || display.view->display != output::Display::false_color) return changes;
     image::Decades& decades = display.decades;
-    ImGui::DragFloatRange2("decades", &decades.first, &decades.last, 0.05f, -12.0f, 12.0f, "1e%.1f");
+    ImGui::DragFloatRange2("decades", &decades.first, &decades.last, 0.05f, -12.0f, 12.0f, "10^%.1f");
     tooltip("first and last luminance of the colours, as powers of ten [cd/m^2]");
     decades.last = std::max(decades.last, decades.first + 0.5f);
     ImGui::SameLine();

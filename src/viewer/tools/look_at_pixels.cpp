@@ -1,4 +1,5 @@
 // Pixel tool: enlarges pixels, shows their numbers, statistics and a loupe, pins pixels.
+#include "viewer/app/fonts.hpp"
 #include "viewer/panels/pixels.hpp"
 #include "viewer/tools/tool.hpp"
 
@@ -200,9 +201,8 @@ Changes LookAtPixels::draw(const Overlay& overlay) {
         samples_ = -1; // another picture follows
     else
         read_film();
-    const ShownFilm film{numbers_,      output::unit_of(ws_.display.view, ws_.scene->stage().scene.units),
-                         ws_.display,   ws_.shown_area(),
-                         ws_.picture(), overlay.scale};
+    const auto unit = with_superscripts(output::unit_of(ws_.display.view, ws_.scene->stage().scene.units));
+    const ShownFilm film{numbers_, unit, ws_.display, ws_.shown_area(), ws_.picture(), overlay.scale};
     if (!is_coarse) draw_pixel_numbers(film);
     draw_pixel_marks(film, rectangle_, pinned_);
     if (!place.is_shown) return {};
