@@ -116,6 +116,9 @@ struct Workspace {
     /// Saves lights and, if the camera is free, the view. Reports errors. Asks before it replaces a file that
     /// this run has not written. @return true if the file is written
     bool save(const std::string& file);
+    /// Shows the edits of lights and what is hidden, as SceneView::relight() does. Those that cannot be shown
+    /// are taken back, with a message.
+    void relight(bool shadows_change);
     /// The file that was saved last, if it is of the current scene, or else a new name beside it.
     std::string name_to_save() const;
 

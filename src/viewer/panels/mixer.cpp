@@ -82,7 +82,7 @@ Changes MixerPanel::draw_fader(std::size_t entry, LightEditor& lights, const Loa
     if (!is_moved && !is_reset) return {};
     const float wanted = is_reset ? 0.0f : ev;
     const float by = std::exp2(wanted - exposure_between(at_zero_[entry], quantity));
-    lights.set_quantity(entry, by * quantity);
+    lights.brighten(entry, by);
     return Change::lights;
 }
 
@@ -158,9 +158,11 @@ Changes MixerPanel::draw_group_fader(const MixerGroup& group, LightEditor& light
     const bool is_moved = ImGui::SliderFloat("##group", &ev, -fader_range, fader_range, "%+.2f EV  (all)",
                                              ImGuiSliderFlags_AlwaysClamp);
     if (ImGui::IsItemActivated()) lights.begin_step();
-    tooltip("brightens all lights of the group by as much; 1 EV doubles them. Ctrl click: type");
+    tooltip(
+        "brightens all lights of the group by as much, and muted ones stay muted; 1 EV doubles them. Ctrl "
+        "click: type");
     if (!is_moved) return {};
-    for (const std::size_t i : group.entries) lights.set_quantity(i, std::exp2(ev - before) * quantity(i));
+    for (const std::size_t i : group.entries) lights.brighten(i, std::exp2(ev - before));
     return Change::lights;
 }
 

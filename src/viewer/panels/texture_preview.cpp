@@ -1,5 +1,7 @@
 #include "viewer/panels/texture_preview.hpp"
 
+#include "viewer/ui.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cstdint>

@@ -118,7 +118,7 @@ Changes MixLights::end() {
 void MixLights::wait_again() {
     const bool was_mixing = ws_.is_mixing;
     drop();
-    if (was_mixing) ws_.scene->relight(false);
+    if (was_mixing) ws_.relight(false);
 }
 
 void MixLights::drop() {
