@@ -88,6 +88,11 @@ def grouping(viewer: Viewer):
     viewer.wait(lambda: viewer.count(MUTED) > 50, "the muted light again")
     viewer.pull((875, 102), (905, 102))
     assert viewer.count(MUTED) > 50, "the fader of the group switched a muted light on"
+    count = viewer.errors().count("Saved ")
+    viewer.fields = viewer.errors().count("text field focused")
+    viewer.key("ctrl+s")
+    viewer.type("")
+    viewer.said("Saved ", count + 1)
 
 
 def main() -> int:
