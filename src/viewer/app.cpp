@@ -361,8 +361,7 @@ void App::apply(Changes changes) {
         workspace_.scene->stage_lights(); // the mixer shows it
     else if (!is_new && are_relit)
         workspace_.relight(changes.has(Change::shadows));
-    const std::size_t lights = workspace_.scene->lights().entries().size();
-    if (workspace_.selected && *workspace_.selected >= lights) workspace_.selected.reset();
+    workspace_.selected.keep_below(workspace_.scene->lights().entries().size());
     if (!is_new && changes.has(Change::camera)) workspace_.scene->move(workspace_.camera->camera());
     for (const auto& tool : tools_) tool->notice(changes);
 }

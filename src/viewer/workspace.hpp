@@ -3,6 +3,7 @@
 #include "gl/window.hpp"
 #include "viewer/app/layout.hpp"
 #include "viewer/changes.hpp"
+#include "viewer/document/light_selection.hpp"
 #include "viewer/document/playback.hpp"
 #include "viewer/input.hpp"
 #include "viewer/keymap.hpp"
@@ -63,7 +64,7 @@ struct Workspace {
 
     std::unique_ptr<SceneView> scene{};       // null until the first file has loaded
     std::optional<CameraController> camera{}; // present once `scene` is
-    std::optional<std::size_t> selected{};    // entry of scene->lights()
+    LightSelection selected{};                // of scene->lights()
     std::optional<ObjectId> object{};         // selected in the scene tree
     Playback playback{};
     Exposure exposure;

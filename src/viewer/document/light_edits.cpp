@@ -153,8 +153,9 @@ void LightEditor::remember(std::string what) {
     is_step_open_ = true;
 }
 
-/// Describes an edit of an entry.
+/// Describes an edit of an entry, or of all lights of a step.
 std::string LightEditor::of(const char* what, std::size_t entry) const {
+    if (step_lights_ > 1) return fmt::format("{} {} lights", what, step_lights_);
     return fmt::format("{} {}", what, entries_[entry].name);
 }
 
@@ -195,12 +196,14 @@ void LightEditor::enable(std::size_t entry, bool is_enabled) {
     edit_of(entry).is_enabled = is_enabled;
 }
 
-void LightEditor::solo(std::size_t entry) {
-    const bool is_alone = std::ranges::all_of(
-        entries_, [&](const LightEntry& other) { return other.is_enabled == (&other == &entries_[entry]); });
-    if (is_alone && entries_.size() == 1) return; // it stays as it is
-    remember(of("enabling alone", entry));
-    for (std::size_t i = 0; i < entries_.size(); ++i) edit_of(i).is_enabled = is_alone || i == entry;
+void LightEditor::solo(const std::vector<std::size_t>& alone) {
+    const auto is_one = [&](std::size_t i) { return std::ranges::find(alone, i) != alone.end(); };
+    bool are_alone = true;
+    for (std::size_t i = 0; i < entries_.size(); ++i)
+        are_alone = are_alone && entries_[i].is_enabled == is_one(i);
+    if (are_alone && entries_.size() == alone.size()) return; // they stay as they are
+    remember(of("enabling alone", alone.front()));
+    for (std::size_t i = 0; i < entries_.size(); ++i) edit_of(i).is_enabled = are_alone || is_one(i);
 }
 
 bool LightEditor::transform(std::size_t entry, const mat4& by) {
@@ -255,7 +258,7 @@ bool LightEditor::rename(std::size_t entry, const std::string& name) {
 }
 
 std::size_t LightEditor::add(scene::Light light) {
-    remember("adding " + name_of(light));
+    remember(step_lights_ > 1 ? fmt::format("adding {} lights", step_lights_) : "adding " + name_of(light));
     LightEdit edit;
     edit.source = -1 - static_cast<int>(std::ranges::count_if(edits_, &LightEdit::is_added));
     edit.light = std::move(light);

@@ -34,8 +34,8 @@ public:
     /// Multiplies the quantity. A disabled light stays disabled.
     void brighten(std::size_t entry, float by);
     void enable(std::size_t entry, bool is_enabled);
-    /// Disables all other lights; if they are disabled already, enables all.
-    void solo(std::size_t entry);
+    /// Disables all lights but these; if that is so already, enables all.
+    void solo(const std::vector<std::size_t>& alone);
     /// Moves a light or a softbox. @return false for a material, whose surfaces stay
     bool transform(std::size_t entry, const mat4& by);
     /// Sets the size of a light or a softbox along one of its extents (scene::sizes_of) [m].
@@ -60,8 +60,11 @@ public:
     /// Each @return says what was undone or redone ("value of lamp"); absent if there is nothing.
     std::optional<std::string> undo();
     std::optional<std::string> redo();
-    /// Begins an undo step, which lasts until the next call: a drag is one step.
-    void begin_step() { is_step_open_ = false; }
+    /// Begins an undo step, which lasts until the next call: a drag is one step. `lights`: how many it edits.
+    void begin_step(std::size_t lights = 1) {
+        is_step_open_ = false;
+        step_lights_ = lights;
+    }
     /// Restores the state at the beginning of the step, which stays open.
     void restart_step();
     /// Restores the state at the beginning of the step and drops the step.
@@ -129,6 +132,7 @@ private:
     std::vector<scene::Light> staged_; // the RenderScene's lights as if all were enabled
     bool hides_emitters_;
     bool is_step_open_ = false;
+    std::size_t step_lights_ = 1;
 };
 
 } // namespace sr::viewer

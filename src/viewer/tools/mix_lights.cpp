@@ -75,7 +75,8 @@ std::optional<Changes> MixLights::handle(const Event& event) {
     if (command == Command::mix_lights) return is_open_ ? end() : begin();
     if (!is_open_) return std::nullopt;
     if (command == Command::cancel) return end();
-    if (std::holds_alternative<ClickEvent>(event) || (command && ends_mixing(*command)))
+    const auto* click = std::get_if<ClickEvent>(&event);
+    if ((click && click->modifiers == no_modifier) || (command && ends_mixing(*command)))
         end(); // the event is for another tool
     return std::nullopt;
 }

@@ -13,6 +13,7 @@ from driver import Display, Viewer, skip_without
 STERADIAN, SCENES, SCRATCH = (Path(argument).resolve() for argument in sys.argv[1:])
 SIZE = 800, 500
 OPTIONS = "--size", "800x500", "--samples", "1", "--visibility", "none", "--exposure", "8", "--gl-debug"
+LIST = 60, 218  # a place in the list of lights
 LINES = 230, 159, 0  # of the selected light
 
 
@@ -69,6 +70,23 @@ def picking(viewer: Viewer):
     viewer.said("desk: 500 lm")
 
 
+def several(viewer: Viewer):
+    """Shift Up over the list selects what it passes, edits are of all and undone in one step."""
+    viewer.move(*LIST)
+    viewer.pause()
+    viewer.key("shift+Up")
+    viewer.said("Selected 2 lights.")
+    for keys, said, undone in ((["ctrl+period"], "2 lights: +0.33 EV.", "value of 2 lights"),
+                               (["g", "x", "1", "Return"], "moved by 1.000 0.000 0.000 m", "transform of 2 lights"),
+                               (["space"], None, "disabling 2 lights"), (["shift+d"], "Added 2 lights.", "adding 2 lights")):
+        viewer.key(*keys)
+        if said:
+            viewer.said(said)
+        count = viewer.errors().count(f"Undone: {undone}.")
+        viewer.key("ctrl+z")
+        viewer.said(f"Undone: {undone}.", count + 1)
+
+
 def last_of_the_list(viewer: Viewer):
     """In a scene whose new lights are the last ones: two are added, and undoing drops the selection with the light."""
     viewer.key("ctrl+o")
@@ -81,6 +99,7 @@ def last_of_the_list(viewer: Viewer):
         viewer.key(key)
         viewer.said(f"Added a light: {kind}.")
     viewer.wait(lambda: len(places_of(viewer, LINES)) > 20, "the lines of the tube")
+    several(viewer)
     for _ in range(2):
         undone = viewer.errors().count("Undone: ")
         viewer.key("ctrl+z")
