@@ -33,7 +33,7 @@ def adding(viewer: Viewer):
     viewer.said("Added a light: rectangle.")
     viewer.wait(lambda: len(places_of(viewer, LINES)) > 60, "the lines of the new light")
     viewer.changed_by(lambda: viewer.key("shift+space"))  # alone
-    viewer.key("h")
+    viewer.changed_by(lambda: viewer.key("h"))
     viewer.wait(lambda: 40 < max(viewer.screen(SIZE[0] // 2, SIZE[1] // 2)) < 250, "a picture that is neither dark nor white", 20)
     viewer.changed_by(lambda: viewer.key("h"))
     viewer.changed_by(lambda: viewer.key("ctrl+z"))
@@ -55,7 +55,7 @@ def naming(viewer: Viewer):
 
 
 def picking(viewer: Viewer):
-    """A click on the outline selects the light."""
+    """A click on the outline selects the light; with Ctrl it is added or taken away."""
     shown = places_of(viewer, LINES)
     assert len(shown) > 60, "no lines"
     corner = min(shown, key=sum)  # the upper left, where the other light is not
@@ -65,6 +65,10 @@ def picking(viewer: Viewer):
     viewer.click(*corner)
     viewer.said("Selected desk.", before + 1)
     viewer.wait(lambda: len(places_of(viewer, LINES)) > 60, "its lines again")
+    for said in "No light is selected.", "Selected desk.":  # a click with Ctrl takes it away, and adds it
+        count = viewer.errors().count(said)
+        viewer.display.do("keydown", "ctrl", "mousemove", *corner, "click", "1", "keyup", "ctrl")
+        viewer.said(said, count + 1)
     viewer.key("Return")  # the value's field takes keys, until Esc leaves it
     viewer.type("500 lm")
     viewer.said("desk: 500 lm")
