@@ -387,9 +387,8 @@ void App::apply(Changes changes) {
     if (!is_new && are_relit && workspace_.is_mixing && !changes.has(Change::shadows))
         workspace_.scene->stage_lights(); // the mixer shows it
     else if (!is_new && are_relit)
-        workspace_.scene->relight(changes.has(Change::shadows));
-    const std::size_t lights = workspace_.scene->lights().entries().size();
-    if (workspace_.selected && *workspace_.selected >= lights) workspace_.selected.reset();
+        workspace_.relight(changes.has(Change::shadows));
+    workspace_.selected.keep_below(workspace_.scene->lights().entries().size());
     if (!is_new && changes.has(Change::camera)) workspace_.scene->move(workspace_.camera->camera());
     for (const auto& tool : tools_) tool->notice(changes);
 }

@@ -54,6 +54,7 @@ struct LightViewEvent {               // of a menu
 };
 struct ClickEvent { // the left button, pressed and released in one place
     vec2 at{0.0f};
+    int modifiers = no_modifier; // Ctrl and Shift
 };
 struct FileEvent { // a file to open or to compare with
     std::string file;

@@ -35,7 +35,8 @@ std::optional<double> native(Quantity quantity, double value, const LightGroup& 
 }
 
 [[noreturn]] void refuse(std::string_view what) {
-    throw Error(what, "type a number with lm, cd, lx, cd/m^2, W, W/sr, W/m^2 or K, e.g. 800 lm or 6500 K");
+    throw Error(
+        what, "type a number with lm, cd, lx, cd/m^2, W, W/sr, W/m^2, K or EV, e.g. 800 lm, 6500 K or +1 EV");
 }
 
 vec3 with_color(const scene::LightColor& color, vec3 now) {
@@ -63,9 +64,15 @@ std::string value_text(const LightGroup& group) {
 }
 
 vec3 parse_quantity(std::string_view typed, const LightGroup& group) {
-    const std::string_view text = trimmed(typed);
+    std::string_view text = trimmed(typed);
+    if (text.starts_with('+')) text.remove_prefix(1); // which std::from_chars does not take
     double value = 0.0;
     const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
+    constexpr double most_EV = 30.0;
+    if (failure == std::errc{} && trimmed(text.substr(static_cast<std::size_t>(end - text.data()))) == "EV") {
+        if (!(std::abs(value) <= most_EV)) refuse("a change lies between -30 and 30 EV");
+        return quantity_of(group.lights.front()) * static_cast<float>(std::exp2(value));
+    }
     if (failure != std::errc{} || !(value >= 0.0 && value < 1e30))
         refuse(fmt::format("'{}' is no quantity", text));
     const std::string_view name = trimmed(text.substr(static_cast<std::size_t>(end - text.data())));

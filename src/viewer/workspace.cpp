@@ -86,6 +86,16 @@ void Workspace::depart(Departure departure, const std::string& file) {
     }
 }
 
+void Workspace::relight(bool shadows_change) {
+    const std::size_t before = scene->lights().entries().size();
+    try {
+        scene->relight(shadows_change);
+    } catch (const Error& error) {
+        messages.fail("This edit cannot be shown, and is taken back.", error.what());
+        if (scene->lights().entries().size() != before) selected.reset();
+    }
+}
+
 std::string Workspace::name_to_save() const {
     return written.empty() ? edited_name(scene->loaded().file) : written.back().file;
 }

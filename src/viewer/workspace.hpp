@@ -3,6 +3,7 @@
 #include "gl/window.hpp"
 #include "viewer/app/layout.hpp"
 #include "viewer/changes.hpp"
+#include "viewer/document/light_selection.hpp"
 #include "viewer/document/playback.hpp"
 #include "viewer/input.hpp"
 #include "viewer/keymap.hpp"
@@ -65,7 +66,7 @@ struct Workspace {
 
     std::unique_ptr<SceneView> scene{};       // null until the first file has loaded
     std::optional<CameraController> camera{}; // present once `scene` is
-    std::optional<std::size_t> selected{};    // entry of scene->lights()
+    LightSelection selected{};                // of scene->lights()
     std::optional<ObjectId> object{};         // selected in the scene tree
     Playback playback{};
     Exposure exposure;
@@ -136,6 +137,9 @@ struct Workspace {
     /// Saves lights and, if the camera is free, the view. Reports errors. Asks before it replaces a file that
     /// this run has not written. @return true if the file is written
     bool save(const std::string& file);
+    /// Shows the edits of lights and what is hidden, as SceneView::relight() does. Those that cannot be shown
+    /// are taken back, with a message.
+    void relight(bool shadows_change);
     /// The file that was saved last, if it is of the current scene, or else a new name beside it.
     std::string name_to_save() const;
 

@@ -108,7 +108,13 @@ void GpuScene::relight(const scene::Scene& scene, std::span<const scene::Light> 
     for (std::size_t i = meshes_.size(); i < scene.meshes.size(); ++i) meshes_.emplace_back(scene.meshes[i]);
     upload_objects(scene);
     upload_materials(scene);
-    upload_lights(scene, lights);
+    try {
+        upload_lights(scene, lights);
+    } catch (...) { // textures may be counted that are not on the GPU
+        emission_maps_ = {};
+        environments_ = {};
+        throw;
+    }
     list_draws(scene, lights);
     if (casters_change || visibility_ == Visibility::map)
         cast_shadows(scene, lights); // maps know where lights are

@@ -35,7 +35,8 @@ public:
 
     /// Uploads other lights of the same scene and the surfaces that show them: the meshes from `first_mesh`
     /// on, all instances and all materials. Textures and the meshes before stay as they are. The shadow
-    /// casters are rebuilt if `casters_change`, and always for depth maps. @throws Error
+    /// casters are rebuilt if `casters_change`, and always for depth maps. @throws Error where the driver's
+    /// limits end; then it must be lit again, by others and with `casters_change`
     void relight(const scene::Scene& scene, std::span<const scene::Light> lights, std::size_t first_mesh,
                  bool casters_change);
 

@@ -15,65 +15,6 @@ namespace {
 
 using Kind = LightEdit::Kind;
 
-scene::Light edited(const scene::Light& file, const LightEdit& edit) {
-    scene::Light light = edit.motion == mat4(1.0f) ? file : transformed(file, edit.motion);
-    if (edit.overrides_size) scene::take_sizes_of(light, edit.light);
-    if (edit.overrides_quantity) set_quantity(light, quantity_of(edit.light));
-    if (edit.overrides_name) set_name(light, name_of(edit.light));
-    return light;
-}
-
-auto found(std::vector<LightEdit>& edits, Kind kind, int source) {
-    return std::ranges::find_if(
-        edits, [=](const LightEdit& edit) { return edit.kind == kind && edit.source == source; });
-}
-
-/// Brings the edits of lights to another time. A light that was not seen before goes behind its predecessor.
-void rebase_lights(std::vector<LightEdit>& edits, const FileLights& now) {
-    std::ptrdiff_t at = 0;
-    for (const FileLights::Light& light : now.lights) {
-        auto known = found(edits, Kind::light, light.number);
-        if (known == edits.end()) {
-            LightEdit edit;
-            edit.source = light.number;
-            edit.light = light.light;
-            edit.name = name_of(light.light);
-            edit.node = now.node_of(light.number);
-            known = edits.insert(edits.begin() + at, std::move(edit));
-        } else {
-            known->light = edited(light.light, *known);
-            known->is_present = true;
-        }
-        at = known - edits.begin() + 1;
-    }
-}
-
-/// Brings the edits of materials to another variant. Edits of materials that it does not show are kept.
-void rebase_materials(std::vector<LightEdit>& edits, const FileLights& now) {
-    for (std::size_t m = 0; m < now.materials.size(); ++m) {
-        const FileLights::Material& material = now.materials[m];
-        auto known = found(edits, Kind::material, material.number);
-        if (known == edits.end()) {
-            LightEdit edit;
-            edit.kind = Kind::material;
-            edit.source = material.number;
-            known = edits.insert(edits.end(), std::move(edit));
-        }
-        known->is_present = true;
-        known->material = m;
-        known->name = material.name;
-        if (!known->overrides_quantity) known->emission = material.emission;
-    }
-}
-
-/// Brings edits to another time or variant: what a person set stays, all else is the file's.
-void rebase_edits(std::vector<LightEdit>& edits, const FileLights& now) {
-    for (LightEdit& edit : edits)
-        if (edit.kind != Kind::softbox && !edit.is_added()) edit.is_present = false;
-    rebase_lights(edits, now);
-    rebase_materials(edits, now);
-}
-
 gltf::StatedEmission emission_of(const LightEdit& edit, const scene::Scene& scene) {
     const auto stated = [&](double value, scene::Quantity quantity, vec3 color) {
         return gltf::StatedEmission{value, scene::name_of({quantity, scene.units}), color};
@@ -127,37 +68,6 @@ std::optional<gltf::MaterialEdit> material_edit(const LightEdit& edit, const sce
 }
 
 } // namespace
-
-bool are_at_same_places(const std::vector<LightEdit>& a, const std::vector<LightEdit>& b) {
-    const auto sizes = [](const LightEdit& edit) {
-        std::vector<float> all;
-        for (const scene::LightSize& size : scene::sizes_of(edit.light)) all.push_back(size.size);
-        return all;
-    };
-    return std::ranges::equal(a, b, [&](const LightEdit& x, const LightEdit& y) {
-        return x.kind == y.kind && x.source == y.source && x.is_shown() == y.is_shown()
-               && x.motion == y.motion && x.factors == y.factors && sizes(x) == sizes(y);
-    });
-}
-
-void FileLights::read(const LoadedScene& loaded) {
-    lights.clear();
-    for (std::size_t i = 0; i < loaded.stage.scene.lights.size(); ++i) {
-        // The lights of a node come one after the other, and all or none of them are visible.
-        const int node = loaded.light_nodes[i];
-        const bool is_next = i > 0 && loaded.light_nodes[i - 1] == node;
-        const auto from = is_next ? nodes_.begin() + lights.back().number + 1 : nodes_.begin();
-        const auto known = std::find(from, nodes_.end(), node);
-        lights.push_back({loaded.stage.scene.lights[i], static_cast<int>(known - nodes_.begin())});
-        if (known == nodes_.end()) nodes_.push_back(node);
-    }
-    materials.clear();
-    for (std::size_t m = 0; m < loaded.emission.size(); ++m)
-        materials.push_back({loaded.contents.material_numbers[m], loaded.emission[m],
-                             loaded.stage.scene.materials[m].name, loaded.stage.scene.materials[m]});
-}
-
-bool FileLights::shares_its_node(int number) const { return std::ranges::count(nodes_, node_of(number)) > 1; }
 
 LightEditor::LightEditor(const LoadedScene& loaded, bool hides_emitters) : hides_emitters_(hides_emitters) {
     const scene::Scene& scene = loaded.stage.scene;
@@ -244,8 +154,9 @@ void LightEditor::remember(std::string what) {
     is_step_open_ = true;
 }
 
-/// Describes an edit of an entry.
+/// Describes an edit of an entry, or of all lights of a step.
 std::string LightEditor::of(const char* what, std::size_t entry) const {
+    if (step_lights_ > 1) return fmt::format("{} {} lights", what, step_lights_);
     return fmt::format("{} {}", what, entries_[entry].name);
 }
 
@@ -272,18 +183,28 @@ void LightEditor::set_quantity(std::size_t entry, vec3 quantity) {
         scene::set_quantity(edit.light, quantity);
 }
 
+void LightEditor::brighten(std::size_t entry, float by) {
+    const bool was_enabled = entries_[entry].is_enabled;
+    const vec3 quantity = by * quantity_of(lights_of(entry).front());
+    if (quantity == vec3(0.0f)) return; // it is too faint for a float
+    set_quantity(entry, quantity);
+    edit_of(entry).is_enabled = was_enabled;
+}
+
 void LightEditor::enable(std::size_t entry, bool is_enabled) {
     if (edit_of(entry).is_enabled == is_enabled) return;
     remember(of(is_enabled ? "enabling" : "disabling", entry));
     edit_of(entry).is_enabled = is_enabled;
 }
 
-void LightEditor::solo(std::size_t entry) {
-    const bool is_alone = std::ranges::all_of(
-        entries_, [&](const LightEntry& other) { return other.is_enabled == (&other == &entries_[entry]); });
-    if (is_alone && entries_.size() == 1) return; // it stays as it is
-    remember(of("enabling alone", entry));
-    for (std::size_t i = 0; i < entries_.size(); ++i) edit_of(i).is_enabled = is_alone || i == entry;
+void LightEditor::solo(const std::vector<std::size_t>& alone) {
+    const auto is_one = [&](std::size_t i) { return std::ranges::find(alone, i) != alone.end(); };
+    bool are_alone = true;
+    for (std::size_t i = 0; i < entries_.size(); ++i)
+        are_alone = are_alone && entries_[i].is_enabled == is_one(i);
+    if (are_alone && entries_.size() == alone.size()) return; // they stay as they are
+    remember(of("enabling alone", alone.front()));
+    for (std::size_t i = 0; i < entries_.size(); ++i) edit_of(i).is_enabled = are_alone || is_one(i);
 }
 
 bool LightEditor::transform(std::size_t entry, const mat4& by) {
@@ -338,7 +259,7 @@ bool LightEditor::rename(std::size_t entry, const std::string& name) {
 }
 
 std::size_t LightEditor::add(scene::Light light) {
-    remember("adding " + name_of(light));
+    remember(step_lights_ > 1 ? fmt::format("adding {} lights", step_lights_) : "adding " + name_of(light));
     LightEdit edit;
     edit.source = -1 - static_cast<int>(std::ranges::count_if(edits_, &LightEdit::is_added));
     edit.light = std::move(light);
@@ -385,6 +306,17 @@ void LightEditor::cancel_step() {
     revision_ = undo_.back().revision;
     undo_.pop_back();
     is_step_open_ = false;
+}
+
+void LightEditor::return_to(const State& shown) {
+    if (revision_ != shown.revision) {
+        for (std::vector<Step>* const steps : {&undo_, &redo_})
+            steps->erase(std::ranges::find(*steps, shown.revision, &Step::revision), steps->end());
+        is_step_open_ = false;
+    }
+    edits_ = shown.edits;
+    revision_ = shown.revision;
+    rebase_edits(edits_, file_);
 }
 
 void LightEditor::rebase(const LoadedScene& loaded) {

@@ -1,89 +1,10 @@
 #pragma once
 // Light editor with undo and redo: the lights of a file, what a person changed, and the RenderScene that
 // follows. Plain data: no GL.
-#include "gltf/editable_factors.hpp"
-#include "viewer/document/loaded_scene.hpp"
+#include "viewer/document/file_lights.hpp"
 #include "viewer/light_value.hpp"
 
 namespace sr::viewer {
-
-/// Factors of a material that a person sets. What is absent is as the file states it.
-struct MaterialFactors {
-    std::optional<vec4> base_color{}; // linear, alpha in w
-    std::optional<float> metallic{};
-    std::optional<float> roughness{};
-    gltf::FactorValues others{}; // of gltf::editable_factors
-
-    bool any() const { return base_color || metallic || roughness || !others.empty(); }
-    bool operator==(const MaterialFactors&) const = default;
-};
-
-/// A light, or an emission and other factors of a material, as a person edits it.
-struct LightEdit {
-    enum class Kind {
-        light,    // a light of the file, or an added one
-        material, // a material of the file, on all its surfaces
-        softbox,  // a light of the studio rig
-    };
-    Kind kind = Kind::light;
-    /// Number that stays at every time: FileLights::Light::number, or negative for an added light; the file's
-    /// number of the material; index of the softbox in the rig.
-    int source = 0;
-    scene::Light light;              // current value, of lights and softboxes
-    vec3 emission{0.0f};             // current value, of materials
-    MaterialFactors factors{};       // of materials
-    std::size_t material = 0;        // index in the scene, of materials
-    std::string name{};              // in the file, before any edit
-    int node = -1;                   // of a light of the file
-    bool is_enabled = true;          // a disabled light emits nothing and stays where it is
-    bool is_present = true;          // the file shows it at this time, in this variant
-    bool is_removed = false;         // by a person
-    bool overrides_quantity = false; // the quantity is a person's, at every time
-    bool overrides_size = false;     // likewise a size
-    bool overrides_name = false;     // likewise its name
-    mat4 motion{1.0f};               // from the place in the file to the current place, in the world
-
-    bool is_added() const { return kind == Kind::light && source < 0; }
-    bool is_shown() const { return is_present && !is_removed; }
-    bool is_edited() const {
-        return is_removed || overrides_quantity || overrides_size || overrides_name || factors.any()
-               || motion != mat4(1.0f);
-    }
-    /// True if the file does not say it.
-    bool is_news() const { return is_added() ? !is_removed : is_edited() || !is_enabled; }
-};
-
-/// True if the same lights are there, at the same places and of the same sizes, and materials have the same
-/// factors: at most quantities differ.
-bool are_at_same_places(const std::vector<LightEdit>& a, const std::vector<LightEdit>& b);
-
-/// The lights of a file at one time, in one variant, before any edit.
-class FileLights {
-public:
-    struct Light {
-        scene::Light light;
-        int number = 0; // the same at every time
-    };
-    struct Material {
-        int number = 0; // in the file; negative for the default material of glTF
-        vec3 emission{0.0f};
-        std::string name{};
-        scene::Material stated{}; // as the file states it
-    };
-    std::vector<Light> lights; // the visible ones
-    std::vector<Material> materials;
-
-    /// Takes the lights of `loaded`, which has no edits yet.
-    void read(const LoadedScene& loaded);
-
-    /// The node of a light.
-    int node_of(int number) const { return nodes_[static_cast<std::size_t>(number)]; }
-    /// True if the node has several lights.
-    bool shares_its_node(int number) const;
-
-private:
-    std::vector<int> nodes_; // of every light that was seen so far
-};
 
 /// A row in the list of lights.
 struct LightEntry {
@@ -109,10 +30,12 @@ public:
     std::vector<scene::Light> lights_of(std::size_t entry) const;
 
     // Edits, each of which can be undone. apply() brings them to the RenderScene.
-    void set_quantity(std::size_t entry, vec3 quantity); // zero disables
+    void set_quantity(std::size_t entry, vec3 quantity); // zero disables, other values enable
+    /// Multiplies the quantity. A disabled light stays disabled.
+    void brighten(std::size_t entry, float by);
     void enable(std::size_t entry, bool is_enabled);
-    /// Disables all other lights; if they are disabled already, enables all.
-    void solo(std::size_t entry);
+    /// Disables all lights but these; if that is so already, enables all.
+    void solo(const std::vector<std::size_t>& alone);
     /// Moves a light or a softbox. @return false for a material, whose surfaces stay
     bool transform(std::size_t entry, const mat4& by);
     /// Sets the size of a light or a softbox along one of its extents (scene::sizes_of) [m].
@@ -137,10 +60,11 @@ public:
     /// Each @return says what was undone or redone ("value of lamp"); absent if there is nothing.
     std::optional<std::string> undo();
     std::optional<std::string> redo();
-    /// Begins an undo step, which lasts until the next call: a drag is one step.
+    /// Begins an undo step, which lasts until the next call: a drag is one step. `lights`: how many it edits.
     /// `name`: of all edits in it; empty: that of the first one.
-    void begin_step(std::string name = {}) {
+    void begin_step(std::size_t lights = 1, std::string name = {}) {
         is_step_open_ = false;
+        step_lights_ = lights;
         step_name_ = std::move(name);
     }
     /// Restores the state at the beginning of the step, which stays open.
@@ -155,6 +79,16 @@ public:
     /// Replaces all edits by those of a journal, as one step that can be undone.
     void recover(std::vector<LightEdit> edits);
     const std::vector<LightEdit>& edits() const { return edits_; }
+
+    /// All edits at a moment.
+    struct State {
+        std::vector<LightEdit> edits;
+        int revision = 0; // each undo step has its own
+    };
+    State state() const { return {edits_, revision_}; }
+    /// Goes back to a state that was shown, and forgets the steps that led away from it: the scene with them
+    /// cannot be shown. An open step stays open if the state is of that step.
+    void return_to(const State& shown);
 
     /// Rebuilds everything of `loaded` that depends on lights. Images, textures and meshes of the file stay.
     void apply(LoadedScene& loaded);
@@ -201,6 +135,7 @@ private:
     bool hides_emitters_;
     bool is_step_open_ = false;
     std::string step_name_; // of the next step
+    std::size_t step_lights_ = 1;
 };
 
 } // namespace sr::viewer

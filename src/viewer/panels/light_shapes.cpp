@@ -139,17 +139,18 @@ LightShape shape_of(const scene::Light& light, float length, vec3 pivot, vec3 ey
     return shape;
 }
 
-void draw_light_shapes(const LightEditor& lights, std::optional<std::size_t> selected,
+void draw_light_shapes(const LightEditor& lights, const LightSelection& selected,
                        std::optional<std::size_t> hovered, const Projection& projection, float length,
                        vec3 pivot, float scale) {
     constexpr ImU32 faint = IM_COL32(230, 159, 0, 150);
     for (std::size_t i = 0; i < lights.entries().size(); ++i) {
-        if (i != selected && i != hovered) continue;
+        const bool is_selected = selected.contains(i);
+        if (!is_selected && i != hovered) continue;
         for (const scene::Light& light : lights.lights_of(i)) {
             const LightShape shape = shape_of(light, length, pivot, eye_of(projection));
-            draw_lines(shape.outline, projection, i == selected ? palette::orange : palette::white,
+            draw_lines(shape.outline, projection, is_selected ? palette::orange : palette::white,
                        2.0f * scale);
-            if (i != selected) continue;
+            if (!is_selected) continue;
             draw_lines(shape.reach, projection, faint, 1.0f * scale);
             if (shape.direction) draw_arrow(*shape.direction, projection, palette::orange, scale);
         }

@@ -1,6 +1,6 @@
 #pragma once
 // Lights as lines in the picture: outline, direction, cone and range.
-#include "viewer/document/light_edits.hpp"
+#include "viewer/document/light_selection.hpp"
 #include "viewer/view/projection.hpp"
 
 #include <optional>
@@ -21,7 +21,7 @@ struct LightShape {
 LightShape shape_of(const scene::Light& light, float length, vec3 pivot, vec3 eye);
 
 /// Draws the selected light with all lines, and the outline of the one under the pointer.
-void draw_light_shapes(const LightEditor& lights, std::optional<std::size_t> selected,
+void draw_light_shapes(const LightEditor& lights, const LightSelection& selected,
                        std::optional<std::size_t> hovered, const Projection& projection, float length,
                        vec3 pivot, float scale);
 

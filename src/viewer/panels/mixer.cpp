@@ -88,12 +88,12 @@ Changes MixerPanel::draw_fader(std::size_t entry, LightEditor& lights, const Loa
     if (!is_moved && !is_reset) return {};
     const float wanted = is_reset ? 0.0f : ev;
     const float by = std::exp2(wanted - exposure_between(at_zero_[entry], quantity));
-    lights.set_quantity(entry, by * quantity);
+    lights.brighten(entry, by);
     return Change::lights;
 }
 
 Changes MixerPanel::draw_light(std::size_t entry, LightEditor& lights, const LoadedScene& loaded,
-                               std::optional<std::size_t>& selected) {
+                               LightSelection& selected) {
     Changes changes;
     ImGui::PushID(static_cast<int>(entry));
     const bool is_on = lights.entries()[entry].is_enabled;
@@ -105,7 +105,7 @@ Changes MixerPanel::draw_light(std::size_t entry, LightEditor& lights, const Loa
     ImGui::SameLine(0.0f, 3.0f);
     if (switch_button("S", is_alone(lights, entry), palette::green, "solo: this light alone, or all again")) {
         lights.begin_step();
-        lights.solo(entry);
+        lights.solo({entry});
         changes |= Change::lights;
     }
     ImGui::SameLine(0.0f, 3.0f);
@@ -122,7 +122,7 @@ Changes MixerPanel::draw_light(std::size_t entry, LightEditor& lights, const Loa
     }
     ImGui::SameLine();
     if (!is_on) ImGui::PushStyleColor(ImGuiCol_Text, ImGui::ColorConvertU32ToFloat4(palette::grey));
-    if (ImGui::Selectable(lights.entries()[entry].name.c_str(), selected == entry)) selected = entry;
+    if (ImGui::Selectable(lights.entries()[entry].name.c_str(), selected.contains(entry))) selected = entry;
     if (!is_on) ImGui::PopStyleColor();
     changes |= draw_fader(entry, lights, loaded);
     ImGui::PopID();
@@ -142,7 +142,7 @@ Changes MixerPanel::draw_group_switches(const MixerGroup& group, LightEditor& li
         is_solo = is_solo && entries[i].is_enabled == is_member(i);
     }
     const auto switch_all = [&](const char* what, auto is_on) {
-        lights.begin_step(step_of(what, group));
+        lights.begin_step(group.entries.size(), step_of(what, group));
         for (std::size_t i = 0; i < lights.entries().size(); ++i) lights.enable(i, is_on(i));
         changes |= Change::lights;
     };
@@ -164,15 +164,17 @@ Changes MixerPanel::draw_group_fader(const MixerGroup& group, LightEditor& light
     ImGui::SetNextItemWidth(-1.0f);
     const bool is_moved = ImGui::SliderFloat("##group", &ev, -fader_range, fader_range, "%+.2f EV  (all)",
                                              ImGuiSliderFlags_AlwaysClamp);
-    if (ImGui::IsItemActivated()) lights.begin_step(step_of("value of", group));
-    tooltip("brightens all lights of the group by as much; 1 EV doubles them. Ctrl click: type");
+    if (ImGui::IsItemActivated()) lights.begin_step(group.entries.size(), step_of("value of", group));
+    tooltip(
+        "brightens all lights of the group by as much, and muted ones stay muted; 1 EV doubles them. Ctrl "
+        "click: type");
     if (!is_moved) return {};
-    for (const std::size_t i : group.entries) lights.set_quantity(i, std::exp2(ev - before) * quantity(i));
+    for (const std::size_t i : group.entries) lights.brighten(i, std::exp2(ev - before));
     return Change::lights;
 }
 
 Changes MixerPanel::draw_group(const MixerGroup& group, LightEditor& lights, const LoadedScene& loaded,
-                               std::optional<std::size_t>& selected) {
+                               LightSelection& selected) {
     if (group.entries.size() == 1) return draw_light(group.entries.front(), lights, loaded, selected);
     constexpr std::size_t few = 12; // lights that a panel shows one by one from the start
     ImGui::PushID(group.name.c_str());
@@ -191,7 +193,7 @@ Changes MixerPanel::draw_group(const MixerGroup& group, LightEditor& lights, con
     return changes;
 }
 
-Changes MixerPanel::draw(LightEditor& lights, const LoadedScene& loaded, std::optional<std::size_t>& selected,
+Changes MixerPanel::draw(LightEditor& lights, const LoadedScene& loaded, LightSelection& selected,
                          const std::string& progress, const std::optional<Area>& area, const Ui& ui,
                          bool& closes) {
     Changes changes;

@@ -1,7 +1,7 @@
 #pragma once
 // Light mixer: a fader, a colour, mute and solo for each light.
 #include "viewer/changes.hpp"
-#include "viewer/document/light_edits.hpp"
+#include "viewer/document/light_selection.hpp"
 #include "viewer/ui.hpp"
 
 #include <optional>
@@ -26,16 +26,16 @@ public:
 
     /// Draws the panel into `area`, or floating if it is absent. `progress`: a line about the pictures of the
     /// lights. Sets `closes` if a person is done.
-    Changes draw(LightEditor& lights, const LoadedScene& loaded, std::optional<std::size_t>& selected,
+    Changes draw(LightEditor& lights, const LoadedScene& loaded, LightSelection& selected,
                  const std::string& progress, const std::optional<Area>& area, const Ui& ui, bool& closes);
 
 private:
     Changes draw_group(const MixerGroup& group, LightEditor& lights, const LoadedScene& loaded,
-                       std::optional<std::size_t>& selected);
+                       LightSelection& selected);
     static Changes draw_group_switches(const MixerGroup& group, LightEditor& lights);
     Changes draw_group_fader(const MixerGroup& group, LightEditor& lights);
     Changes draw_light(std::size_t entry, LightEditor& lights, const LoadedScene& loaded,
-                       std::optional<std::size_t>& selected);
+                       LightSelection& selected);
     Changes draw_fader(std::size_t entry, LightEditor& lights, const LoadedScene& loaded);
 
     std::vector<vec3> at_zero_; // quantity of each entry

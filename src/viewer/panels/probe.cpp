@@ -252,8 +252,8 @@ void ProbePanel::place_floating() {
     ImGui::SetNextWindowPos({best.x, best.y});
 }
 
-void ProbePanel::draw(const scene::RenderScene& stage, const LightEditor& lights,
-                      std::optional<std::size_t>& selected, Layout& layout, const Ui& ui) {
+void ProbePanel::draw(const scene::RenderScene& stage, const LightEditor& lights, LightSelection& selected,
+                      Layout& layout, const Ui& ui) {
     if (!result) {
         is_placed_ = false;
         return;
@@ -300,7 +300,7 @@ void ProbePanel::draw_head(const Ui& ui, bool& is_open) {
 }
 
 void ProbePanel::draw_terms(const scene::RenderScene& stage, const LightEditor& lights,
-                            std::optional<std::size_t>& selected) {
+                            LightSelection& selected) {
     const render::PixelTerms& terms = result->terms;
     put(fmt::format("pixel {},{}, {} samples{}, coverage {:.3g}", result->column, result->row,
                     result->samples, result->is_complete ? "" : " (refining)", terms.coverage));
@@ -327,7 +327,7 @@ void ProbePanel::draw_terms(const scene::RenderScene& stage, const LightEditor& 
 
 /// Draws a row for each light. Columns that have no room are reached by scrolling; the names stay.
 void ProbePanel::draw_table(const scene::RenderScene& stage, const LightEditor& lights,
-                            std::optional<std::size_t>& selected) {
+                            LightSelection& selected) {
     const auto count = static_cast<int>(result->terms.lights.size());
     const bool is_cut = table_width_ > ImGui::GetContentRegionAvail().x;
     const float lines = result->reference ? 2.0f : 1.0f, margin = 2.0f * ImGui::GetStyle().CellPadding.y;
@@ -344,7 +344,7 @@ void ProbePanel::draw_table(const scene::RenderScene& stage, const LightEditor& 
 }
 
 void ProbePanel::draw_row(int k, const scene::RenderScene& stage, const LightEditor& lights,
-                          std::optional<std::size_t>& selected) {
+                          LightSelection& selected) {
     const render::LightTerms& t = result->terms.lights[static_cast<std::size_t>(k)];
     const auto& entries = lights.entries();
     const auto entry = std::ranges::find_if(
@@ -354,7 +354,7 @@ void ProbePanel::draw_row(int k, const scene::RenderScene& stage, const LightEdi
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     const std::string label = fmt::format("{} {}", k, name);
-    if (ImGui::Selectable(label.c_str(), entry != entries.end() && selected == index,
+    if (ImGui::Selectable(label.c_str(), entry != entries.end() && selected.contains(index),
                           ImGuiSelectableFlags_SpanAllColumns)
         && entry != entries.end())
         selected = index;

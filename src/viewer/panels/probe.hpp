@@ -1,7 +1,7 @@
 #pragma once
 // Probe panel: the equation at a pixel as the table of `steradian probe`, and the BRDF lobe there.
 #include "render/probe.hpp"
-#include "viewer/document/light_edits.hpp"
+#include "viewer/document/light_selection.hpp"
 #include "viewer/panels/lobe.hpp"
 #include "viewer/ui.hpp"
 #include "viewer/view/projection.hpp"
@@ -46,8 +46,8 @@ public:
 
     /// Draws the table below the picture, if there is a result. A click on a row selects its light in
     /// `selected`.
-    void draw(const scene::RenderScene& stage, const LightEditor& lights,
-              std::optional<std::size_t>& selected, Layout& layout, const Ui& ui);
+    void draw(const scene::RenderScene& stage, const LightEditor& lights, LightSelection& selected,
+              Layout& layout, const Ui& ui);
 
     /// Draws n, wo, the mean wi of every light and the lobe at x.
     void draw_directions(const scene::RenderScene& stage, const Projection& projection, float scale) const;
@@ -55,12 +55,10 @@ public:
 private:
     void place_floating();
     static void draw_head(const Ui& ui, bool& is_open);
-    void draw_terms(const scene::RenderScene& stage, const LightEditor& lights,
-                    std::optional<std::size_t>& selected);
-    void draw_table(const scene::RenderScene& stage, const LightEditor& lights,
-                    std::optional<std::size_t>& selected);
+    void draw_terms(const scene::RenderScene& stage, const LightEditor& lights, LightSelection& selected);
+    void draw_table(const scene::RenderScene& stage, const LightEditor& lights, LightSelection& selected);
     void draw_row(int light, const scene::RenderScene& stage, const LightEditor& lights,
-                  std::optional<std::size_t>& selected);
+                  LightSelection& selected);
 
     LobePanel lobe_;
     int hovered_ = -1;

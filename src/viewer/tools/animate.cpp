@@ -84,8 +84,7 @@ Changes Animate::update(double seconds) {
 
 /// Shows the time of the playback. Cameras of the file are followed.
 Changes Animate::show_time() {
-    const auto& entries = ws_.scene->lights().entries();
-    const auto selected = ws_.selected ? std::optional(entries[*ws_.selected]) : std::nullopt;
+    const std::vector<LightEntry> before = ws_.scene->lights().entries();
     try {
         ws_.scene->pose(ws_.playback.moment());
     } catch (const Error& error) {
@@ -94,7 +93,7 @@ Changes Animate::show_time() {
         const gltf::AnimationTime& shown = ws_.scene->loaded().moment;
         ws_.playback.seconds = shown.animations.empty() ? std::nullopt : std::optional(shown.seconds);
     }
-    if (selected) ws_.selected = ws_.scene->lights().entry_like(*selected);
+    ws_.selected.follow(before, ws_.scene->lights());
     ws_.options.at = ws_.playback.seconds;
     ws_.camera->set_bounds(ws_.scene->loaded().bounds);
     ws_.camera->follow(ws_.scene->stage().scene.cameras);

@@ -5,12 +5,15 @@
 #include "viewer/panels/lights.hpp"
 #include "viewer/tools/tool.hpp"
 
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace sr::viewer {
 namespace {
@@ -28,7 +31,9 @@ public:
     Changes draw_section() override;
 
 private:
-    std::optional<Changes> select_at(vec2 pointer);
+    std::optional<Changes> select_at(const ClickEvent& click);
+    std::optional<Changes> go_through_list(const KeyEvent& key);
+    Changes say_selection() const;
     std::optional<Changes> execute(Command command);
     Changes step(bool is_undo);
     Changes edit_selected(Command command);
@@ -37,26 +42,52 @@ private:
     Changes ask_kind();
     Changes add(std::string_view kind);
     Changes duplicate();
-    void select_new(scene::Light light);
+    Changes remove();
+    void select_new(std::vector<scene::Light> lights);
     float suitable_length() const;
 
     LightsPanel panel_;
 };
 
 std::optional<Changes> EditLights::handle(const Event& event) {
-    if (const auto* click = std::get_if<ClickEvent>(&event)) return select_at(click->at);
+    if (const auto* click = std::get_if<ClickEvent>(&event)) return select_at(*click);
+    if (const auto* key = std::get_if<KeyEvent>(&event)) return go_through_list(*key);
     const auto command = command_in(event);
     return command ? execute(*command) : std::nullopt;
 }
 
 Changes EditLights::select(std::size_t entry) {
     ws_.selected = entry;
-    ws_.messages.notify("Selected " + ws_.scene->lights().entries()[entry].name + ".");
+    return say_selection();
+}
+
+Changes EditLights::say_selection() const {
+    const auto& entries = ws_.scene->lights().entries();
+    const std::size_t count = ws_.selected.count();
+    ws_.messages.notify(count == 0   ? "No light is selected."
+                        : count == 1 ? fmt::format("Selected {}.", entries[*ws_.selected].name)
+                                     : fmt::format("Selected {} lights.", count));
     return Change::redraw;
 }
 
-/// Selects the light whose mark or surface is under the pointer.
-std::optional<Changes> EditLights::select_at(vec2 pointer) {
+/// Up and down over the list go through it; with Shift they select what they pass.
+std::optional<Changes> EditLights::go_through_list(const KeyEvent& key) {
+    const bool is_up = key.key == GLFW_KEY_UP;
+    const bool is_of_list = panel_.has_pointer_in_list() && (is_up || key.key == GLFW_KEY_DOWN)
+                            && (key.modifiers == no_modifier || key.modifiers == shift);
+    const std::size_t count = ws_.scene->lights().entries().size();
+    if (!is_of_list || count == 0 || ws_.ui.has_keyboard()) return std::nullopt;
+    if (!ws_.selected) return select(is_up ? count - 1 : 0);
+    const std::size_t now = *ws_.selected, next = is_up ? std::max<std::size_t>(now, 1) - 1 : now + 1;
+    if (key.modifiers == no_modifier) return select(std::min(next, count - 1));
+    ws_.selected.extend_to(std::min(next, count - 1));
+    return say_selection();
+}
+
+/// Selects the light whose mark or surface is under the pointer. With Ctrl or Shift it is added to the
+/// selection or taken away.
+std::optional<Changes> EditLights::select_at(const ClickEvent& click) {
+    const vec2 pointer = click.at;
     const LightEditor& lights = ws_.scene->lights();
     const Projection projection = ws_.projection();
     auto found = mark_under(lights, projection, pointer);
@@ -65,6 +96,11 @@ std::optional<Changes> EditLights::select_at(vec2 pointer) {
     if (!found)
         if (const auto hit = first_hit(stage.scene, projection.ray(pointer)))
             found = lights.entry_of_instance(stage, hit->instance);
+    if (click.modifiers != no_modifier) {
+        if (!found) return Changes();
+        ws_.selected.toggle(*found);
+        return say_selection();
+    }
     if (found) return select(*found);
     ws_.selected.reset();
     return std::nullopt;
@@ -102,12 +138,15 @@ Changes EditLights::step(bool is_undo) {
     LightEditor& lights = ws_.scene->lights();
     const char* const verb = is_undo ? "undo" : "redo";
     const std::vector<LightEdit> before = lights.edits();
+    const std::vector<LightEntry> listed = lights.entries();
     const auto what = is_undo ? lights.undo() : lights.redo();
     if (!what) {
         ws_.messages.notify(fmt::format("Nothing to {}.", verb));
         return Change::redraw;
     }
     ws_.messages.notify(fmt::format("{}: {}.", is_undo ? "Undone" : "Redone", *what));
+    ws_.scene->stage_lights();
+    ws_.selected.follow(listed, lights);
     if (are_at_same_places(before, lights.edits())) return Change::lights;
     return Change::lights | Change::shadows;
 }
@@ -117,21 +156,38 @@ Changes EditLights::edit_selected(Command command) {
     const std::size_t entry = *ws_.selected;
     if (command == Command::edit_light || command == Command::rename_light) ws_.show_panel(side::controls);
     if (command == Command::edit_light) panel_.edit();
+    if (command == Command::rename_light) ws_.selected = entry; // a name belongs to one light
     if (command == Command::rename_light && lights.can_move(entry)) panel_.rename();
     if (command == Command::rename_light && !lights.can_move(entry))
         ws_.messages.notify("Emissive surfaces have the name of their material.");
     if (command == Command::edit_light || command == Command::rename_light) return Change::redraw;
     if (command == Command::duplicate_light) return duplicate();
-    lights.begin_step();
-    if (command == Command::switch_light) lights.enable(entry, !lights.entries()[entry].is_enabled);
-    if (command == Command::solo_light) lights.solo(entry);
+    if (command == Command::delete_light) return remove();
+    const bool is_on = lights.entries()[entry].is_enabled;
+    lights.begin_step(ws_.selected.count());
+    if (command == Command::switch_light)
+        for (const std::size_t i : ws_.selected.entries()) lights.enable(i, !is_on);
+    if (command == Command::solo_light) lights.solo(ws_.selected.entries());
     if (command == Command::brighten_light) scale_quantity(std::exp2(light_step));
     if (command == Command::dim_light) scale_quantity(std::exp2(-light_step));
-    if (command != Command::delete_light) return Change::lights;
-    if (lights.remove(entry))
-        ws_.selected.reset();
-    else
-        ws_.messages.notify("Emissive surfaces cannot be removed. The light is disabled.");
+    return Change::lights;
+}
+
+/// Removes the selected lights. Emissive surfaces are disabled, and stay selected.
+Changes EditLights::remove() {
+    LightEditor& lights = ws_.scene->lights();
+    lights.begin_step(ws_.selected.count());
+    const std::vector<LightEntry> before = lights.entries();
+    std::vector<std::size_t> staying;
+    for (const std::size_t entry : ws_.selected.entries())
+        if (!lights.remove(entry)) staying.push_back(entry);
+    if (!staying.empty())
+        ws_.messages.notify(staying.size() == 1
+                                ? "Emissive surfaces cannot be removed. The light is disabled."
+                                : "Emissive surfaces cannot be removed. These lights are disabled.");
+    ws_.selected.select(std::move(staying));
+    ws_.scene->stage_lights();
+    ws_.selected.follow(before, lights);
     return Change::lights | Change::shadows;
 }
 
@@ -152,13 +208,15 @@ float EditLights::suitable_length() const {
     return bounds.is_empty() ? 0.5f : 0.12f * glm::distance(bounds.min, bounds.max);
 }
 
-/// Adds a light and selects it. It is listed at once: others look the selection up before the scene is relit.
-void EditLights::select_new(scene::Light light) {
-    LightEditor& lights = ws_.scene->lights();
-    lights.begin_step();
-    const std::size_t entry = lights.add(std::move(light));
+/// Adds lights and selects them. They are listed at once: others look the selection up before the scene is
+/// relit.
+void EditLights::select_new(std::vector<scene::Light> lights) {
+    LightEditor& editor = ws_.scene->lights();
+    editor.begin_step(lights.size());
+    std::vector<std::size_t> entries;
+    for (scene::Light& light : lights) entries.push_back(editor.add(std::move(light)));
     ws_.scene->stage_lights();
-    ws_.selected = entry;
+    ws_.selected.select(std::move(entries));
 }
 
 /// Adds a light between the eye and what it looks at, which it lights as bright as the exposure wants it.
@@ -170,7 +228,7 @@ Changes EditLights::add(std::string_view kind) {
     const float E = grey * pi / (white_surface * image::exposure_factor(ws_.exposure.ev100()));
     const vec3 at = view.pivot + nearer * (view.eye() - view.pivot) + 0.5f * half_height * view.up();
     const NewLightPlace place{at, view.pivot, std::min(suitable_length(), 0.5f * half_height), E};
-    select_new(new_light(kind, place));
+    select_new({new_light(kind, place)});
     ws_.messages.notify(fmt::format("Added a light: {}. {} moves it, {} turns it, {} types a value.", kind,
                                     ws_.keys.text(Command::move_light), ws_.keys.text(Command::turn_light),
                                     ws_.keys.text(Command::edit_light)));
@@ -179,24 +237,33 @@ Changes EditLights::add(std::string_view kind) {
 
 Changes EditLights::duplicate() {
     const LightEditor& lights = ws_.scene->lights();
-    const auto own = lights.lights_of(*ws_.selected);
-    const auto copy =
-        lights.can_move(*ws_.selected) ? duplicate_of(own.front(), suitable_length()) : std::nullopt;
-    if (!copy) {
+    std::vector<scene::Light> copies;
+    for (const std::size_t entry : ws_.selected.entries())
+        if (lights.can_move(entry))
+            if (auto copy = duplicate_of(lights.lights_of(entry).front(), suitable_length()))
+                copies.push_back(*std::move(copy));
+    if (copies.empty()) {
         ws_.messages.notify(
             "A light like this cannot be duplicated: it is a surface, or has a picture or a profile.");
         return Change::redraw;
     }
-    select_new(*copy);
-    ws_.messages.notify(fmt::format("Added {}.", name_of(*copy)));
+    const std::size_t left = ws_.selected.count() - copies.size();
+    ws_.messages.notify(copies.size() == 1 ? fmt::format("Added {}.", name_of(copies.front()))
+                        : left == 0
+                            ? fmt::format("Added {} lights.", copies.size())
+                            : fmt::format("Added {} lights. {} cannot be duplicated.", copies.size(), left));
+    select_new(std::move(copies));
     return Change::lights | Change::shadows;
 }
 
 void EditLights::scale_quantity(float by) {
     LightEditor& lights = ws_.scene->lights();
-    const auto own = lights.lights_of(*ws_.selected);
-    lights.set_quantity(*ws_.selected, by * quantity_of(own.front()));
-    ws_.messages.notify(fmt::format("{}: {:+.2f} EV.", lights.entries()[*ws_.selected].name, std::log2(by)));
+    for (const std::size_t entry : ws_.selected.entries()) lights.brighten(entry, by);
+    ws_.messages.notify(fmt::format("{}: {:+.2f} EV.",
+                                    ws_.selected.count() == 1
+                                        ? lights.entries()[*ws_.selected].name
+                                        : fmt::format("{} lights", ws_.selected.count()),
+                                    std::log2(by)));
 }
 
 Changes EditLights::draw(const Overlay& overlay) {

@@ -114,7 +114,7 @@ void Explain::begin() {
     const auto brightest = std::ranges::max_element(
         lights, {}, [](const render::LightTerms& light) { return luminance(light.L_r); });
     const int light = brightest == lights.end() ? 0 : static_cast<int>(brightest - lights.begin());
-    followed_ = ws_.selected;
+    followed_ = ws_.selected.active();
     choose({lights.empty() ? EquationTerm::emission : EquationTerm::f_r, light});
 }
 
@@ -210,8 +210,8 @@ Changes Explain::update(double /*seconds*/) {
         return {};
     }
     if (!has_begun_) begin();
-    if (followed_ != ws_.selected) {
-        followed_ = ws_.selected;
+    if (followed_ != ws_.selected.active()) {
+        followed_ = ws_.selected.active();
         const auto& entries = ws_.scene->lights().entries();
         if (followed_ && *followed_ < entries.size() && !entries[*followed_].lights.empty())
             return choose({explanation_.chosen.term, entries[*followed_].lights.front()});

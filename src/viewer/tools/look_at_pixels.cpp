@@ -117,7 +117,8 @@ std::optional<Changes> LookAtPixels::press(const ButtonEvent& button) {
     if (!button.is_down) {
         if (drag_ == Drag::none) return std::nullopt;
         const bool is_click = std::exchange(drag_, Drag::none) == Drag::move && is_click_;
-        if (is_click && button.button == Button::left) ws_.input.put(ClickEvent{at});
+        if (is_click && button.button == Button::left)
+            ws_.input.put(ClickEvent{at, button.modifiers & (shift | control)});
         return Change::redraw;
     }
     if (drag_ != Drag::none) return Changes();

@@ -79,7 +79,8 @@ std::optional<Changes> MixLights::handle(const Event& event) {
     }
     if (!is_open_) return std::nullopt;
     if (command == Command::cancel) return end();
-    if (std::holds_alternative<ClickEvent>(event) || (command && ends_mixing(*command)))
+    const auto* click = std::get_if<ClickEvent>(&event);
+    if ((click && click->modifiers == no_modifier) || (command && ends_mixing(*command)))
         end(); // the event is for another tool
     return std::nullopt;
 }
@@ -122,7 +123,7 @@ Changes MixLights::end() {
 void MixLights::wait_again() {
     const bool was_mixing = ws_.is_mixing;
     drop();
-    if (was_mixing) ws_.scene->relight(false);
+    if (was_mixing) ws_.relight(false);
 }
 
 void MixLights::drop() {

@@ -47,8 +47,9 @@ Navigation::Drag Navigation::drag_of(const ButtonEvent& press) {
 void Navigation::press(const ButtonEvent& event) {
     drag_ = drag_of(event);
     button_ = event.button;
+    modifiers_ = event.modifiers;
     pressed_at_ = at_;
-    is_click_ = event.button == Button::left && event.modifiers == no_modifier;
+    is_click_ = event.button == Button::left && !(event.modifiers & alt);
     gliding_ = Drag::none;
     travelled_ = velocity_ = vec2(0.0f);
 }
@@ -118,7 +119,7 @@ Navigation::Effect Navigation::handle(const Event& event, Viewpoint& view, vec2 
     if (drag_ == Drag::none || button->button != button_) return {};
     if (has_inertia_ && !is_click_) gliding_ = drag_;
     drag_ = Drag::none;
-    return is_click_ ? Effect{false, at_} : Effect{};
+    return is_click_ ? Effect{false, at_, modifiers_} : Effect{};
 }
 
 void fly(Viewpoint& view, vec3 direction, float metres) {
@@ -138,7 +139,7 @@ std::optional<Changes> Navigate::handle(const Event& event) {
     };
     Viewpoint view = ws_.camera->view();
     const Navigation::Effect effect = navigation_.handle(event, view, ws_.picture().size, point_under);
-    if (effect.clicked) ws_.input.put(ClickEvent{*effect.clicked});
+    if (effect.clicked) ws_.input.put(ClickEvent{*effect.clicked, effect.modifiers});
     if (!effect.has_moved) return effect.clicked ? Changes(Change::redraw) : Changes();
     ws_.camera->move_to(view);
     return Change::camera;
@@ -218,19 +219,20 @@ Changes Navigate::paste_view() {
     }
 }
 
-/// The bounds of the selected light or object; empty if none is selected.
+/// The bounds of the selected lights or object; empty if none is selected.
 scene::Bounds Navigate::selection() const {
     scene::Bounds bounds;
     if (!ws_.selected && ws_.object) return bounds_of(ws_.scene->stage().scene, *ws_.object);
     if (!ws_.selected) return bounds;
     const scene::Bounds& all = ws_.camera->bounds();
     const float min_size = all.is_empty() ? 0.1f : 0.02f * all.radius();
-    for (const scene::Light& light : ws_.scene->lights().lights_of(*ws_.selected)) {
-        const scene::Bounds one = bounds_of(light, min_size);
-        if (one.is_empty()) continue;
-        bounds.extend(one.min);
-        bounds.extend(one.max);
-    }
+    for (const std::size_t entry : ws_.selected.entries())
+        for (const scene::Light& light : ws_.scene->lights().lights_of(entry)) {
+            const scene::Bounds one = bounds_of(light, min_size);
+            if (one.is_empty()) continue;
+            bounds.extend(one.min);
+            bounds.extend(one.max);
+        }
     return bounds;
 }
 

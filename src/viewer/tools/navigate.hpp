@@ -18,6 +18,7 @@ public:
     struct Effect {
         bool has_moved = false;
         std::optional<vec2> clicked; // a press and release of the left button in one place
+        int modifiers = no_modifier; // that it was pressed with
     };
 
     /// `window`: its size, in the unit of the events.
@@ -41,6 +42,7 @@ private:
 
     Drag drag_ = Drag::none;
     Button button_{};
+    int modifiers_ = no_modifier; // that it was pressed with
     vec2 at_{0.0f};
     vec2 pressed_at_{0.0f};
     bool is_click_ = false; // the pointer has not moved yet

@@ -264,17 +264,23 @@ bool type_digit(std::string& typed, int key) {
     return true;
 }
 
-/// The fixed point of turning. A light without a place turns around the pivot of the view.
+/// The fixed point of turning and scaling. Lights without a place turn around the pivot of the view.
 vec3 Transform::center() const {
-    return center_of(ws_.scene->lights(), *ws_.selected).value_or(ws_.camera->view().pivot);
+    return center_of(ws_.scene->lights(), ws_.selected).value_or(ws_.camera->view().pivot);
 }
 
 std::optional<Handles> Transform::handles() const {
     const LightEditor& lights = ws_.scene->lights();
-    if (!ws_.selected || !lights.can_move(*ws_.selected)) return std::nullopt;
-    const bool has_place = center_of(lights, *ws_.selected).has_value();
-    return handles_of(scene::sizes_of(lights.lights_of(*ws_.selected).front()), center(), has_place,
-                      ws_.projection(), ws_.ui.scale());
+    const auto can_move = [&](std::size_t entry) { return lights.can_move(entry); };
+    if (std::ranges::none_of(ws_.selected.entries(), can_move)) return std::nullopt;
+    const bool has_place = center_of(lights, ws_.selected).has_value();
+    return handles_of(extents(), center(), has_place, ws_.projection(), ws_.ui.scale());
+}
+
+/// The extents that can be dragged: those of a single light.
+std::vector<scene::LightSize> Transform::extents() const {
+    if (ws_.selected.count() != 1) return {};
+    return scene::sizes_of(ws_.scene->lights().lights_of(*ws_.selected).front());
 }
 
 Changes Transform::update(double /*seconds*/) {
@@ -356,14 +362,16 @@ std::optional<Changes> Transform::execute(Command command) {
     return Change::redraw;
 }
 
-/// The reason why the selected light cannot be transformed so; empty if it can.
+/// The reason why none of the selected lights can be transformed so; empty if one can.
 std::string Transform::refusal(TransformMode mode) const {
     const LightEditor& lights = ws_.scene->lights();
     if (!ws_.selected) return select_first;
-    if (!lights.can_move(*ws_.selected)) return "Emissive surfaces cannot be moved.";
-    if (mode != TransformMode::turn && !center_of(lights, *ws_.selected))
+    const auto can_move = [&](std::size_t entry) { return lights.can_move(entry); };
+    if (std::ranges::none_of(ws_.selected.entries(), can_move)) return "Emissive surfaces cannot be moved.";
+    if (mode != TransformMode::turn && !center_of(lights, ws_.selected))
         return "A directional light can only be turned (R).";
-    if (mode == TransformMode::scale && !is_scalable(lights.lights_of(*ws_.selected).front()))
+    if (ws_.selected.count() == 1 && mode == TransformMode::scale
+        && !is_scalable(lights.lights_of(*ws_.selected).front()))
         return "A light without a size cannot be scaled. Give it a radius in its file.";
     return {};
 }
@@ -374,16 +382,19 @@ void Transform::begin(TransformMode mode, std::optional<int> axis, bool is_free)
     drag.is_free = is_free;
     drag.center = center();
     drag.from = pointer_;
-    drag.extents = scene::sizes_of(ws_.scene->lights().lights_of(*ws_.selected).front());
+    drag.extents = extents();
     if (axis) drag.constrain_to(*axis);
     drag_ = std::move(drag);
     ws_.is_time_held = true;
-    ws_.scene->lights().begin_step();
+    ws_.scene->lights().begin_step(ws_.selected.count());
 }
 
 /// A light without a size casts no shadow.
 Changes Transform::changes() const {
-    const bool casts = is_scalable(ws_.scene->lights().lights_of(*ws_.selected).front());
+    const LightEditor& lights = ws_.scene->lights();
+    const bool casts = std::ranges::any_of(ws_.selected.entries(), [&](std::size_t entry) {
+        return is_scalable(lights.lights_of(entry).front());
+    });
     return casts ? Change::lights | Change::shadows : Changes(Change::lights);
 }
 
@@ -395,7 +406,9 @@ Changes Transform::drag_to(vec2 pointer) {
     if (delta.size > 0.0f)
         lights.set_size(*ws_.selected, static_cast<std::size_t>(*drag_->axis), delta.size);
     else
-        lights.transform(*ws_.selected, delta.transform);
+        for (const std::size_t entry : ws_.selected.entries())
+            if (drag_->mode == TransformMode::turn || center_of(lights, entry))
+                lights.transform(entry, delta.transform); // nowhere is a parallel light moved to
     drag_->description = delta.description;
     return changes();
 }

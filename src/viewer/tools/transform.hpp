@@ -1,11 +1,12 @@
 #pragma once
-// Transform tool: moves, turns and resizes the selected light by handles, or by keys and typed numbers.
+// Transform tool: moves, turns and resizes the selected lights by handles, or by keys and typed numbers.
 #include "scene/lights/light.hpp"
 #include "viewer/tools/tool.hpp"
 
 #include <array>
 #include <chrono>
 #include <string>
+#include <vector>
 
 namespace sr::viewer {
 
@@ -82,11 +83,12 @@ private:
     std::optional<Handles> handles() const;
     void begin(TransformMode mode, std::optional<int> axis, bool is_free);
     std::string refusal(TransformMode mode) const;
+    std::vector<scene::LightSize> extents() const;
     Changes drag_to(vec2 pointer);
     Changes end(bool keeps);
     Changes changes() const;
 
-    std::optional<TransformDrag> drag_;               // of the selected light
+    std::optional<TransformDrag> drag_;               // of the selected lights
     std::chrono::steady_clock::time_point refused_{}; // the last key of a transform that was refused
     /// Beginnings of the frame at hand and of the one before, after which its events came.
     std::chrono::steady_clock::time_point frame_{}, frame_before_{};

@@ -105,6 +105,7 @@ void ProgressiveRender::move(const scene::Camera& camera) {
 void ProgressiveRender::lights_changed() {
     is_interactive_ = false; // so that the renderer is resized, which makes it read the lights
     begin_interactive();
+    renderer_.compile(); // other kinds of light need other programs
 }
 
 void ProgressiveRender::begin_interactive() {

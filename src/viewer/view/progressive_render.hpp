@@ -44,7 +44,7 @@ public:
     void resize(int width, int height);
     /// Restarts with another camera, at first at an interactive resolution.
     void move(const scene::Camera& camera);
-    /// Restarts after GpuScene::relight().
+    /// Restarts after GpuScene::relight(). @throws ShaderError, Error
     void lights_changed();
 
     /// Adds samples for a short while: the next one of an interactive render, or a part of a converging

@@ -4,7 +4,6 @@
 #include "scene/prepare.hpp"
 
 #include <chrono>
-#include <exception>
 
 namespace sr::viewer {
 namespace {
@@ -32,6 +31,7 @@ SceneView::SceneView(LoadedScene loaded, const Options& options, const scene::Ca
       gpu_(uploaded(loaded_, options, upload_seconds_)),
       lights_(loaded_, options.hide_emitters) {
     restart(options, camera, width, height);
+    keep_shown();
 }
 
 void SceneView::restart(const Options& options, const scene::Camera& camera, int width, int height) {
@@ -93,6 +93,18 @@ void SceneView::set_visibility(Options& options, render::Visibility visibility, 
 }
 
 void SceneView::relight(bool shadows_change) {
+    try {
+        show_edits(shadows_change);
+    } catch (const Error&) {
+        lights_.return_to(shown_);
+        loaded_.hidden = shown_hidden_;
+        show_edits(true);
+        throw;
+    }
+    keep_shown();
+}
+
+void SceneView::show_edits(bool shadows_change) {
     lights_.apply(loaded_);
     upload_lights(loaded_.base.meshes, shadows_change);
     lights_changed();
@@ -104,6 +116,11 @@ std::optional<LightEditor> SceneView::lights_alone() const {
     LightEditor shown = lights_;
     for (std::size_t i = 0; i < lights_.entries().size(); ++i) shown.enable(i, i == *alone_);
     return shown;
+}
+
+void SceneView::keep_shown() {
+    shown_ = lights_.state();
+    shown_hidden_ = loaded_.hidden;
 }
 
 void SceneView::upload_lights(std::size_t first_mesh, bool shadows_change) {
@@ -135,19 +152,23 @@ void SceneView::lights_changed() {
 
 void SceneView::pose(const gltf::AnimationTime& moment) {
     const gltf::AnimationTime before = loaded_.moment;
-    std::exception_ptr failure;
     try {
-        viewer::pose(loaded_, moment);
+        show(moment);
     } catch (const Error&) {
-        failure = std::current_exception();
-        viewer::pose(loaded_, before);
+        lights_.return_to(shown_);
+        show(before);
+        throw;
     }
+    keep_shown();
+}
+
+void SceneView::show(const gltf::AnimationTime& moment) {
+    viewer::pose(loaded_, moment);
     lights_.rebase(loaded_);
     lights_.apply(loaded_);
     const bool deforms = loaded_.contents.skins > 0 || loaded_.contents.morph_targets > 0;
     upload_lights(deforms ? 0 : loaded_.base.meshes, true);
     lights_changed();
-    if (failure) std::rethrow_exception(failure);
 }
 
 void SceneView::take_edits(LightEditor lights) {

@@ -30,8 +30,8 @@ public:
     // These three are for both renders, this one and the reference's.
     void resize(int width, int height);
     void move(const scene::Camera& camera);
-    /// Applies the edits of lights(). `shadows_change`: something that casts shadows has moved, come or gone.
-    /// @throws Error
+    /// Applies the edits of lights() and hide(). `shadows_change`: something that casts shadows has moved,
+    /// come or gone. @throws Error if they cannot be shown; they are taken back then
     void relight(bool shadows_change);
 
     /// Applies the edits of lights() to stage() alone: the GPU keeps its lights until relight().
@@ -67,16 +67,20 @@ public:
 
     LightEditor& lights() { return lights_; }
     const LightEditor& lights() const { return lights_; }
-    /// Shows the file at another time, with the edits. @throws Error if a value makes no sense then; the time
-    /// before stays
+    /// Shows the file at another time, with the edits. @throws Error if a value makes no sense then, or the
+    /// GPU has no room for it; the time before stays
     void pose(const gltf::AnimationTime& moment);
-    /// Takes over edits that were made to the same file with other materials.
+    /// Takes over edits that were made to the same file with other materials. @throws Error if they cannot
+    /// be shown
     void take_edits(LightEditor lights);
 
     double upload_seconds() const { return upload_seconds_; }
     double compile_seconds() const { return compile_seconds_; }
 
 private:
+    void show_edits(bool shadows_change);
+    void show(const gltf::AnimationTime& moment);
+    void keep_shown();
     void lights_changed();
     std::optional<LightEditor> lights_alone() const;
     void upload_lights(std::size_t first_mesh, bool shadows_change);
@@ -86,6 +90,8 @@ private:
     double compile_seconds_ = 0.0;
     render::GpuScene gpu_;
     LightEditor lights_;
+    LightEditor::State shown_; // edits that the GPU has
+    std::set<ObjectId> shown_hidden_;
     std::optional<std::size_t> alone_; // entry that lights the picture
     std::unique_ptr<ProgressiveRender> render_;
     std::unique_ptr<ProgressiveRender> reference_;

@@ -1,7 +1,7 @@
 // Editing lights: what a person types, and that a saved file has the lights that were seen.
 #include "core/error.hpp"
 #include "support/address.hpp"
-#include "viewer/document/light_edits.hpp"
+#include "viewer/document/light_selection.hpp"
 #include "viewer/document/new_light.hpp"
 
 #include <algorithm>
@@ -45,7 +45,9 @@ const Test typed("unit.viewer.lights.typed_values_are_what_they_say", [] {
     const vec3 warm = parse_quantity("2700 K", alone(point));
     EXPECT_NEAR(scene::luminance(warm), 1.0, 1e-5) << "a colour keeps the luminance";
     EXPECT_GT(warm.r, 2.0f * warm.b);
-    for (const char* wrong : {"", "bright", "-3 lm", "3 apples", "20 K", "5 lx"})
+    EXPECT_NEAR(Y("+1 EV", point), 2.0 * Y("0 EV", point), 1e-5);
+    EXPECT_NEAR(Y("-0.5 EV", plate), std::exp2(-0.5) * Y("0EV", plate), 1e-5);
+    for (const char* wrong : {"+31 EV", "EV", "", "bright", "-3 lm", "3 apples", "20 K", "5 lx"})
         EXPECT_THROW(Y(wrong, point), Error) << wrong;
 });
 
@@ -240,7 +242,7 @@ const Test undone("unit.viewer.lights.undoing_goes_back_step_by_step", [] {
     lighting.set_quantity(0, vec3(5.0f));
     lighting.set_quantity(0, vec3(6.0f)); // the same drag
     lighting.begin_step();
-    lighting.solo(1);
+    lighting.solo({1});
     lighting.apply(loaded);
     EXPECT_EQ(luminance_of(loaded.stage.lights[0]), 0.0f);
     EXPECT_GT(luminance_of(loaded.stage.lights[1]), 0.0f);
@@ -266,6 +268,62 @@ const Test undone("unit.viewer.lights.undoing_goes_back_step_by_step", [] {
     lighting.set_quantity(0, vec3(1.0f));
     lighting.set_quantity(1, vec3(1.0f));
     EXPECT_EQ(lighting.undo(), "value of lamp, 2 lights");
+});
+
+const Test several("unit.viewer.lights.several_are_selected_as_in_a_list", [] {
+    using Entries = std::vector<std::size_t>;
+    LightSelection selected;
+    EXPECT_FALSE(selected);
+    selected.toggle(3);
+    selected.toggle(5);
+    EXPECT_EQ(*selected, 5u);
+    EXPECT_TRUE(selected.contains(3));
+    selected.toggle(5);
+    EXPECT_EQ(selected.entries(), Entries{3});
+    selected.extend_to(5);
+    EXPECT_EQ(selected.entries(), (Entries{3, 4, 5}));
+    selected.extend_to(2);
+    EXPECT_EQ(selected.entries(), (Entries{3, 2})) << "the range begins where it began";
+    EXPECT_EQ(*selected, 2u);
+    selected.keep_below(3);
+    EXPECT_EQ(selected.entries(), Entries{2});
+    selected = 7;
+    EXPECT_EQ(selected.entries(), Entries{7});
+});
+
+const Test together("unit.viewer.lights.an_edit_of_several_is_one_step", [] {
+    LoadedScene loaded = load_scene((scenes / "zoo.gltf").string(), {}, 1.0f);
+    LightEditor lighting(loaded, false);
+    lighting.apply(loaded);
+    const std::vector<LightEntry> listed = lighting.entries();
+    ASSERT_GT(listed.size(), 3u);
+    const std::vector<LightEdit> before = lighting.edits();
+    const auto quantity = [&](std::size_t i) { return luminance_of(lighting.lights_of(i).front()); };
+    const float first = quantity(0), second = quantity(1);
+    lighting.begin_step();
+    lighting.enable(1, false);
+    lighting.apply(loaded);
+    lighting.begin_step(2);
+    for (const std::size_t i : {0, 1}) lighting.brighten(i, 2.0f);
+    lighting.apply(loaded);
+    EXPECT_NEAR(quantity(0), 2.0f * first, 1e-4f * first);
+    EXPECT_NEAR(quantity(1), 2.0f * second, 1e-4f * second);
+    EXPECT_FALSE(lighting.entries()[1].is_enabled) << "one that is off stays off";
+    lighting.begin_step(2);
+    for (const std::size_t i : {0, 2}) lighting.remove(i);
+    LightSelection selected;
+    selected.select({0, 3});
+    lighting.apply(loaded);
+    EXPECT_EQ(lighting.entries().size(), listed.size() - 2);
+    selected.follow(listed, lighting);
+    EXPECT_EQ(selected.entries(), std::vector<std::size_t>{1}) << "the same light, two places before";
+    EXPECT_EQ(lighting.undo(), "removing 2 lights");
+    EXPECT_EQ(lighting.undo(), "value of 2 lights");
+    lighting.apply(loaded);
+    EXPECT_NEAR(quantity(0), first, 1e-4f * first);
+    EXPECT_TRUE(lighting.undo());
+    EXPECT_TRUE(are_at_same_places(lighting.edits(), before));
+    EXPECT_FALSE(lighting.undo());
 });
 
 } // namespace

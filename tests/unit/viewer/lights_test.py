@@ -13,6 +13,7 @@ from driver import Display, Viewer, skip_without
 STERADIAN, SCENES, SCRATCH = (Path(argument).resolve() for argument in sys.argv[1:])
 SIZE = 800, 500
 OPTIONS = "--size", "800x500", "--samples", "1", "--visibility", "none", "--exposure", "8", "--gl-debug"
+LIST = 60, 218  # a place in the list of lights
 LINES = 230, 159, 0  # of the selected light
 
 
@@ -32,7 +33,7 @@ def adding(viewer: Viewer):
     viewer.said("Added a light: rectangle.")
     viewer.wait(lambda: len(places_of(viewer, LINES)) > 60, "the lines of the new light")
     viewer.changed_by(lambda: viewer.key("shift+space"))  # alone
-    viewer.key("h")
+    viewer.changed_by(lambda: viewer.key("h"))
     viewer.wait(lambda: 40 < max(viewer.screen(SIZE[0] // 2, SIZE[1] // 2)) < 250, "a picture that is neither dark nor white", 20)
     viewer.changed_by(lambda: viewer.key("h"))
     viewer.changed_by(lambda: viewer.key("ctrl+z"))
@@ -54,7 +55,7 @@ def naming(viewer: Viewer):
 
 
 def picking(viewer: Viewer):
-    """A click on the outline selects the light."""
+    """A click on the outline selects the light; with Ctrl it is added or taken away."""
     shown = places_of(viewer, LINES)
     assert len(shown) > 60, "no lines"
     corner = min(shown, key=sum)  # the upper left, where the other light is not
@@ -64,9 +65,30 @@ def picking(viewer: Viewer):
     viewer.click(*corner)
     viewer.said("Selected desk.", before + 1)
     viewer.wait(lambda: len(places_of(viewer, LINES)) > 60, "its lines again")
+    for said in "No light is selected.", "Selected desk.":  # a click with Ctrl takes it away, and adds it
+        count = viewer.errors().count(said)
+        viewer.display.do("keydown", "ctrl", "mousemove", *corner, "click", "1", "keyup", "ctrl")
+        viewer.said(said, count + 1)
     viewer.key("Return")  # the value's field takes keys, until Esc leaves it
     viewer.type("500 lm")
     viewer.said("desk: 500 lm")
+
+
+def several(viewer: Viewer):
+    """Shift Up over the list selects what it passes, edits are of all and undone in one step."""
+    viewer.move(*LIST)
+    viewer.pause()
+    viewer.key("shift+Up")
+    viewer.said("Selected 2 lights.")
+    for keys, said, undone in ((["ctrl+period"], "2 lights: +0.33 EV.", "value of 2 lights"),
+                               (["g", "x", "1", "Return"], "moved by 1.000 0.000 0.000 m", "transform of 2 lights"),
+                               (["space"], None, "disabling 2 lights"), (["shift+d"], "Added 2 lights.", "adding 2 lights")):
+        viewer.key(*keys)
+        if said:
+            viewer.said(said)
+        count = viewer.errors().count(f"Undone: {undone}.")
+        viewer.key("ctrl+z")
+        viewer.said(f"Undone: {undone}.", count + 1)
 
 
 def last_of_the_list(viewer: Viewer):
@@ -81,6 +103,7 @@ def last_of_the_list(viewer: Viewer):
         viewer.key(key)
         viewer.said(f"Added a light: {kind}.")
     viewer.wait(lambda: len(places_of(viewer, LINES)) > 20, "the lines of the tube")
+    several(viewer)
     for _ in range(2):
         undone = viewer.errors().count("Undone: ")
         viewer.key("ctrl+z")

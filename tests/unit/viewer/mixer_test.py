@@ -82,6 +82,17 @@ def grouping(viewer: Viewer):
         quantities.append([lamp["extras"]["steradian"]["quantity"]["value"] for lamp in lamps])
     ratios = [after / before for before, after in zip(*quantities)]
     assert len(ratios) == 2 and ratios[0] > 1.2 and abs(ratios[0] / ratios[1] - 1) < 1e-4, (quantities, ratios)
+    undone = viewer.errors().count("Undone: enabling lamp 1.")
+    viewer.key(*3 * ["ctrl+z"])
+    viewer.said("Undone: enabling lamp 1.", undone + 1)
+    viewer.wait(lambda: viewer.count(MUTED) > 50, "the muted light again")
+    viewer.pull((875, 102), (905, 102))
+    assert viewer.count(MUTED) > 50, "the fader of the group switched a muted light on"
+    count = viewer.errors().count("Saved ")
+    viewer.fields = viewer.errors().count("text field focused")
+    viewer.key("ctrl+s")
+    viewer.type("")
+    viewer.said("Saved ", count + 1)
 
 
 def main() -> int:
