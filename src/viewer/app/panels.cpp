@@ -104,6 +104,8 @@ Changes Panels::draw_first_page() {
     const bool is_covered = palette_.is_open() || has_help_ || has_history_ || ws_.question;
     if (!is_covered && !ImGui::IsAnyItemActive()) first_page_.request_focus();
     const auto file = first_page_.draw(ws_.layout.rest(), ws_.ui);
+    if (const std::string path = first_page_.take_completed(); !path.empty())
+        ws_.messages.log("Completed: " + path);
     if (file) ws_.open(*file);
     return file || first_page_.wants_frame() ? Changes(Change::redraw) : Changes();
 }
