@@ -82,7 +82,9 @@ Changes Panels::draw(const Tools& tools) {
     } else if (!ws_.scene) {
         message_area({fmt::format("loading {} ...", ws_.options.scene), {}, {}}, ws_.layout);
     } else if (are_shown_) {
-        const std::string progress = ws_.is_mixing ? ws_.mixing : progress_of(ws_.scene->render());
+        const std::string progress = !ws_.exporting.empty() ? ws_.exporting
+                                     : ws_.is_mixing        ? ws_.mixing
+                                                            : progress_of(ws_.scene->render());
         message_area({progress, under_pointer(), ws_.messages.status()}, ws_.layout);
         const Overlay overlay{ws_.projection(), ws_.ui.scale(),
                               [this](vec3 point) { return ws_.hides(point); }};
