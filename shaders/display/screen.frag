@@ -51,6 +51,8 @@ vec3 shown(vec4 film) {
     return luminance_color(luminance(L), decades);
 }
 
+vec3 shown_film(vec4 film) { return is_film_displayed ? srgb_encoded(film.rgb) : shown(film); }
+
 vec3 shown_other() {
     vec4 other = other_radiance();
     return is_other_displayed ? srgb_encoded(other.rgb) : shown(other);
@@ -68,10 +70,12 @@ vec3 difference(vec3 L, vec3 other) {
 void main() {
     vec4 film = radiance(film_sum, film_weight, has_frozen_pixels);
     vec3 L = film.rgb;
-    vec3 color = shown(film);
-    if (comparison == 2) {
-        vec3 here = is_other_displayed ? clamp(toned(L * exposure), 0.0, 1.0) : L;
-        color = difference(here, other_radiance().rgb);
+    vec3 color = shown_film(film);
+    if (comparison == 2) { // of what a screen shows if one of them is that
+        vec3 there = other_radiance().rgb;
+        if (is_other_displayed && !is_film_displayed) L = clamp(toned(L * exposure), 0.0, 1.0);
+        if (is_film_displayed && !is_other_displayed) there = clamp(toned(there * exposure), 0.0, 1.0);
+        color = difference(L, there);
     }
     if (comparison == 3) color = colormap(other_radiance().r);
     if (comparison == 1) {

@@ -1,5 +1,6 @@
 #version 410 core
 // The edges of the triangles, 1.5 pixels wide: 1 on an edge, 0 away from it, and a slope of a pixel between.
+// Where edges would cover most of a triangle they are fainter, so that a dense mesh is grey and not white.
 #include "surface/at_fragment.glsl"
 
 uniform samplerBuffer mesh_positions; // of the vertices, in object space [m]
@@ -8,6 +9,7 @@ uniform usamplerBuffer mesh_indices;  // three a triangle
 out vec4 film;
 
 const float half_width = 0.75; // [pixels]
+const float faintest = 0.2;    // edges of a triangle that they cover
 
 vec3 corner(int i) {
     int vertex = int(texelFetch(mesh_indices, 3 * gl_PrimitiveID + i).r);
@@ -29,6 +31,10 @@ void main() {
     vec3 pixels = b / max(slope, vec3(1e-20));
     float distance_to_edge = min(pixels.x, min(pixels.y, pixels.z));
     float edge = is_line || is_point ? 1.0 : clamp(half_width + 0.5 - distance_to_edge, 0.0, 1.0);
+    // An edge covers half_width over the triangle's height above it, a share of the area for each of three.
+    // The slope of a barycentric coordinate is one over that height.
+    float covered = 2.0 * half_width * (slope.x + slope.y + slope.z);
+    if (!is_line && !is_point) edge *= mix(1.0, faintest, smoothstep(0.4, 1.2, covered));
     Surface x = surface_at_fragment();
     film = vec4(vec3(edge) * x.coverage, x.coverage);
 }

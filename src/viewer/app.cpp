@@ -58,6 +58,7 @@ Tools make_tools(Workspace& workspace) {
                             make_view_light,
                             make_files,
                             make_turntable,
+                            make_export_picture,
                             make_keep_edits})
         if (auto tool = make(workspace)) tools.push_back(std::move(tool));
     return tools;

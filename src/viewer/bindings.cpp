@@ -64,6 +64,13 @@ constexpr auto table = std::to_array<CommandInfo>({
      "where no surface is: black, grey, white, or as the command line has it", "Picture"},
     {compare, "Compare", "keep the render as the reference, then cycle through the comparisons with it",
      "Picture"},
+    {keep_picture, "Keep the picture", "the render, with a letter, as the reference: up to eight pictures",
+     "Picture"},
+    {next_picture, "Next kept picture", "show A, B and so on in place of the render, then the render again",
+     "Picture"},
+    {next_reference, "Next reference", "compare with the next kept picture", "Picture"},
+    {measure_pictures, "Measure the difference", "RMSE, relMSE, FLIP and more between the two pictures",
+     "Picture"},
     {enlarge, "Enlarge pixels",
      "twice as large, around the pointer; also Ctrl and the wheel. Esc: as they are", "Picture"},
     {reduce, "Reduce pixels", "to half their size", "Picture"},
@@ -74,6 +81,8 @@ constexpr auto table = std::to_array<CommandInfo>({
     {screenshot_exr, "Write an EXR", "radiance, once the render has converged; twice: as it is now",
      "Picture"},
     {screenshot_seen, "Write what is seen", "a PNG with wipe, difference or false colours", "Picture"},
+    {export_picture, "Export a picture", "of any size, with as many samples as asked for, as PNG or EXR",
+     "Picture"},
     {turntable, "Write a turntable", "PNGs of a full turn around the pivot; asks how many", "Picture"},
     {next_light, "Next light", "select the next light of the list", "Lights"},
     {switch_light, "Switch the light", "disable or enable the selected lights", "Lights"},
@@ -191,6 +200,10 @@ constexpr auto keys = std::to_array<Binding>({
     {GLFW_KEY_V, shift, next_light_alone},
     {GLFW_KEY_B, alt, next_background},
     {GLFW_KEY_B, no_modifier, compare},
+    {GLFW_KEY_K, control, keep_picture},
+    {GLFW_KEY_K, shift, next_picture},
+    {GLFW_KEY_K, control | shift, next_reference},
+    {GLFW_KEY_K, alt, measure_pictures},
     {GLFW_KEY_Z, no_modifier, enlarge},
     {GLFW_KEY_Z, shift, reduce},
     {GLFW_KEY_W, no_modifier, pixels},
@@ -198,6 +211,7 @@ constexpr auto keys = std::to_array<Binding>({
     {GLFW_KEY_F12, no_modifier, screenshot_png},
     {GLFW_KEY_F12, shift, screenshot_exr},
     {GLFW_KEY_F12, alt, screenshot_seen},
+    {GLFW_KEY_E, control, export_picture},
     {GLFW_KEY_F12, control, turntable},
     {GLFW_KEY_TAB, no_modifier, next_light},
     {GLFW_KEY_ENTER, no_modifier, edit_light},
@@ -354,6 +368,7 @@ bool opens_text_field(Command command) {
     case open_file:
     case save_as:
     case type_camera:
+    case export_picture:
     case edit_light:
     case rename_light: return true;
     default: return false;

@@ -16,34 +16,9 @@
 namespace sr::viewer {
 namespace {
 
-gl::Texture reference_texture(const image::Image& film) {
-    std::vector<vec4> texels(static_cast<std::size_t>(film.width) * static_cast<std::size_t>(film.height));
-    for (int y = 0; y < film.height; ++y)
-        for (int x = 0; x < film.width; ++x) {
-            const auto pixel = film.at(x, y);
-            const vec3 rgb(pixel[0], pixel[1], pixel[2]);
-            // GL's first row is the lowest.
-            texels[static_cast<std::size_t>(film.height - 1 - y) * static_cast<std::size_t>(film.width)
-                   + static_cast<std::size_t>(x)] = vec4(rgb, 1.0f);
-        }
-    gl::Texture texture(GL_TEXTURE_2D, "reference");
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, film.width, film.height, 0, GL_RGBA, GL_FLOAT, texels.data());
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
-    return texture;
-}
-
 std::string file_name(const std::string& file) { return std::filesystem::path(file).filename().string(); }
 
 } // namespace
-
-Reference::Reference(std::string name, image::Image film, std::string camera, bool is_display_referred)
-    : name_(std::move(name)),
-      film_(std::move(film)),
-      camera_(std::move(camera)),
-      is_display_referred_(is_display_referred),
-      texture_(reference_texture(film_)) {}
 
 void Workspace::ask(Question asked) {
     messages.log("Asked: " + asked.text);

@@ -3,6 +3,7 @@
 #include "gl/window.hpp"
 #include "viewer/app/layout.hpp"
 #include "viewer/changes.hpp"
+#include "viewer/document/kept_pictures.hpp"
 #include "viewer/document/light_selection.hpp"
 #include "viewer/document/playback.hpp"
 #include "viewer/input.hpp"
@@ -23,27 +24,6 @@
 #include <future>
 
 namespace sr::viewer {
-
-/// A picture to compare with: a render that was kept, or a file.
-class Reference {
-public:
-    /// Uploads `film`, which has at least three channels.
-    /// `camera`: as `render --camera` takes it; empty if unknown.
-    Reference(std::string name, image::Image film, std::string camera = {}, bool is_display_referred = false);
-
-    const std::string& name() const { return name_; }
-    const image::Image& film() const { return film_; }
-    const std::string& camera() const { return camera_; }
-    bool is_display_referred() const { return is_display_referred_; }
-    FilmSum sum() const { return {&texture_, 1, film_.width, film_.height, nullptr, is_display_referred_}; }
-
-private:
-    std::string name_;
-    image::Image film_;
-    std::string camera_;
-    bool is_display_referred_; // linear light of a screen, 0 to 1
-    gl::Texture texture_;
-};
 
 /// Reason why the scene that is shown, and its edits, end.
 enum class Departure { quit, open, reload };
@@ -71,7 +51,7 @@ struct Workspace {
     Playback playback{};
     Exposure exposure;
     DisplaySettings display{};
-    std::optional<Reference> reference{};
+    KeptPictures kept{};                 // to be compared
     std::optional<vec2> wanted_probe{};  // a place in the window that the probe tool shall take
     std::optional<ProbeResult> probed{}; // of the probe tool
     bool is_explained = false;           // `probed`, term by term, instead of the table of all numbers
@@ -79,6 +59,7 @@ struct Workspace {
     bool is_term_left_out = false;       // the picture beside is the one without a term
     bool is_mixing = false;              // the GPU has the light mixer's lights, and the render waits
     std::string mixing{};                // how far the light mixer is
+    std::string exporting{};             // how far an export is; empty: there is none
     bool is_time_held = false;           // while a light is dragged
     Layout layout{};
     bool wants_panels = false; // hidden panels shall be shown

@@ -86,7 +86,9 @@ Changes Panels::draw(const Tools& tools) {
     } else if (!ws_.scene) {
         message_area({fmt::format("loading {} ...", ws_.options.scene), {}, {}}, ws_.layout);
     } else if (are_shown_) {
-        const std::string progress = ws_.is_mixing ? ws_.mixing : progress_of(ws_.scene->render());
+        const std::string progress = !ws_.exporting.empty() ? ws_.exporting
+                                     : ws_.is_mixing        ? ws_.mixing
+                                                            : progress_of(ws_.scene->render());
         message_area({progress, under_pointer(), ws_.messages.status()}, ws_.layout);
         const Overlay overlay{ws_.projection(), ws_.ui.scale(),
                               [this](vec3 point) { return ws_.hides(point); }};
@@ -108,6 +110,8 @@ Changes Panels::draw_first_page() {
     const bool is_covered = palette_.is_open() || has_help_ || has_history_ || ws_.question;
     if (!is_covered && !ImGui::IsAnyItemActive()) first_page_.request_focus();
     const auto file = first_page_.draw(ws_.layout.rest(), ws_.ui);
+    if (const std::string path = first_page_.take_completed(); !path.empty())
+        ws_.messages.log("Completed: " + path);
     if (file) ws_.open(*file);
     return file || first_page_.wants_frame() ? Changes(Change::redraw) : Changes();
 }

@@ -100,6 +100,7 @@ void FileBrowser::complete(ImGuiInputTextCallbackData& data) {
     data.DeleteChars(static_cast<int>(folder_.size()), static_cast<int>(begun));
     data.InsertChars(data.BufTextLen, common.c_str());
     data.CursorPos = data.SelectionStart = data.SelectionEnd = data.BufTextLen;
+    completed_ = data.Buf;
 }
 
 std::optional<std::string> FileBrowser::chosen_or_entered(const std::string& path) {

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 struct ImGuiInputTextCallbackData;
@@ -22,6 +23,8 @@ public:
     bool wants_focus() const { return focus_.is_pending(); }
     /// Puts a path into the field.
     void type(const std::string& path);
+    /// The path that Tab has completed, once; empty if it has completed none.
+    std::string take_completed() { return std::exchange(completed_, {}); }
 
     /// Draws field and list. Tab completes a path, Enter chooses what is typed, or enters a folder.
     /// @return the chosen path, once
@@ -48,6 +51,7 @@ private:
     std::string folder_; // of `entries_`, as it was typed, with its last '/'
     std::vector<Entry> entries_;
     bool has_more_ = false; // entries than are listed
+    std::string completed_;
 };
 
 /// Replaces a leading "~/" by the home folder.

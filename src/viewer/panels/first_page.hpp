@@ -19,6 +19,8 @@ public:
 
     /// Gives the keyboard back to the typed path.
     void request_focus() { browser_.request_focus(); }
+    /// As FileBrowser has it.
+    std::string take_completed() { return browser_.take_completed(); }
     bool wants_frame() const { return browser_.wants_focus() || wants_frame_; }
 
     /// Goes on making thumbnails. @return true if there is another one, or a file that gets none

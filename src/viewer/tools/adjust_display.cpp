@@ -114,7 +114,7 @@ Changes AdjustDisplay::draw_section() {
 Changes AdjustDisplay::draw(const Overlay& overlay) {
     const output::Variable* const view = ws_.display.view;
     const ComparisonMode comparison = ws_.display.comparison;
-    const bool has_reference = ws_.reference || ws_.scene->reference();
+    const bool has_reference = ws_.kept.reference() || ws_.scene->reference();
     const bool has_values = !has_reference || comparison == ComparisonMode::none
                             || comparison == ComparisonMode::wipe; // and no errors instead
     if (view && has_values)

@@ -258,7 +258,7 @@ Assignment::Assignment(Workspace& workspace)
 /// True if the reference's render is shown beside the student's. A kept or loaded reference replaces it.
 bool Assignment::needs_reference() const {
     const ComparisonMode comparison = ws_.display.comparison;
-    return !ws_.reference && !ws_.is_term_left_out
+    return !ws_.kept.reference() && !ws_.is_term_left_out
            && (comparison == ComparisonMode::wipe || comparison == ComparisonMode::difference);
 }
 
@@ -334,7 +334,8 @@ Changes Assignment::draw(const Overlay& overlay) {
     }
     if (ImGui::Begin(side::assignment, nullptr, ws_.ui.panel_flags(is_docked))) {
         if (is_docked) heading(side::assignment, ws_.ui);
-        if (!ws_.reference) draw_comparison(); // the section "Compare" has the modes of a kept reference
+        if (!ws_.kept.reference())
+            draw_comparison(); // the section "Compare" has the modes of a kept reference
         if (ws_.options.shows_reference)
             ImGui::TextDisabled("This is the reference until your code is checked.");
         checker_.draw();

@@ -1,13 +1,12 @@
-// Comparison tool: a wipe, a difference or a ꟻLIP map between the render and a reference, which is a kept
-// render or a file.
-#include "compare/compare.hpp"
-#include "compare/flip.hpp"
+// Comparison tool: a wipe, a difference or a ꟻLIP map between two pictures: the render, kept renders, files.
 #include "compare/planes.hpp"
 #include "core/error.hpp"
 #include "image/file.hpp"
 #include "settings/render_settings.hpp"
+#include "viewer/document/picture_errors.hpp"
 #include "viewer/fields.hpp"
 #include "viewer/panels/file_dialog.hpp"
+#include "viewer/panels/kept_pictures.hpp"
 #include "viewer/tools/tool.hpp"
 
 #include <algorithm>
@@ -21,28 +20,14 @@
 
 namespace sr::viewer {
 
-/// ꟻLIP error of each pixel, in the red channel, 0 to 1, and its mean.
-struct FlipMap {
-    image::Image film;
-    double mean = 0.0;
-};
-
 namespace {
 
 /// In the order of ComparisonMode.
 constexpr std::array modes{"render alone", "wipe", "difference", "FLIP map"};
 
 constexpr const char* other_camera = " The reference is of another camera.";
+constexpr const char* too_many = "Eight pictures are kept: remove one of them first.";
 constexpr const char* how_to_compare = "Press B to cycle comparisons.";
-
-/// An image with one or two channels as RGB.
-image::Image with_colors(image::Image film) {
-    if (film.channels >= 3) return film;
-    image::Image rgb(film.width, film.height, 3);
-    for (std::size_t i = 0; i < rgb.pixels.size(); ++i)
-        rgb.pixels[i] = film.pixels[i / 3 * static_cast<std::size_t>(film.channels)];
-    return rgb;
-}
 
 bool is_picture(const std::string& file) {
     constexpr std::array extensions{".exr", ".hdr", ".png", ".jpg", ".jpeg"};
@@ -60,27 +45,8 @@ Reference read_reference(const std::string& file) {
     return {std::filesystem::path(file).filename().string(), std::move(film), {}, is_display_referred};
 }
 
-/// HDR-ꟻLIP of two films, or ꟻLIP of what a screen shows of `film` and a display-referred reference.
-/// @throws Error if their sizes differ
-FlipMap flip_map(const image::Image& film, const DisplaySettings& display, const image::Image& reference,
-                 bool is_display_referred) {
-    if (film.width != reference.width || film.height != reference.height)
-        throw Error(fmt::format("the pictures have {}x{} and {}x{} pixels", film.width, film.height,
-                                reference.width, reference.height),
-                    "give the window the size of the reference: --size");
-    const float pixels_per_degree = compare::CompareOptions{}.pixels_per_degree;
-    compare::Plane plane;
-    if (is_display_referred) {
-        image::Image shown = image::displayed(film, display.ev100, *display.curve);
-        for (float& value : shown.pixels) value = compare::srgb_decoded(value);
-        plane = compare::flip(shown, reference, pixels_per_degree);
-    } else {
-        plane = compare::hdr_flip(film, reference, compare::exposures_for(reference), pixels_per_degree);
-    }
-    FlipMap map{image::Image(film.width, film.height, 1), compare::mean(plane)};
-    std::copy(plane.values.begin(), plane.values.end(), map.film.pixels.begin());
-    map.film = with_colors(std::move(map.film));
-    return map;
+ComparedPicture compared(const KeptPicture& kept) {
+    return {kept.picture.film(), kept.picture.is_display_referred()};
 }
 
 /// Combo box of named values. @return the value that was chosen
@@ -111,17 +77,32 @@ public:
     Changes draw(const Overlay& overlay) override;
     Changes draw_section() override;
     void notice(Changes changes) override;
+    FilmSum film() const override {
+        return ws_.kept.shown() && !ws_.is_term_left_out ? ws_.kept.shown()->picture.sum() : FilmSum{};
+    }
     FilmSum reference_film() const override;
     bool holds_keyboard() const override { return dialog_.is_open(); }
-    Activity activity() const override { return flipping_ ? Activity::waiting : Activity::idle; }
+    Activity activity() const override {
+        return flipping_ || measuring_ ? Activity::waiting : Activity::idle;
+    }
 
 private:
     Changes keep_render();
     Changes load(const std::string& file);
     Changes next_mode();
+    Changes show_next();
+    Changes pair_changed();
+    std::string pair() const;
+    ComparedPicture shown_picture() const;
+    Changes compare_with_next();
+    Changes say_none_is_kept();
+    Changes begin_measuring();
+    Changes take_flip();
+    Changes take_metrics();
     bool has_other_camera() const;
     void begin_flip();
     Changes draw_methods();
+    Changes draw_pictures();
     Changes draw_modes();
     Changes set_estimator(render::Estimator estimator);
     Changes set_visibility(render::Visibility visibility);
@@ -131,6 +112,11 @@ private:
     std::optional<std::future<FlipMap>> flipping_;
     std::string flip_result_;
     bool had_other_camera_ = false;
+    KeptPicturesList list_;
+    std::optional<std::future<compare::Metrics>> measuring_;
+    std::string measured_pair_;               // of `metrics_`, or of what is being measured
+    std::string measured_unit_;               // of their differences
+    std::optional<compare::Metrics> metrics_; // measured last
 };
 
 std::optional<Changes> Compare::handle(const Event& event) {
@@ -138,35 +124,52 @@ std::optional<Changes> Compare::handle(const Event& event) {
         return is_picture(dropped->file) ? std::optional(load(dropped->file)) : std::nullopt;
     const auto command = command_in(event);
     if (command == Command::compare) return next_mode();
+    if (command == Command::keep_picture) return keep_render();
+    if (command == Command::next_picture) return show_next();
+    if (command == Command::next_reference) return compare_with_next();
+    if (command == Command::measure_pictures) return begin_measuring();
     if (command != Command::cancel) return std::nullopt;
     if (dialog_.is_open()) {
         dialog_.close();
         return Change::redraw;
     }
-    if (ws_.display.comparison == ComparisonMode::none) return std::nullopt;
+    if (ws_.display.comparison == ComparisonMode::none && !ws_.kept.shown()) return std::nullopt;
     ws_.display.comparison = ComparisonMode::none;
+    ws_.kept.show(std::nullopt);
     return Change::display;
 }
 
 Changes Compare::keep_render() {
     const ProgressiveRender& render = ws_.scene->render();
     if (render.sample_count() == 0) return {};
-    ws_.reference.emplace(fmt::format("{} samples, {}, {}", render.sample_count(),
-                                      name_in(settings::estimators, ws_.options.rendering.estimator),
-                                      ws_.camera->argument()),
-                          render.read_film(), ws_.camera->argument());
+    if (ws_.kept.is_full()) {
+        ws_.messages.notify(too_many);
+        return Change::redraw;
+    }
+    const std::string view = ws_.display.view ? fmt::format("{}, ", ws_.display.view->name) : "";
+    const char letter = ws_.kept.keep(
+        {fmt::format("{}{} samples, {}, {}", view, render.sample_count(),
+                     name_in(settings::estimators, ws_.options.rendering.estimator), ws_.camera->argument()),
+         render.read_film(), ws_.camera->argument()});
     if (ws_.display.comparison == ComparisonMode::none) ws_.display.comparison = ComparisonMode::wipe;
-    ws_.messages.notify(fmt::format("Reference kept. {}", how_to_compare));
-    return Change::display;
+    ws_.messages.notify(fmt::format("Reference kept. It is picture {}. {}", letter, how_to_compare));
+    return pair_changed();
 }
 
 Changes Compare::load(const std::string& file) {
+    if (ws_.kept.is_full()) {
+        ws_.messages.notify(too_many);
+        dialog_.close();
+        return Change::redraw;
+    }
     try {
-        ws_.reference = read_reference(file);
+        const char letter = ws_.kept.keep(read_reference(file));
         if (ws_.display.comparison == ComparisonMode::none) ws_.display.comparison = ComparisonMode::wipe;
         ws_.messages.clear_error();
-        ws_.messages.notify(fmt::format("Comparing with {}. {}", ws_.reference->name(), how_to_compare));
+        ws_.messages.notify(fmt::format("Comparing with {}, picture {}. {}",
+                                        ws_.kept.reference()->picture.name(), letter, how_to_compare));
         dialog_.close();
+        return pair_changed();
     } catch (const Error& error) {
         ws_.messages.fail("Cannot compare with this file.", error.what());
         dialog_.retry();
@@ -174,8 +177,68 @@ Changes Compare::load(const std::string& file) {
     return Change::display;
 }
 
+/// Shows the next kept picture in place of the render, and after the last one the render.
+Changes Compare::show_next() {
+    if (ws_.kept.all().empty()) return say_none_is_kept();
+    ws_.kept.show_next();
+    const KeptPicture* const shown = ws_.kept.shown();
+    ws_.messages.notify(shown ? fmt::format("Picture {}: {}.", shown->letter, shown->picture.name())
+                              : "The render.");
+    return pair_changed();
+}
+
+Changes Compare::compare_with_next() {
+    const auto index = ws_.kept.reference_index();
+    if (!index) return say_none_is_kept();
+    ws_.kept.compare_with((*index + 1) % ws_.kept.all().size());
+    ws_.messages.notify(fmt::format("Comparing {}.{}", pair(), has_other_camera() ? other_camera : ""));
+    return pair_changed();
+}
+
+Changes Compare::say_none_is_kept() {
+    ws_.messages.notify(fmt::format("No picture is kept. {} keeps the render as picture A.",
+                                    ws_.keys.text(Command::keep_picture)));
+    return Change::redraw;
+}
+
+/// The map is of the pair that is compared.
+Changes Compare::pair_changed() {
+    if (ws_.display.comparison == ComparisonMode::flip) begin_flip();
+    return Change::display;
+}
+
+/// "the render against B".
+std::string Compare::pair() const {
+    const KeptPicture *const shown = ws_.kept.shown(), *const reference = ws_.kept.reference();
+    return fmt::format("{} against {}",
+                       shown ? std::string(1, shown->letter)
+                             : fmt::format("the render ({} samples)", ws_.scene->render().sample_count()),
+                       reference ? std::string(1, reference->letter) : "nothing");
+}
+
+ComparedPicture Compare::shown_picture() const {
+    const KeptPicture* const shown = ws_.kept.shown();
+    return shown ? compared(*shown) : ComparedPicture{ws_.scene->render().read_film()};
+}
+
+/// Runs on a thread, as the ꟻLIP map does.
+Changes Compare::begin_measuring() {
+    const KeptPicture* const reference = ws_.kept.reference();
+    if (!reference) return say_none_is_kept();
+    if (measuring_ || ws_.scene->render().sample_count() == 0) return {};
+    metrics_.reset();
+    measured_pair_ = pair();
+    ComparedPicture shown = shown_picture(), other = compared(*reference);
+    measured_unit_ = shown.is_displayed || other.is_displayed
+                         ? "of a screen's code values"
+                         : scene::radiance_unit(ws_.scene->stage().scene.units);
+    measuring_ =
+        std::async(std::launch::async, measure_errors, std::move(shown), std::move(other), ws_.display);
+    return Change::redraw;
+}
+
 Changes Compare::next_mode() {
-    const bool is_kept = ws_.reference && !ws_.is_term_left_out;
+    const bool is_kept = ws_.kept.reference() && !ws_.is_term_left_out;
     if (!is_kept && !ws_.is_term_left_out && ws_.options.submission.empty()) return keep_render();
     // There is no FLIP map against a picture that still gathers samples.
     const std::size_t count = is_kept ? modes.size() : modes.size() - 1;
@@ -188,8 +251,10 @@ Changes Compare::next_mode() {
 }
 
 bool Compare::has_other_camera() const {
-    return ws_.reference && !ws_.reference->camera().empty()
-           && ws_.reference->camera() != ws_.camera->argument();
+    const KeptPicture *const shown = ws_.kept.shown(), *const reference = ws_.kept.reference();
+    const std::string& camera = shown ? shown->picture.camera() : ws_.camera->argument();
+    return reference && !reference->picture.camera().empty() && !camera.empty()
+           && reference->picture.camera() != camera;
 }
 
 /// Says so when a comparison becomes one of two views.
@@ -203,14 +268,23 @@ void Compare::notice(Changes changes) {
 
 /// Runs on a thread: a large picture takes seconds.
 void Compare::begin_flip() {
-    if (flipping_ || !ws_.reference || ws_.scene->render().sample_count() == 0) return;
+    const KeptPicture* const reference = ws_.kept.reference();
+    if (flipping_ || !reference || ws_.scene->render().sample_count() == 0) return;
     flip_result_ = "computing ...";
-    flipping_ = std::async(std::launch::async, flip_map, ws_.scene->render().read_film(), ws_.display,
-                           ws_.reference->film(), ws_.reference->is_display_referred());
+    flipping_ = std::async(std::launch::async, flip_map, shown_picture(), compared(*reference), ws_.display);
 }
 
 Changes Compare::update(double /*seconds*/) {
-    if (!flipping_ || flipping_->wait_for(std::chrono::seconds(0)) != std::future_status::ready) return {};
+    const auto is_ready = [](const auto& work) {
+        return work && work->wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+    };
+    Changes changes;
+    if (is_ready(flipping_)) changes |= take_flip();
+    if (is_ready(measuring_)) changes |= take_metrics();
+    return changes;
+}
+
+Changes Compare::take_flip() {
     auto flipping = std::exchange(flipping_, std::nullopt);
     try {
         FlipMap map = flipping->get();
@@ -223,13 +297,28 @@ Changes Compare::update(double /*seconds*/) {
     return Change::display;
 }
 
+Changes Compare::take_metrics() {
+    auto measuring = std::exchange(measuring_, std::nullopt);
+    try {
+        metrics_ = measuring->get();
+        ws_.messages.notify(fmt::format("Measured {}: relMSE {:.4g}, FLIP {:.4g}.", measured_pair_,
+                                        metrics_->rel_mse, metrics_->flip));
+    } catch (const Error& error) {
+        ws_.messages.notify(error.what());
+    }
+    return Change::redraw;
+}
+
 FilmSum Compare::reference_film() const {
     if (ws_.is_term_left_out) return {};
     if (ws_.display.comparison == ComparisonMode::flip) return flip_ ? flip_->sum() : FilmSum{};
-    return ws_.reference ? ws_.reference->sum() : FilmSum{};
+    return ws_.kept.reference() ? ws_.kept.reference()->picture.sum() : FilmSum{};
 }
 
-Changes Compare::draw(const Overlay& /*overlay*/) {
+Changes Compare::draw(const Overlay& overlay) {
+    if (const KeptPicture* const shown = ws_.kept.shown(); shown && !ws_.is_mixing)
+        draw_caption(ws_.shown_area().from + 10.0f * overlay.scale,
+                     fmt::format("{}: {}", shown->letter, shown->picture.name()));
     const auto file = dialog_.draw();
     return file ? load(*file) : dialog_.wants_focus() ? Changes(Change::redraw) : Changes();
 }
@@ -240,11 +329,11 @@ Changes Compare::draw_section() {
     if (!is_unfolded) return {};
     Changes changes = draw_methods();
     if (ImGui::Button("keep this render")) changes |= keep_render();
-    tooltip(ws_.keys.hint("as the reference that later pictures are compared with", Command::compare));
+    tooltip(ws_.keys.hint("as a picture with a letter, and as the reference", Command::keep_picture));
     ImGui::SameLine();
     if (ImGui::Button("load a picture")) dialog_.show(FileDialog::Purpose::compare, ws_.scene->loaded().file);
     tooltip("as the reference: EXR or HDR as radiance, PNG or JPEG as what a screen shows");
-    return ws_.reference ? changes | draw_modes() : changes;
+    return ws_.kept.reference() ? changes | draw_pictures() | draw_modes() : changes;
 }
 
 Changes Compare::draw_methods() {
@@ -271,9 +360,19 @@ Changes Compare::draw_methods() {
     return changes;
 }
 
+Changes Compare::draw_pictures() {
+    Changes changes;
+    const KeptPicturesOutcome outcome = list_.draw(ws_.kept);
+    if (outcome.measures) changes |= begin_measuring();
+    if (outcome.has_changed) changes |= ws_.kept.reference() ? pair_changed() : Changes(Change::display);
+    if (!ws_.kept.reference()) ws_.display.comparison = ComparisonMode::none;
+    if (measuring_) ImGui::TextUnformatted("measuring ...");
+    if (metrics_) draw_metrics(*metrics_, measured_pair_, measured_unit_);
+    return changes;
+}
+
 Changes Compare::draw_modes() {
     Changes changes;
-    ImGui::TextDisabled("reference: %s", ws_.reference->name().c_str());
     if (has_other_camera()) ImGui::TextWrapped("%s", other_camera + 1);
     int mode = static_cast<int>(ws_.display.comparison);
     if (ImGui::Combo("show", &mode, modes.data(), static_cast<int>(modes.size()))) {

@@ -1,10 +1,9 @@
 // File tool: opens, reloads and saves scenes, writes screenshots, watches files for changes.
 #include "core/error.hpp"
-#include "output/write.hpp"
-#include "settings/provenance.hpp"
 #include "viewer/config.hpp"
 #include "viewer/document/watch.hpp"
 #include "viewer/panels/file_dialog.hpp"
+#include "viewer/picture_file.hpp"
 #include "viewer/tools/tool.hpp"
 
 #include <algorithm>
@@ -136,29 +135,15 @@ Changes Files::shoot(const std::string& extension) {
 Changes Files::write(std::string extension) { // by value: it may be awaited_
     awaited_.clear();
     const ProgressiveRender& render = ws_.scene->render();
-    const int samples = render.sample_count();
-    const output::Variable* const view = ws_.display.view;
-    const scene::UnitSystem units = ws_.scene->stage().scene.units;
-    image::Image film = view ? output::numbers_of(*view, render.read_film()) : render.read_film();
-    film.channel_names = {"R", "G", "B", "A"};
-    settings::RenderSettings settings = ws_.options;
-    settings.at = ws_.playback.seconds;
-    settings.stop = render.rule();
-    settings.view = view;
-    film.attributes = settings::attributes_of(settings,
-                                              {.unit = output::unit_of(view, units),
-                                               .camera = ws_.camera->argument(),
-                                               .samples = {static_cast<double>(samples), samples, samples},
-                                               .error = render.error(),
-                                               .stopped_by = render.stopped_by(),
-                                               .light_choices = render.light_choices()},
-                                              ws_.window.info());
-    if (const auto alone = ws_.scene->alone())
-        film.attributes.push_back({"steradian:light_alone", ws_.scene->lights().entries()[*alone].name});
     const std::string file = free_name(ws_.scene->loaded().file, extension);
+    const FilmFacts facts{.rule = render.rule(),
+                          .samples = render.sample_count(),
+                          .error = render.error(),
+                          .stopped_by = render.stopped_by(),
+                          .light_choices = render.light_choices(),
+                          .camera = ws_.camera->argument()};
     try {
-        output::write(film, nullptr, {file},
-                      {.ev100 = ws_.display.ev100, .tone_curve = ws_.display.curve, .view = view});
+        picture_file(ws_, render.read_film(), facts, file).write();
         ws_.messages.notify(fmt::format("Wrote {}.", file));
     } catch (const Error& error) {
         ws_.messages.fail("Cannot write the picture.", error.what());

@@ -27,8 +27,13 @@ bool ends_mixing(Command command) {
     case Command::probe_pixel:
     case Command::explain:
     case Command::compare:
+    case Command::keep_picture:
+    case Command::next_picture:
+    case Command::next_reference:
+    case Command::measure_pictures:
     case Command::screenshot_png:
     case Command::screenshot_exr:
+    case Command::export_picture:
     case Command::turntable:
     case Command::next_background:
     case Command::play: return true;

@@ -74,6 +74,7 @@ std::unique_ptr<Tool> make_assignment(Workspace& workspace); // null without an 
 std::unique_ptr<Tool> make_compare(Workspace& workspace);
 std::unique_ptr<Tool> make_edit_lights(Workspace& workspace);
 std::unique_ptr<Tool> make_explain(Workspace& workspace);
+std::unique_ptr<Tool> make_export_picture(Workspace& workspace);
 std::unique_ptr<Tool> make_files(Workspace& workspace);
 std::unique_ptr<Tool> make_inspect(Workspace& workspace);
 std::unique_ptr<Tool> make_keep_edits(Workspace& workspace);

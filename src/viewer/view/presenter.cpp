@@ -10,13 +10,15 @@ namespace {
 
 /// The curve is in display/shown_curve.glsl instead.
 std::string constants(const image::ToneCurve*, const output::Variable* view, ComparisonMode comparison,
-                      bool is_scaled, bool is_reference_displayed, bool has_frozen_pixels) {
+                      bool is_scaled, bool is_film_displayed, bool is_reference_displayed,
+                      bool has_frozen_pixels) {
     const bool is_false_color = view && view->display == output::Display::false_color;
     return fmt::format("const bool is_false_color = {};\n"
                        "const int comparison = {};\nconst bool is_scaled = {};\n"
+                       "const bool is_film_displayed = {};\n"
                        "const bool is_other_displayed = {};\nconst bool has_frozen_pixels = {};\n{}{}",
-                       is_false_color, static_cast<int>(comparison), is_scaled, is_reference_displayed,
-                       has_frozen_pixels, image::colormap_glsl(), view_glsl(view));
+                       is_false_color, static_cast<int>(comparison), is_scaled, is_film_displayed,
+                       is_reference_displayed, has_frozen_pixels, image::colormap_glsl(), view_glsl(view));
 }
 
 } // namespace
@@ -113,7 +115,8 @@ void Presenter::fill(const FilmSum& film, const FilmSum& reference, const Displa
     const bool is_scaled = !fits(film) || (is_compared && !fits(reference));
     const gl::Program& used =
         program({settings.curve, settings.view, is_compared ? settings.comparison : ComparisonMode::none,
-                 is_scaled, is_compared && reference.is_display_referred, film.frozen_weights != nullptr});
+                 is_scaled, film.is_display_referred, is_compared && reference.is_display_referred,
+                 film.frozen_weights != nullptr});
     used.use();
     const auto weight = [](const FilmSum& f) { return 1.0f / static_cast<float>(f.samples); };
     const auto at = [&](const char* name) { return used.uniform(name); };

@@ -67,10 +67,10 @@ public:
               const ScreenRectangle& place);
 
 private:
-    /// Constants of a program: curve, view, comparison, whether films are scaled, whether the reference is
-    /// display-referred, whether pixels are frozen.
+    /// Constants of a program: curve, view, comparison, whether films are scaled, whether the film and the
+    /// reference are display-referred, whether pixels are frozen.
     using Choice =
-        std::tuple<const image::ToneCurve*, const output::Variable*, ComparisonMode, bool, bool, bool>;
+        std::tuple<const image::ToneCurve*, const output::Variable*, ComparisonMode, bool, bool, bool, bool>;
     const gl::Program& program(const Choice& choice);
     void fill(const FilmSum& film, const FilmSum& reference, const DisplaySettings& settings,
               const ScreenRectangle& place);

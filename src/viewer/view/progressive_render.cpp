@@ -1,6 +1,7 @@
 #include "viewer/view/progressive_render.hpp"
 
 #include "gl/context.hpp"
+#include "viewer/view/turns.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,15 +13,12 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr double software_frame = 0.050;    // [s] between two interactive frames in software GL
-constexpr double gpu_frame = 1.0 / 60.0;    // [s] likewise on a GPU
-constexpr double gpu_besides = 0.006;       // [s] of it reserved: waiting for the screen looks like work
-constexpr auto max_besides = 150ms;         // between two samples: after more the interaction had paused
-constexpr int interactive_samples = 4;      // that an interactive render gathers while nothing changes
-constexpr auto settling_time = 180ms;       // without a change, until the render converges
-constexpr double converging_budget = 0.040; // [s] of sampling between two looks at keys and pointer
-constexpr int max_parts = 10; // of a sample: each part reads all vertices of the scene again, several times
-constexpr double max_part = 0.4; // [s] of a sample that takes so long that its vertices do not matter
+constexpr double software_frame = 0.050; // [s] between two interactive frames in software GL
+constexpr double gpu_frame = 1.0 / 60.0; // [s] likewise on a GPU
+constexpr double gpu_besides = 0.006;    // [s] of it reserved: waiting for the screen looks like work
+constexpr auto max_besides = 150ms;      // between two samples: after more the interaction had paused
+constexpr int interactive_samples = 4;   // that an interactive render gathers while nothing changes
+constexpr auto settling_time = 180ms;    // without a change, until the render converges
 
 // Of Resolution.
 constexpr int max_step = 12; // an eighth of the sides
@@ -226,14 +224,11 @@ void ProgressiveRender::advance_interactive() {
 void ProgressiveRender::advance_converging() {
     const auto begin = Clock::now();
     double spent = 0.0;
-    while (!is_converged() && spent < converging_budget) {
+    while (!is_converged() && spent < turn_budget) {
         const double expected = std::max(seconds_, spent_);
-        const bool is_short = expected <= converging_budget;
+        const bool is_short = expected <= turn_budget;
         if (!is_short && spent_ == 0.0) keep();
-        const int parts = std::max(max_parts, static_cast<int>(std::min(expected / max_part, 1.0 * height_)));
-        const int rows = is_short ? height_
-                                  : std::max((height_ + parts - 1) / parts,
-                                             static_cast<int>(height_ * converging_budget / expected));
+        const int rows = is_short ? height_ : rows_of_turn(height_, expected, turn_budget);
         const bool is_complete = renderer_.add_rows(rows);
         const double now = seconds_since(begin);
         spent_ += now - spent;

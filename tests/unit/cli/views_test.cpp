@@ -84,6 +84,17 @@ const Test wireframe("unit.cli.views.the_wireframe_has_the_edges", [] {
     }
 });
 
+// Where triangles are smaller than pixels, every pixel lies on an edge: the mesh is grey, and darker than the
+// square of two triangles at its edge.
+const Test dense_wireframe("unit.cli.views.the_wireframe_of_a_dense_mesh_is_grey", [] {
+    scene::Scene box;
+    add_box(box, {0.0f, -1.0f, 0.0f}, mat3(1.0f), 2 * view_size, lambert());
+    const std::vector<float> middle = middle_of("wireframe", box, {0.0f, 1.0f, 0.0f});
+    EXPECT_GT(middle[0], 0.1f) << "it is still seen";
+    EXPECT_LT(middle[0], 0.3f);
+    EXPECT_EQ(middle[3], 1.0f);
+});
+
 const Test surfaces("unit.cli.views.are_the_values_of_the_material", [] {
     scene::Scene plane = lambert_plane(2.0f);
     plane.materials[0].roughness = 0.25f;

@@ -19,7 +19,8 @@ def skip_without(*programs: str, modules: tuple[str, ...] = ()):
 
 
 class Display:
-    """Xvfb, whose framebuffer is a file in the form of xwd, so that nothing else is needed to look at it."""
+    """Xvfb, whose framebuffer is a file in the form of xwd, so that nothing else is needed to look at it. Keys do not repeat (-r): a machine
+    under load may hold one for a second."""
 
     def __init__(self, folder: Path, width: int, height: int, dots_per_inch: int = 96):
         folder.mkdir(parents=True, exist_ok=True)
@@ -27,7 +28,7 @@ class Display:
         read, write = os.pipe()
         self.process = subprocess.Popen(
             ["Xvfb", "-displayfd", str(write), "-screen", "0", f"{width}x{height}x24", "-fbdir", str(folder),
-             "-dpi", str(dots_per_inch), "-nolisten", "tcp", "-noreset"], pass_fds=[write], stderr=subprocess.DEVNULL)
+             "-dpi", str(dots_per_inch), "-nolisten", "tcp", "-noreset", "-r"], pass_fds=[write], stderr=subprocess.DEVNULL)
         os.close(write)
         with os.fdopen(read) as pipe:
             number = pipe.readline().strip()

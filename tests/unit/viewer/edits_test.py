@@ -165,23 +165,19 @@ def typing_ahead(viewer: Viewer, target: Path):
     viewer.process.send_signal(signal.SIGSTOP)  # a slow frame
     viewer.display.do("key", "--delay", "1", "ctrl+s", "ctrl+a", "type", "--delay", "1", "--args", "1", str(target), "key", "Return")
     viewer.process.send_signal(signal.SIGCONT)
-    viewer.wait(target.exists, "a file saved under the name that was typed at once", 20)
-    viewer.pause()
-    viewer.fields = viewer.errors().count("text field focused")
+    viewer.said(f"Saved {target}.")
     by_name, in_field = target.with_name("by_name.gltf"), target.with_name("in_field.gltf")
     viewer.process.send_signal(signal.SIGSTOP)  # the palette's command opens the field
     viewer.display.do("key", "--delay", "1", "ctrl+p", "type", "--delay", "1", "--args", "1", "save as", "key", "Return",
                       "key", "--delay", "1", "ctrl+a", "type", "--delay", "1", "--args", "1", str(by_name), "key", "Return")
     viewer.process.send_signal(signal.SIGCONT)
-    viewer.wait(by_name.exists, "a file saved under the name that was typed after a command of the palette", 20)
+    viewer.said(f"Saved {by_name}.")
     viewer.key("ctrl+s")
     viewer.wait(lambda: viewer.errors().rstrip().endswith("text field focused"), "the field", 20)
     viewer.process.send_signal(signal.SIGSTOP)  # Ctrl A and what replaces the name come in one frame
     viewer.display.do("key", "--delay", "1", "ctrl+a", "type", "--delay", "1", "--args", "1", str(in_field), "key", "Return")
     viewer.process.send_signal(signal.SIGCONT)
-    viewer.wait(in_field.exists, "a file saved under the name that replaced another at once", 20)
-    viewer.pause()
-    viewer.fields = viewer.errors().count("text field focused")
+    viewer.said(f"Saved {in_field}.")
 
 
 def opening(viewer: Viewer, other: Path):

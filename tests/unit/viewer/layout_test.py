@@ -59,7 +59,12 @@ def docking(viewer: Viewer, width: int, height: int, scale: int = 1):
     assert 2 * shown >= width - 2, (shown, width)
     assert two or (picture_of(viewer), viewer.converged()) == (before, counts), "a tab has changed the picture"
     see_all(viewer, width, height)
-    (viewer.changed_by if two else lambda act: act())(lambda: viewer.key("w"))
+    if two:
+        viewer.changed_by(lambda: viewer.key("w"))
+    else:
+        panel = column_of(viewer)
+        viewer.key("w")
+        viewer.wait(lambda: column_of(viewer) != panel, "the column without the Pixels panel", 10)
 
 
 def see_all(viewer: Viewer, width: int, height: int):
@@ -75,11 +80,20 @@ def column_of(viewer: Viewer) -> list[tuple[int, int, int]]:
     return [screen(x, y) for x in range(4, 225, 5) for y in range(46, 250, 3)]
 
 
+def at_rest(viewer: Viewer) -> list[tuple[int, int, int]]:
+    """The left column once it has stayed the same for a while: a panel takes some frames to find its size."""
+    def stays() -> list[tuple[int, int, int]] | None:
+        before = column_of(viewer)
+        viewer.pause()
+        return before if column_of(viewer) == before else None
+    return viewer.wait(stays, "a column that stays as it is", 10)
+
+
 def sharing(viewer: Viewer):
     """A panel that is behind another one comes to the front by its key, before this would close it; so do the controls, by a command
     that needs their fields, or by a click on their tab."""
     viewer.move(5, 397)
-    controls = column_of(viewer)
+    controls = at_rest(viewer)
 
     def is_shown(pixels, what: str):
         viewer.wait(lambda: column_of(viewer) == pixels, what, 10)
@@ -87,8 +101,7 @@ def sharing(viewer: Viewer):
     def another(act, others: list, what: str) -> list:
         act()
         viewer.wait(lambda: column_of(viewer) not in others, what, 10)
-        viewer.pause()
-        return column_of(viewer)
+        return at_rest(viewer)
 
     scene = another(lambda: viewer.key("o"), [controls], "the scene")
     pixels = another(lambda: viewer.key("w"), [controls, scene], "the statistics of pixels")

@@ -51,13 +51,26 @@ def mixing(viewer: Viewer) -> tuple[int, int]:
     return size
 
 
+def press(viewer: Viewer, x: int, y: int):
+    """Clicks a button as a person does: it is lit under the pointer, then pressed in, then released there. A pointer that has left when
+    the button is released does not click."""
+    def changes_by(*action):
+        before = viewer.screen(x, y)
+        viewer.display.do(*action)
+        viewer.wait(lambda: viewer.screen(x, y) != before, f"a button that answers to {action[0]}", 10)
+
+    changes_by("mousemove", x, y)
+    changes_by("mousedown", 1)
+    changes_by("mouseup", 1)
+
+
 def switching(viewer: Viewer):
     """A click on the lit button switches the light on; undoing that keeps mixing."""
     width, _ = viewer.display.size()
     words = list(viewer.display.words())
     wanted = MUTED[0] << 16 | MUTED[1] << 8 | MUTED[2]
     y, x = divmod(next(i for i, word in enumerate(words) if word & 0xffffff == wanted), width)
-    viewer.click(x + 3, y + 3)
+    press(viewer, x + 3, y + 3)
     viewer.move(5, 5)
     viewer.wait(lambda: viewer.count(MUTED) == 0, "no muted light")
     viewer.key("ctrl+z")

@@ -32,14 +32,10 @@ def first_page(viewer: Viewer, folder: Path):
     viewer.type(str(folder.parent))
     viewer.said("text field focused", 4)  # of the folder
     assert viewer.title() == "Steradian", viewer.title()
-    viewer.display.do("type", "--delay", "20", "fold")
-    viewer.pause()
-    viewer.key("Tab")
-    viewer.pause()
-    viewer.display.do("type", "--delay", "20", "b")
-    viewer.pause()
-    viewer.key("Tab")
-    viewer.pause()
+    for begun, completed in ("fold", "folder/"), ("b", "folder/b.gltf"):
+        viewer.display.do("type", "--delay", "20", begun)
+        viewer.key("Tab")
+        viewer.said(f"Completed: {folder.parent}/{completed}\n")
     viewer.key("Return")
     viewer.done()
     assert viewer.title().startswith("b.gltf"), viewer.title()

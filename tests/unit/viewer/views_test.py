@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-"""Views of the viewer: each entry of the menu is the picture of `render --view`, and pictures by one light alone add up. Exit status 77:
-there is no Xvfb, xdotool or oiiotool.
+"""Views of the viewer: each entry of the menu is the picture of `render --view`, pictures by one light alone add up, one of any size is
+exported, and kept ones are compared. Exit status 77: there is no Xvfb, xdotool or oiiotool.
 
 usage: views_test.py STERADIAN SCENES_FOLDER SCRATCH_FOLDER
 """
+import json
 import re
 import shutil
 import subprocess
@@ -12,7 +13,7 @@ from pathlib import Path
 
 from driver import Display, Viewer, skip_without
 from layout_test import picture_of
-from viewer_test import SCENES, SCRATCH, STERADIAN, same
+from viewer_test import SCENES, SCRATCH, STERADIAN, provenance, same
 
 SCENE = SCENES / "spheres.gltf"
 METHOD = "--samples", "1", "--visibility", "none"
@@ -62,7 +63,7 @@ def all_views(viewer: Viewer):
             viewer.said(f"View: {name}, ")
         now = viewer.wait(lambda: pixels() if pixels() != before else None, f"other pixels in {name}", 10)
         before = now
-    viewer.key("v")
+    viewer.changed_by(lambda: viewer.key("v"))
     viewer.said("View: radiance.")
 
 
@@ -79,11 +80,75 @@ def lights(viewer: Viewer):
     assert not viewer.title().startswith("*"), "a view is an edit"
 
 
+def exporting(viewer: Viewer):
+    """A picture of another size and shape than the window's is that of render. Esc cancels one, and nothing is written."""
+    def fill(size: str, samples: str, target: Path):
+        key = "ctrl+e"
+        for name, text in ("size", size), ("samples", samples), ("error", ""), ("file", str(target)):
+            count = viewer.errors().count(f"Field of the export: {name}")
+            viewer.key(key)
+            viewer.said(f"Field of the export: {name}", count + 1)
+            viewer.display.do("type", "--delay", "20", text)
+            key = "Tab"
+        viewer.key("Return")
+
+    target, file = SCRATCH / "exported.exr", SCRATCH / "exported_by_render.exr"
+    converged = viewer.converged()
+    fill("150x240", "3", target)
+    viewer.said(f"Wrote {target}: 150x240 pixels.")
+    subprocess.run([STERADIAN, "render", SCENE, "-o", file, "--size", "150x240", *METHOD[2:], "--samples", "3"], check=True)
+    assert same(target, file), "not the picture that render makes of that size"
+    assert provenance(target) == provenance(file), provenance(target) ^ provenance(file)
+    assert viewer.converged() == converged, "the picture in the window was rendered again"
+    never = SCRATCH / "never.png"
+    fill("1500x1200", "65536", never)
+    viewer.said(f"Exporting {never} at 1500x1200.")
+    viewer.key("Escape")
+    viewer.said("Export cancelled: no file is written.")
+    assert not never.exists()
+
+
+def keeping(viewer: Viewer):
+    """Two pictures are kept, shown in turns with the render, and measured against each other as `compare` does it."""
+    chosen(viewer, lambda: click_view(viewer, "radiance"), "View: radiance.")
+    viewer.key("comma")  # an exposure that does not follow the picture
+    shots = []
+    for letter in "AB":
+        shots.append(chosen(viewer, lambda: viewer.key("shift+v"), "Only "))
+        viewer.key("ctrl+k")
+        viewer.said(f"It is picture {letter}.")
+    viewer.changed_by(lambda: viewer.key("Escape"))  # ends the picture by one light
+    viewer.key("b", "b", "b")  # difference, FLIP map, the picture alone
+    viewer.said("Comparison: render alone.")
+    viewer.pause()
+    x, y, width, height = picture_of(viewer)
+
+    def pixels() -> tuple:
+        pixel = viewer.display.pixels()
+        return tuple(pixel(x + i, y + j) for i in range(5, width, 40) for j in range(60, height, 40))  # below the caption
+
+    seen = [pixels()]
+    for said in "Picture A: ", "Picture B: ", "The render.", "Picture A: ":
+        viewer.key("shift+k")
+        viewer.said(said, 1 + (len(seen) == 4))
+        seen.append(viewer.wait(lambda: pixels() if pixels() != seen[-1] else None, f"other pixels: {said}", 10))
+    render, a, b, render_again, a_again = seen
+    assert (render, a) == (render_again, a_again) and len({render, a, b}) == 3, seen
+    viewer.key("alt+k")
+    viewer.said("Measured A against B: relMSE ")
+    measured = float(re.findall(r"Measured A against B: relMSE (\S+),", viewer.errors())[-1])
+    told = subprocess.run([STERADIAN, "compare", *shots, "--json"], capture_output=True, text=True)
+    expected = json.loads(told.stdout)["metrics"]["rel_mse"]
+    assert abs(measured / expected - 1) < 1e-3, (measured, expected)
+    viewer.key("ctrl+shift+k")
+    viewer.said("Comparing A against A.")
+
+
 def click_view(viewer: Viewer, name: str):
     """Chooses an entry of the Views menu by the pointer; radiance is the first one."""
     viewer.click(*MENU)
     viewer.pause()
-    line = 18 * (1 + views().index(name))
+    line = 18 * (0 if name == "radiance" else 1 + views().index(name))
     viewer.click(MENU[0] + 20, MENU[1] + 26 + line)
     viewer.pause()
     viewer.move(5, 395)
@@ -97,7 +162,9 @@ def main() -> int:
         viewer = Viewer(display, STERADIAN, SCRATCH / "run", SCENE, "--size", "640x400", *METHOD, "--gl-debug")
         viewer.done()
         all_views(viewer)
+        exporting(viewer)
         lights(viewer)
+        keeping(viewer)
         viewer.close()
     return 0
 
