@@ -2,7 +2,6 @@
 
 #include "core/error.hpp"
 #include "core/math.hpp"
-#include "image/colormap.hpp"
 #include "image/display.hpp"
 
 #include <algorithm>
@@ -46,6 +45,9 @@ constexpr std::array variables{
     Variable{"wireframe", "views/wireframe.frag",
              "the edges of the triangles that are seen: 1 on an edge, fainter in dense meshes", "1", "",
              SampleSource::surface, Finish::rgb, Display::share},
+    Variable{"overdraw", "views/overdraw.frag",
+             "surfaces one behind the other: a depth pass draws them all, and an opaque pixel is shaded once",
+             "surfaces", "", SampleSource::surface, Finish::rgb, Display::count},
     Variable{"emission", "views/emission.frag", "L_e", nullptr, "", SampleSource::surface, Finish::rgb,
              Display::exposed},
     Variable{"luminance", "forward.frag", "L_o in false colours, a decade a colour", nullptr, "",
@@ -156,6 +158,11 @@ image::Image numbers_of(const Variable& view, const image::Image& film) {
 image::Image colors_of(const Variable& view, const image::Image& numbers) {
     require(view.display != Display::exposed, "light is exposed");
     if (view.display == Display::false_color) return image::luminance_colors(numbers);
+    if (view.display == Display::count)
+        return three_channels(numbers, [](std::span<const float> number, std::span<float> color) {
+            const vec3 rgb = image::luminance_color(number[0], count_decades);
+            for (int c = 0; c < 3; ++c) color[static_cast<std::size_t>(c)] = rgb[c];
+        });
     if (view.display == Display::leaks) return three_channels(numbers, leak_color);
     return three_channels(numbers, [](std::span<const float> number, std::span<float> color) {
         std::ranges::transform(number.first(3), color.begin(), image::srgb_encoded);

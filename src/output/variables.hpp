@@ -1,5 +1,6 @@
 #pragma once
 // The table of output variables: what a picture can hold besides radiance, for `--aov` and `--view`.
+#include "image/colormap.hpp"
 #include "image/image.hpp"
 #include "scene/units.hpp"
 
@@ -39,7 +40,11 @@ enum class Display {
     share,       // 0 to 1, black to white
     leaks,       // light that leaks through is red, light that is kept out is blue
     false_color, // luminance [cd/m²] on the colour map
+    count,       // numbers on the colour map, by count_decades
 };
+
+/// The range of Display::count, from 1/2, which none has, to 32: a doubling is a sixth of the colours.
+inline constexpr image::Decades count_decades{-0.30103f, 1.50515f};
 
 struct Variable {
     const char* name;

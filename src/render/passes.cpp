@@ -7,6 +7,7 @@ namespace {
 
 const std::string glass_shader = "glass.frag";
 const std::string wireframe_shader = "views/wireframe.frag";
+const std::string overdraw_shader = "views/overdraw.frag";
 
 void draw_for(const std::string& fragment, const GpuScene& scene, const Draw& draw) {
     if (fragment == wireframe_shader)
@@ -23,6 +24,14 @@ void cull(bool is_double_sided, GLenum face = GL_BACK) {
     glCullFace(face);
 }
 
+/// Adds every fragment to the frame, those behind others, too.
+void count_fragments() {
+    glDepthFunc(GL_ALWAYS);
+    glEnable(GL_BLEND);
+    glBlendEquation(GL_FUNC_ADD);
+    glBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ZERO); // coverage is no count
+}
+
 /// Draws the opaque surfaces where the pre-pass left them in front.
 void draw_visible(const GpuScene& scene, ShaderLibrary& shaders, const std::string& fragment,
                   ProgramTerms terms) {
@@ -30,6 +39,7 @@ void draw_visible(const GpuScene& scene, ShaderLibrary& shaders, const std::stri
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_EQUAL);
     glDepthMask(GL_FALSE);
+    if (counts_surfaces(fragment)) count_fragments();
     scene.bind_lights();
     for (const Draw& draw : scene.opaque_draws()) {
         cull(draw.is_double_sided);
@@ -89,6 +99,8 @@ void clear_rows(int attachments) {
 }
 
 } // namespace
+
+bool counts_surfaces(const std::string& shader) { return shader == overdraw_shader; }
 
 const std::string& fragment_of(const Draw& draw, const std::string& shader) {
     return draw.features.has(scene::Layer::transmission) && shader == "forward.frag" ? glass_shader : shader;
@@ -167,7 +179,9 @@ void blend_pass(const RenderTarget& frame, const GpuScene& scene, ShaderLibrary&
                      [&](const Draw& a, const Draw& b) { return view_depth(a, eye) > view_depth(b, eye); });
     for (const Draw& draw : draws) {
         const std::string& fragment = fragment_of(draw, shader);
-        if (fragment == glass_shader)
+        if (counts_surfaces(fragment))
+            count_fragments();
+        else if (fragment == glass_shader)
             glBlendFuncSeparate(GL_ONE, GL_SRC1_COLOR, GL_ONE, GL_SRC1_ALPHA);
         else
             glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA); // the shader multiplies by its coverage

@@ -30,6 +30,9 @@ void forward_pass(const RenderTarget& frame, const GpuScene& scene, ShaderLibrar
 /// array without vertices. `has_closed`: a mask_pass() closed pixels, which are left out.
 void add_pass(const RenderTarget& frame, ShaderLibrary& shaders, bool has_closed);
 
+/// True for the shader that counts surfaces: the passes add them all up, and there is no background.
+bool counts_surfaces(const std::string& shader);
+
 /// The fragment shader that draws this in the place of `shader`: glass multiplies what is behind it by a
 /// colour, which takes glass.frag instead of forward.frag.
 const std::string& fragment_of(const Draw& draw, const std::string& shader);

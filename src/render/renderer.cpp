@@ -206,7 +206,8 @@ bool Renderer::add_rows(int count) {
 void Renderer::draw(const PixelRect& part) {
     const View view = begin_frame();
     set_scissor(part);
-    depth_pass(frame_, scene_, *shaders_, options_.background);
+    depth_pass(frame_, scene_, *shaders_,
+               counts_surfaces(options_.shader) ? vec3(0.0f) : options_.background);
     glBindVertexArray(no_vertices_.id());
     if (shows_environment()) background_pass(frame_, scene_, *shaders_);
     if (converged_.any(sample_count_)) {

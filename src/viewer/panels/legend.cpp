@@ -43,6 +43,13 @@ ColorBar bar_of(const output::Variable& view, const DisplaySettings& display) {
     } else if (view.display == Display::false_color) {
         for (int i = 0; i < steps; ++i) bar.colors.push_back(image::colormap(between(0.0f, 1.0f, i)));
         label_decades(bar, display.decades.first, display.decades.last);
+    } else if (view.display == Display::count) {
+        const image::Decades& range = output::count_decades;
+        for (int i = 0; i < steps; ++i) bar.colors.push_back(image::colormap(between(0.0f, 1.0f, i)));
+        for (int n = 1; n <= 32; n *= 2)
+            bar.labels.emplace_back((std::log10(static_cast<float>(n)) - range.first)
+                                        / (range.last - range.first),
+                                    std::to_string(n));
     } else if (view.display == Display::exposed) {
         // Greys around the value that is exposed as 1.
         const float white = -std::log10(image::exposure_factor(display.ev100));

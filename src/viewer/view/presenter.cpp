@@ -12,7 +12,8 @@ namespace {
 std::string constants(const image::ToneCurve*, const output::Variable* view, ComparisonMode comparison,
                       bool is_scaled, bool is_film_displayed, bool is_reference_displayed,
                       bool has_frozen_pixels) {
-    const bool is_false_color = view && view->display == output::Display::false_color;
+    const bool is_false_color =
+        view && (view->display == output::Display::false_color || view->display == output::Display::count);
     return fmt::format("const bool is_false_color = {};\n"
                        "const int comparison = {};\nconst bool is_scaled = {};\n"
                        "const bool is_film_displayed = {};\n"
@@ -131,7 +132,9 @@ void Presenter::fill(const FilmSum& film, const FilmSum& reference, const Displa
     glUniform2f(at("corner"), static_cast<float>(x), static_cast<float>(y));
     glUniform2f(at("picture_size"), static_cast<float>(width), static_cast<float>(height));
     glUniform1f(at("exposure"), image::exposure_factor(settings.ev100));
-    glUniform2f(at("decades"), settings.decades.first, settings.decades.last);
+    const bool is_count = settings.view && settings.view->display == output::Display::count;
+    const image::Decades& decades = is_count ? output::count_decades : settings.decades;
+    glUniform2f(at("decades"), decades.first, decades.last);
     glUniform1f(at("wipe"), settings.wipe);
     glBindVertexArray(no_vertices_.id());
     glDrawArrays(GL_TRIANGLES, 0, 3);

@@ -95,6 +95,26 @@ const Test dense_wireframe("unit.cli.views.the_wireframe_of_a_dense_mesh_is_grey
     EXPECT_EQ(middle[3], 1.0f);
 });
 
+// Planes below each other: those that face away are culled, unless they are double-sided, and blended ones
+// count.
+const Test overdraw("unit.cli.views.overdraw_counts_surfaces", [] {
+    const auto count = [](const scene::Scene& scene) { return middle_of("overdraw", scene, vec3(0, 1, 0)); };
+    scene::Scene planes = lambert_plane(1.0f);
+    EXPECT_EQ(count(planes), (std::vector<float>{1, 1, 1, 1}));
+    add_quad(planes, {0, -0.1f, 0}, {1, 0, 0}, {0, 0, -1}, lambert());
+    EXPECT_EQ(count(planes), (std::vector<float>{2, 2, 2, 1}));
+    scene::Material other = lambert();
+    add_quad(planes, {0, -0.2f, 0}, {1, 0, 0}, {0, 0, 1}, other);
+    EXPECT_EQ(count(planes), (std::vector<float>{2, 2, 2, 1}));
+    other.is_double_sided = true;
+    add_quad(planes, {0, -0.3f, 0}, {1, 0, 0}, {0, 0, 1}, other);
+    EXPECT_EQ(count(planes), (std::vector<float>{3, 3, 3, 1}));
+    other.alpha_mode = scene::AlphaMode::blend;
+    other.base_color.a = 0.25f;
+    add_quad(planes, {0, 0.1f, 0}, {1, 0, 0}, {0, 0, -1}, other);
+    EXPECT_EQ(count(planes), (std::vector<float>{4, 4, 4, 1}));
+});
+
 const Test surfaces("unit.cli.views.are_the_values_of_the_material", [] {
     scene::Scene plane = lambert_plane(2.0f);
     plane.materials[0].roughness = 0.25f;
@@ -134,6 +154,8 @@ std::string readme_row(const output::Variable& variable) {
                                 : variable.display == Display::share       ? " black to white"
                                 : variable.display == Display::leaks       ? " red: leaks, blue: kept out"
                                 : variable.display == Display::false_color ? " false colours"
+                                : variable.display == Display::count       ? " false colours"
+                                : variable.display == Display::count       ? " false colours"
                                                                            : "";
     return std::string("| `") + variable.name + "` |" + channels + " |" + picture + " | "
            + (variable.unit ? variable.unit : "the film's") + " | " + variable.what + " |\n";

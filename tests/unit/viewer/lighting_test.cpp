@@ -264,7 +264,7 @@ const Test undone("unit.viewer.lights.undoing_goes_back_step_by_step", [] {
     lighting.cancel_step();
     lighting.apply(loaded);
     EXPECT_NEAR(luminance_of(loaded.stage.lights[0]), 7.0f, 1e-5f);
-    lighting.begin_step("value of lamp, 2 lights"); // a group
+    lighting.begin_step(2, "value of lamp, 2 lights"); // a group
     lighting.set_quantity(0, vec3(1.0f));
     lighting.set_quantity(1, vec3(1.0f));
     EXPECT_EQ(lighting.undo(), "value of lamp, 2 lights");

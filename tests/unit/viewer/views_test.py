@@ -55,7 +55,7 @@ def all_views(viewer: Viewer):
         if name == "luminance":  # radiance in other colours: nothing is rendered
             viewer.key("v")
             viewer.said("View: luminance, ")
-        elif name in ("irradiance", "wireframe", "leaks"):
+        elif name in ("irradiance", "wireframe", "overdraw", "leaks"):
             film = chosen(viewer, lambda: viewer.key("v"), f"View: {name}, ")
             assert same(film, rendered(name, size)), f"{name} is another picture than that of render --view"
         else:
