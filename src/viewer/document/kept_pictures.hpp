@@ -38,8 +38,8 @@ struct KeptPicture {
     Reference picture;
 };
 
-/// Up to eight pictures. One of them is the reference; one can be shown in place of the render, so that any two
-/// are compared.
+/// Up to eight pictures. One of them is the reference; one can be shown in place of the render, so that any
+/// two are compared.
 class KeptPictures {
 public:
     static constexpr std::size_t most = 8;

@@ -76,7 +76,8 @@ compare::Metrics measure_errors(const ComparedPicture& test, const ComparedPictu
                                 with_channels(codes_of(reference, display), 3), options)
             .metrics;
     }
-    const int channels = std::min({4, test.film.channels, reference.film.channels}); // with alpha if both have it
+    const int channels =
+        std::min({4, test.film.channels, reference.film.channels}); // with alpha if both have it
     return compare::compare(with_channels(test.film, channels), with_channels(reference.film, channels),
                             options)
         .metrics;

@@ -88,7 +88,8 @@ std::optional<ExportRequest> ExportDialog::draw() {
     ImGui::SetNextWindowSize({width, 0.0f});
     ImGui::Begin("Export a picture", &is_open_, ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoResize);
     ImGui::PushItemWidth(0.72f * ImGui::GetContentRegionAvail().x);
-    bool is_entered = field("size", size_, "width x height [pixels]; the shape may differ from the window's", true);
+    bool is_entered =
+        field("size", size_, "width x height [pixels]; the shape may differ from the window's", true);
     draw_sizes();
     is_entered |= field("samples", samples_, "of a pixel, at most: 1 to 65536");
     is_entered |= field("error", error_, "at which it stops earlier, as in 0.5%; empty: after all samples");

@@ -102,14 +102,16 @@ void draw_metrics(const compare::Metrics& metrics, const std::string& what, cons
     };
     const std::array rows{
         Row{"RMSE", metric_text(metrics.rmse) + " " + unit, "root of the mean square of the differences"},
-        Row{"relMSE", metric_text(metrics.rel_mse), "mean square of the differences, each over its reference"},
+        Row{"relMSE", metric_text(metrics.rel_mse),
+            "mean square of the differences, each over its reference"},
         Row{"mean |difference|", metric_text(metrics.mean_abs) + " " + unit, "over pixels and channels"},
         Row{"max |difference|", metric_text(metrics.max_abs) + " " + unit, "the largest one of a channel"},
         Row{"energy R, G, B",
-            fmt::format("{} {} {}", metric_text(metrics.energy_ratio[0]), metric_text(metrics.energy_ratio[1]),
-                        metric_text(metrics.energy_ratio[2])),
+            fmt::format("{} {} {}", metric_text(metrics.energy_ratio[0]),
+                        metric_text(metrics.energy_ratio[1]), metric_text(metrics.energy_ratio[2])),
             "sum of the picture over the sum of its reference; 1: as bright"},
-        Row{"FLIP", metric_text(metrics.flip), "mean, of what a screen shows: 0 is equal, 1 is black and white"},
+        Row{"FLIP", metric_text(metrics.flip),
+            "mean, of what a screen shows: 0 is equal, 1 is black and white"},
         Row{"HDR-FLIP", metric_text(metrics.hdr_flip), "mean, over all exposures"},
         Row{"SSIM", metric_text(metrics.ssim), "structural similarity of what a screen shows; 1 is equal"}};
     ImGui::TextWrapped("%s", what.c_str());

@@ -85,8 +85,7 @@ void ExportPicture::begin(const ExportRequest& wanted) {
     ws_.playback.is_playing = false;
     const auto [width, height] = wanted.size;
     // A view has no error of its own.
-    const render::StopRule rule{wanted.samples, std::nullopt,
-                                ws_.display.view ? std::nullopt : wanted.error};
+    const render::StopRule rule{wanted.samples, std::nullopt, ws_.display.view ? std::nullopt : wanted.error};
     Options options = ws_.options;
     options.stop = rule;
     camera_ = ws_.camera->argument();
@@ -109,10 +108,9 @@ void ExportPicture::begin(const ExportRequest& wanted) {
 /// Says how far it is, where the message area has the progress of the window's render.
 void ExportPicture::report() {
     const double done = render_->progress(), share = done / request_.samples;
-    const double spent =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
-    ws_.exporting = fmt::format("exporting {}: {} of {} samples", request_.file, render_->samples(),
-                                request_.samples);
+    const double spent = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+    ws_.exporting =
+        fmt::format("exporting {}: {} of {} samples", request_.file, render_->samples(), request_.samples);
     if (const auto error = render_->monitor().error())
         ws_.exporting += fmt::format(", error {:.2g} %", 100.0 * *error);
     if (done > 0.0 && spent > 1.0)
@@ -130,8 +128,7 @@ Changes ExportPicture::update(double /*seconds*/) {
         return Change::redraw;
     }
     // A view that moves has all of the time.
-    if (!render_ || (ws_.scene->render().is_interactive() && !ws_.scene->render().is_converged()))
-        return {};
+    if (!render_ || (ws_.scene->render().is_interactive() && !ws_.scene->render().is_converged())) return {};
     try {
         render_->advance();
         report();
