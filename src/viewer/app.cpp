@@ -38,28 +38,14 @@ gl::WindowOptions window_options(const Options& options) {
 /// view, a click on a light before a probe.
 Tools make_tools(Workspace& workspace) {
     Tools tools;
-    for (const auto make : {make_transform,
-                            make_mix_lights,
-                            make_look_at_pixels,
-                            make_navigate,
-                            make_place_camera,
-                            make_revisit_views,
-                            make_show_grid,
-                            make_edit_lights,
-                            make_inspect,
-                            make_animate,
-                            make_adjust_display,
-                            make_compare,
-                            make_assignment,
-                            make_tick,
-                            make_probe,
-                            make_explain,
-                            make_measure_illuminance,
-                            make_view_light,
-                            make_files,
-                            make_turntable,
-                            make_export_picture,
-                            make_keep_edits})
+    for (const auto make : {make_transform,      make_mix_lights,   make_look_at_pixels,
+                            make_navigate,       make_place_camera, make_revisit_views,
+                            make_show_grid,      make_show_times,   make_edit_lights,
+                            make_inspect,        make_animate,      make_adjust_display,
+                            make_compare,        make_assignment,   make_tick,
+                            make_probe,          make_explain,      make_measure_illuminance,
+                            make_view_light,     make_files,        make_turntable,
+                            make_export_picture, make_keep_edits})
         if (auto tool = make(workspace)) tools.push_back(std::move(tool));
     return tools;
 }
@@ -178,11 +164,22 @@ void App::run(const std::stop_token& stop) {
             for (const Event& event : events) changes |= dispatch(event);
             apply(changes);
         }
+        auto begin = Clock::now();
+        const auto end_part = [&](double FrameTimes::*part) {
+            if (!workspace_.statistics.measures_frames) return;
+            glFinish();
+            const auto now = Clock::now();
+            workspace_.statistics.last_frame.*part =
+                std::chrono::duration<double>(now - std::exchange(begin, now)).count();
+        };
         advance(seconds);
+        end_part(&FrameTimes::sampling);
         present();
+        end_part(&FrameTimes::display);
         drawn = panels_.draw(tools_);
         glBindFramebuffer(GL_FRAMEBUFFER, 0); // a panel may have read a film
         ui_.end();
+        end_part(&FrameTimes::panels);
         glfwSwapBuffers(window_.handle());
         workspace_.statistics.presented(workspace_.scene != nullptr);
         --frames_to_draw_;

@@ -103,6 +103,7 @@ enum class Command {
     screenshot_seen,
     export_picture,
     turntable,
+    times,
     find_command,
     open_file,
     next_file,

@@ -10,6 +10,13 @@
 
 namespace sr::viewer {
 
+/// Time of the parts of a frame [s], while they are measured.
+struct FrameTimes {
+    double sampling = 0.0; // for the render
+    double display = 0.0;  // of the film: exposure, tone curve
+    double panels = 0.0;   // and marks over the picture
+};
+
 struct Statistics {
     using Clock = std::chrono::steady_clock;
 
@@ -20,6 +27,8 @@ struct Statistics {
     std::vector<double> moving_cpu;     // [s] of all threads in each of them, independent of other programs
     std::vector<double> moving_samples; // [s] of the sample in each of them
     std::vector<double> moving_scales;  // of the sides, in each of them
+    bool measures_frames = false;       // the GPU is waited for after each part
+    FrameTimes last_frame;
     int reloads = 0;
     int drawn_frames = 0;
     std::string renderer; // GL_RENDERER

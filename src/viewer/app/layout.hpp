@@ -29,6 +29,7 @@ inline constexpr const char* scene = "Scene";
 inline constexpr const char* pixels = "Pixels";
 inline constexpr const char* mixer = "Light mixer";
 inline constexpr const char* illuminance = "Illuminance";
+inline constexpr const char* times = "Time";
 inline constexpr const char* assignment = "Assignment";
 inline constexpr const char* examination = "Examination";
 } // namespace side

@@ -239,7 +239,8 @@ Changes Panels::draw_column(const Tools& tools) {
 /// Radiance and luminance at the pixel under the pointer.
 std::string Panels::under_pointer() const {
     const ProgressiveRender& render = ws_.scene->render();
-    const bool is_shown = !render.is_interactive() && render.sample_count() > 0 && !ws_.is_mixing;
+    const bool is_shown =
+        !render.is_interactive() && render.sample_count() > 0 && !ws_.is_mixing && !ws_.kept.shown();
     if (!is_shown || ws_.ui.has_pointer()) return {};
     const vec2 place = ws_.place_in_picture(ws_.input.pointer());
     if (!(place.x >= 0.0f && place.x < 1.0f && place.y >= 0.0f && place.y < 1.0f)) return {};

@@ -85,6 +85,7 @@ std::unique_ptr<Tool> make_place_camera(Workspace& workspace);
 std::unique_ptr<Tool> make_probe(Workspace& workspace);
 std::unique_ptr<Tool> make_revisit_views(Workspace& workspace);
 std::unique_ptr<Tool> make_show_grid(Workspace& workspace);
+std::unique_ptr<Tool> make_show_times(Workspace& workspace);
 std::unique_ptr<Tool> make_turntable(Workspace& workspace);
 std::unique_ptr<Tool> make_view_light(Workspace& workspace);
 

@@ -128,6 +128,18 @@ void ProgressiveRender::begin_converging() {
     monitor_.restart();
     renderer_.resize(width_, height_, rule().samples);
     renderer_.look_from(camera_);
+    sampled_ = 0.0;
+    rays_ = no_rays_ = renderer_.traced_rays();
+}
+
+ProgressiveRender::SampleTimes ProgressiveRender::sample_times() const {
+    if (is_interactive_) return {};
+    SampleTimes times{renderer_.sample_count(), sampled_, rays_};
+    if (times.rays && no_rays_) {
+        times.rays->count -= no_rays_->count;
+        times.rays->seconds -= no_rays_->seconds;
+    }
+    return times;
 }
 
 /// Shows a copy of the film until the next sample is complete.
@@ -235,6 +247,8 @@ void ProgressiveRender::advance_converging() {
         spent = now;
         if (!is_complete) continue;
         seconds_ = spent_;
+        sampled_ += spent_;
+        rays_ = renderer_.traced_rays();
         spent_ = 0.0;
         is_kept_shown_ = false;
         if (monitor_.took_sample(renderer_, seconds_)) update_frozen_weights();

@@ -68,6 +68,13 @@ public:
     std::optional<double> error() const { return is_interactive_ ? std::nullopt : monitor_.error(); }
     float scale() const { return resolution_.scale(); } // of the sides, during interaction
     double seconds_per_sample() const { return seconds_; }
+    /// Time of the samples of the converging render so far, and the rays that the CPU traced for them.
+    struct SampleTimes {
+        int samples = 0;
+        double seconds = 0.0;
+        std::optional<render::TracedRays> rays; // absent where the CPU traces none
+    };
+    SampleTimes sample_times() const;
 
     /// The complete samples. A converging render without any shows the interactive one.
     FilmSum shown() const;
@@ -95,9 +102,12 @@ private:
     render::StopMonitor monitor_;
     std::optional<gl::Texture> frozen_weights_; // as FilmSum::frozen_weights
     bool is_interactive_ = true;
-    Clock::time_point changed_{}; // the last change of camera, size or lights
-    double seconds_ = 0.0;        // of the last complete sample
-    double spent_ = 0.0;          // on the incomplete sample [s]
+    Clock::time_point changed_{};               // the last change of camera, size or lights
+    double seconds_ = 0.0;                      // of the last complete sample
+    double spent_ = 0.0;                        // on the incomplete sample [s]
+    double sampled_ = 0.0;                      // time of the complete samples of the converging render [s]
+    std::optional<render::TracedRays> rays_;    // after the last complete sample
+    std::optional<render::TracedRays> no_rays_; // before the first one
     /// Copy of the film before a sample that takes several calls, or before the render became a converging
     /// one.
     std::optional<render::RenderTarget> kept_;

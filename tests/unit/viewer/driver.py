@@ -111,7 +111,7 @@ class Viewer:
             time.sleep(0.03)
         raise AssertionError(f"waited {seconds} s for {what}; title: {self.title()}; {self.errors()}")
 
-    def said(self, text: str, count: int = 1, seconds: float = 20):
+    def said(self, text: str, count: int = 1, seconds: float = 60):
         """Until it has said this text so many times."""
         self.wait(lambda: self.errors().count(text) >= count, text, seconds)
 

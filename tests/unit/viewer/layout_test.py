@@ -51,6 +51,7 @@ def docking(viewer: Viewer, width: int, height: int, scale: int = 1):
     assert 2 * shown >= width, (shown, width)
     two = 2 * 460 * scale <= width
     right = int(min(max(230 * scale, min(420 * scale, 0.27 * width)), 0.5 * width - 230 * scale)) if two else 0
+    closed = [] if two else at_rest(viewer)
     before, counts, numbers = picture_of(viewer), viewer.converged(), viewer.errors().count("Statistics of ")
     (viewer.changed_by if two else lambda act: act())(lambda: viewer.key("w"))
     viewer.said("Statistics of ", numbers + 1)
@@ -62,9 +63,8 @@ def docking(viewer: Viewer, width: int, height: int, scale: int = 1):
     if two:
         viewer.changed_by(lambda: viewer.key("w"))
     else:
-        panel = column_of(viewer)
         viewer.key("w")
-        viewer.wait(lambda: column_of(viewer) != panel, "the column without the Pixels panel", 10)
+        viewer.wait(lambda: column_of(viewer) == closed, "the column as it was without the Pixels panel")
 
 
 def see_all(viewer: Viewer, width: int, height: int):
@@ -96,11 +96,11 @@ def sharing(viewer: Viewer):
     controls = at_rest(viewer)
 
     def is_shown(pixels, what: str):
-        viewer.wait(lambda: column_of(viewer) == pixels, what, 10)
+        viewer.wait(lambda: column_of(viewer) == pixels, what)
 
     def another(act, others: list, what: str) -> list:
         act()
-        viewer.wait(lambda: column_of(viewer) not in others, what, 10)
+        viewer.wait(lambda: column_of(viewer) not in others, what)
         return at_rest(viewer)
 
     scene = another(lambda: viewer.key("o"), [controls], "the scene")

@@ -144,6 +144,18 @@ def keeping(viewer: Viewer):
     viewer.said("Comparing A against A.")
 
 
+def timing(viewer: Viewer):
+    """Shift T shows the time of a sample by parts: their sum is the time that the message area has."""
+    viewer.key("shift+t")
+    viewer.said("A sample: ")
+    parts = re.findall(r"([a-z ]+) (-?[0-9.]+) ms", re.findall(r"A sample: (.*)", viewer.errors())[-1])
+    assert [name.strip() for name, _ in parts] == ["surfaces", "shadow rays"], parts
+    values = [float(value) for _, value in parts]
+    sample = float(re.findall(r"converged: .*, (\S+) ms each", viewer.errors())[-1])
+    assert min(values) >= 0 and abs(sum(values) - sample) < 0.1, (values, sample)
+    viewer.key("shift+t")
+
+
 def click_view(viewer: Viewer, name: str):
     """Chooses an entry of the Views menu by the pointer; radiance is the first one."""
     viewer.click(*MENU)
@@ -165,6 +177,7 @@ def main() -> int:
         exporting(viewer)
         lights(viewer)
         keeping(viewer)
+        timing(viewer)
         viewer.close()
     return 0
 
