@@ -285,7 +285,8 @@ bool App::belongs_to_panel(const Event& event) const {
 Changes App::dispatch_key(const KeyEvent& key) {
     if (!key.is_down) return {};
     if (workspace_.question) {
-        if (const Answer* answer = workspace_.question->answer_of(key.key)) workspace_.answer(*answer);
+        const Answer* const answer = workspace_.question->answer_of(key.key);
+        if (answer && workspace_.question->is_shown) workspace_.answer(*answer);
         return Change::redraw;
     }
     if (panels_.take(key)) return Change::redraw;

@@ -21,7 +21,6 @@ std::string file_name(const std::string& file) { return std::filesystem::path(fi
 } // namespace
 
 void Workspace::ask(Question asked) {
-    messages.log("Asked: " + asked.text);
     question = std::move(asked);
     // A question that nobody sees is no question. A maximised window stays so.
     if (glfwGetWindowAttrib(window.handle(), GLFW_ICONIFIED)) glfwRestoreWindow(window.handle());

@@ -121,6 +121,7 @@ void Panels::draw_over_picture() {
     if (ws_.messages.has_error()) error_panel(ws_.messages.error_title(), ws_.messages.error_text());
     history_panel(has_history_, ws_.messages.history());
     if (!ws_.question) return;
+    if (!std::exchange(ws_.question->is_shown, true)) ws_.messages.log("Asked: " + ws_.question->text);
     if (const Answer* answer = draw_question(*ws_.question)) ws_.answer(*answer);
 }
 

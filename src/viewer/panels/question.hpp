@@ -16,6 +16,7 @@ struct Answer {
 struct Question {
     std::string text;
     std::vector<Answer> answers;
+    bool is_shown = false; // a key that was typed before answers nothing
 
     /// The answer that a key gives; null if it gives none.
     const Answer* answer_of(int key) const;

@@ -113,9 +113,10 @@ void ShowTimes::draw_contents() {
                             1e-6 * static_cast<double>(times.rays->count) / times.rays->seconds);
     ImGui::Separator();
     const FrameTimes& frame = ws_.statistics.last_frame;
-    draw_parts("a frame", std::array<Part, 3>{{{"sampling", frame.sampling, "samples of the render, whole or in part"},
-                                               {"display", frame.display, "exposure and tone curve of the film"},
-                                               {"panels", frame.panels, "panels, and marks over the picture"}}});
+    draw_parts("a frame",
+               std::array<Part, 3>{{{"sampling", frame.sampling, "samples of the render, whole or in part"},
+                                    {"display", frame.display, "exposure and tone curve of the film"},
+                                    {"panels", frame.panels, "panels, and marks over the picture"}}});
     ImGui::Separator();
     double kept = 0.0;
     for (const KeptPicture& picture : ws_.kept.all())

@@ -61,8 +61,11 @@ def asking(display: Display, viewer: Viewer, other: Path):
     viewer.key("ctrl+q")
     viewer.said("unsaved edits. Quit?")
     viewer.key("t", "space", "Escape")  # only the answer counts
-    viewer.key("F5")
+    viewer.process.send_signal(signal.SIGSTOP)  # a slow frame: D is typed before the question is seen
+    viewer.key("F5", "d")
+    viewer.process.send_signal(signal.SIGCONT)
     viewer.said("unsaved edits. Reload it?")
+    is_unsaved(viewer, True)
     viewer.key("Escape")
     close(display, viewer)
     viewer.said("unsaved edits. Quit?", 2)
