@@ -169,12 +169,14 @@ def typing_ahead(viewer: Viewer, target: Path):
     viewer.display.do("key", "--delay", "1", "ctrl+s", "ctrl+a", "type", "--delay", "1", "--args", "1", str(target), "key", "Return")
     viewer.process.send_signal(signal.SIGCONT)
     viewer.said(f"Saved {target}.")
+    viewer.pause()
     by_name, in_field = target.with_name("by_name.gltf"), target.with_name("in_field.gltf")
     viewer.process.send_signal(signal.SIGSTOP)  # the palette's command opens the field
     viewer.display.do("key", "--delay", "1", "ctrl+p", "type", "--delay", "1", "--args", "1", "save as", "key", "Return",
                       "key", "--delay", "1", "ctrl+a", "type", "--delay", "1", "--args", "1", str(by_name), "key", "Return")
     viewer.process.send_signal(signal.SIGCONT)
     viewer.said(f"Saved {by_name}.")
+    viewer.pause()
     viewer.key("ctrl+s")
     viewer.wait(lambda: viewer.errors().rstrip().endswith("text field focused"), "the field", 20)
     viewer.process.send_signal(signal.SIGSTOP)  # Ctrl A and what replaces the name come in one frame

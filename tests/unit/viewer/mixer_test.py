@@ -52,14 +52,14 @@ def mixing(viewer: Viewer) -> tuple[int, int]:
 
 
 def press(viewer: Viewer, x: int, y: int):
-    """Clicks a button as a person does: it is lit under the pointer, then pressed in, then released there. A pointer that has left when
-    the button is released does not click."""
+    """Clicks the button whose upper left corner this is, as a person does: it is lit under the pointer, then pressed in, then released
+    there. A pointer that has left when the button is released does not click."""
     def changes_by(*action):
-        before = viewer.screen(x, y)
+        before = viewer.screen(x + 2, y + 2)  # left of the pointer, which is on the screen, too
         viewer.display.do(*action)
-        viewer.wait(lambda: viewer.screen(x, y) != before, f"a button that answers to {action[0]}", 10)
+        viewer.wait(lambda: viewer.screen(x + 2, y + 2) != before, f"a button that answers to {action[0]}", 10)
 
-    changes_by("mousemove", x, y)
+    changes_by("mousemove", x + 7, y + 7)
     changes_by("mousedown", 1)
     changes_by("mouseup", 1)
 
@@ -70,7 +70,7 @@ def switching(viewer: Viewer):
     words = list(viewer.display.words())
     wanted = MUTED[0] << 16 | MUTED[1] << 8 | MUTED[2]
     y, x = divmod(next(i for i, word in enumerate(words) if word & 0xffffff == wanted), width)
-    press(viewer, x + 3, y + 3)
+    press(viewer, x, y)
     viewer.move(5, 5)
     viewer.wait(lambda: viewer.count(MUTED) == 0, "no muted light")
     viewer.key("ctrl+z")
