@@ -63,7 +63,7 @@ def frame_point(setting: Setting) -> list[Line]:
 
 def frame_studio(setting: Setting) -> list[Line]:
     return frames_beside_threepp(setting, "frame_studio", [
-        ("the studio (three rectangles and the helmet's glow), shadows", 4.0, ["--rig", "studio"], True),
+        ("the studio (an environment) and the helmet's glow, shadows", 4.0, ["--rig", "studio"], True),
         ("three softboxes, shadows", 4.0, ["--rig", "softboxes"], True)])
 
 
