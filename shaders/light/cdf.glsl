@@ -16,7 +16,7 @@ struct CdfEntry {
 };
 
 // Half as many texels as a guide of this cdf has slots: about one for eight entries.
-int guide_texels(int count) { return max(1 << max(findMSB(count) - 3, 0), 1); }
+int guide_texels(int count) { return 1 << max(findMSB(count) - 3, 0); }
 
 // The slot of the guide that u falls in holds the first and the last entry that may be meant: bisection from there takes a step or
 // two (Chen & Asau 1974). The number of slots is a power of two, so that u finds its slot without rounding.

@@ -155,8 +155,7 @@ Changes LightsPanel::draw_value(LightEditor& editor, const LoadedScene& loaded,
                                                      typed_.size(), ImGuiInputTextFlags_EnterReturnsTrue);
     focus_.update(ImGui::IsItemActive());
     tooltip("a number with a unit (cd, lm, lx, cd/m^2, W, ...) for each of the selected lights, kelvins for "
-            "their "
-            "colour, or +1 EV for twice as much; Enter takes it");
+            "their colour, or +1 EV for twice as much; Enter takes it");
     if (is_entered) change |= type_value(editor, loaded, selected, message);
     return change | draw_color(editor, selected);
 }
