@@ -130,7 +130,10 @@ int Ui::panel_flags(bool is_docked) const {
     return (is_docked ? docked : ImGuiWindowFlags_AlwaysAutoResize)
            | (has_keyboard() ? 0 : ImGuiWindowFlags_NoNavInputs);
 }
-bool Ui::has_keyboard() const { return ImGui::GetIO().WantTextInput; }
+bool Ui::has_keyboard() const {
+    // WantTextInput is of the frame before: a field that Enter has closed has no keys any more.
+    return ImGui::GetIO().WantTextInput && ImGui::IsAnyItemActive();
+}
 
 bool Ui::needs_frame() {
     const bool is_active = ImGui::IsAnyItemActive();

@@ -99,8 +99,8 @@ class Viewer:
         self.window = self.window.splitlines()[0]
         display.do("windowfocus", self.window)
 
-    def wait(self, condition, what: str, seconds: float = 60):
-        """Until the condition holds; its value."""
+    def wait(self, condition, what: str, seconds: float = 60, interval: float = 0.03):
+        """Until the condition holds, which is looked at once an interval [s]; its value."""
         end = time.monotonic() + seconds
         while time.monotonic() < end:
             value = condition()
@@ -108,7 +108,7 @@ class Viewer:
                 return value
             if self.process.poll() is not None:
                 raise AssertionError(f"the viewer ended with {self.process.returncode}: {self.errors()}")
-            time.sleep(0.03)
+            time.sleep(interval)
         raise AssertionError(f"waited {seconds} s for {what}; title: {self.title()}; {self.errors()}")
 
     def said(self, text: str, count: int = 1, seconds: float = 60):

@@ -102,8 +102,9 @@ def exporting(viewer: Viewer):
     assert viewer.converged() == converged, "the picture in the window was rendered again"
     never = SCRATCH / "never.png"
     fill("1500x1200", "65536", never)
-    viewer.said(f"Exporting {never} at 1500x1200.")
-    viewer.key("Escape")
+    begun = f"Exporting {never} at 1500x1200."
+    viewer.wait(lambda: begun in viewer.errors(), begun, interval=0.001)
+    viewer.key("Escape")  # in the frame after Enter, in which the field still had the keyboard
     viewer.said("Export cancelled: no file is written.")
     assert not never.exists()
 
