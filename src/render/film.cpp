@@ -63,6 +63,13 @@ void RenderTarget::bind() const {
     glViewport(0, 0, width_, height_);
 }
 
+void RenderTarget::copy(const RenderTarget& from) const {
+    glDisable(GL_SCISSOR_TEST); // it cuts copies, too
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, from.framebuffer_.id());
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer_.id());
+    glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+}
+
 image::Image RenderTarget::read() const {
     bind();
     image::Image image(width_, height_, 4);

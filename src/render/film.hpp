@@ -24,6 +24,9 @@ public:
     const gl::Texture& color() const { return color_; }
     const gl::Texture& depth() const { return depth_; }
 
+    /// Copies the colours of a picture of the same size.
+    void copy(const RenderTarget& from) const;
+
     /// The texels with the picture's first row on top; RGBA.
     image::Image read() const;
     /// One texel; `row` counts from the picture's first row.

@@ -39,6 +39,34 @@ std::optional<glsl::Root> estimator(const RenderOptions& options) {
                       {"interface/estimator.glsl", limits}});
 }
 
+/// Makes means of sums: `samples` of each pixel.
+void divide(image::Image& film, const std::vector<int>& samples) {
+    for (std::size_t i = 0; i < film.pixels.size(); ++i)
+        film.pixels[i] *= 1.0f / static_cast<float>(samples[i / 4]);
+}
+
+/// Keeps the framebuffers and the viewport for callers that draw.
+class KeptTarget {
+public:
+    KeptTarget() {
+        glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &drawn_);
+        glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &read_);
+        glGetIntegerv(GL_VIEWPORT, viewport_.data());
+    }
+    ~KeptTarget() {
+        glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(drawn_));
+        glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(read_));
+        glViewport(viewport_[0], viewport_[1], viewport_[2], viewport_[3]);
+    }
+    KeptTarget(const KeptTarget&) = delete;
+    KeptTarget& operator=(const KeptTarget&) = delete;
+
+private:
+    GLint drawn_ = 0;
+    GLint read_ = 0;
+    std::array<GLint, 4> viewport_{};
+};
+
 /// Returns whether the shader asks for V: the views of what a surface is do not. One that cannot be expanded
 /// may: who compiles it says what is wrong.
 bool asks_for_visibility(const RenderOptions& options) {
@@ -74,6 +102,8 @@ Renderer::Renderer(const GpuScene& scene, const scene::Camera& camera, const Ren
 
 void Renderer::resize(int width, int height, int samples) {
     deferred_.reset();
+    sums_ = {};
+    whole_film_.reset();
     shadow_rays_.reset(); // its framebuffer holds on to the frame's depth
     if (width != options_.width || height != options_.height) {
         frame_ = RenderTarget("frame", width, height, true);
@@ -174,6 +204,9 @@ void Renderer::repeat() {
         glClear(GL_COLOR_BUFFER_BIT);
     }
     glDisable(GL_SCISSOR_TEST);
+    for (auto& sums : sums_)
+        if (sums) sums->clear(options_.window.value_or(PixelRect{0, 0, options_.width, options_.height}));
+    is_film_whole_ = false;
 }
 
 void Renderer::look_from(const scene::Camera& camera) {
@@ -272,9 +305,15 @@ ProgramTerms Renderer::blended_terms() const {
 }
 
 void Renderer::shade_opaque(const PixelRect& window) {
-    if (deferred_ && first_light_ != end_light_)
-        return deferred_->shade(frame_, window, first_light_, end_light_, frame_data_, *shaders_,
-                                converged_.any(sample_count_));
+    if (deferred_ && first_light_ != end_light_) {
+        PixelSums& sums = sums_of_sample();
+        deferred_->shade(frame_, window, first_light_, end_light_, frame_data_, *shaders_, sums);
+        is_film_whole_ = false;
+        if (scene_.blended_draws().empty()) return;
+        glBindVertexArray(no_vertices_.id()); // what is blended over the frame covers L_r, too
+        sums.draw_into(frame_, window, *shaders_, converged_.any(sample_count_));
+        return sums.clear(window);
+    }
     if (!shadow_rays_ || first_light_ == end_light_) {
         forward_pass(frame_, scene_, *shaders_, options_.shader, opaque_terms());
         return;
@@ -290,6 +329,24 @@ void Renderer::shade_opaque(const PixelRect& window) {
     glDisable(GL_SCISSOR_TEST);
 }
 
+PixelSums& Renderer::sums_of_sample() {
+    auto& sums = sums_[first_half_ ? static_cast<std::size_t>(half_of(sample_count_)) : 0];
+    if (!sums) sums.emplace(options_.width, options_.height);
+    return *sums;
+}
+
+const gl::Texture& Renderer::film_sum() const {
+    if (std::ranges::none_of(sums_, [](const auto& sums) { return sums.has_value(); })) return film_.color();
+    if (!whole_film_) whole_film_.emplace("whole film", options_.width, options_.height, false);
+    if (std::exchange(is_film_whole_, true)) return whole_film_->color();
+    const KeptTarget kept;
+    whole_film_->copy(film_);
+    glBindVertexArray(no_vertices_.id());
+    for (const auto& sums : sums_)
+        if (sums) sums->draw_into(*whole_film_, {0, 0, options_.width, options_.height}, *shaders_, false);
+    return whole_film_->color();
+}
+
 std::vector<int> Renderer::pixel_samples() const {
     std::vector<int> samples(static_cast<std::size_t>(options_.width)
                              * static_cast<std::size_t>(options_.height));
@@ -297,16 +354,12 @@ std::vector<int> Renderer::pixel_samples() const {
     return samples;
 }
 
-image::Image Renderer::mean_of(const RenderTarget& sum, const std::vector<int>& samples) const {
-    image::Image image = sum.read();
-    for (std::size_t i = 0; i < image.pixels.size(); ++i)
-        image.pixels[i] *= 1.0f / static_cast<float>(samples[i / 4]);
-    return image;
-}
-
 image::Image Renderer::read_film() const {
     require(sample_count_ > 0, "the film has samples");
-    image::Image film = mean_of(film_, pixel_samples());
+    image::Image film = film_.read();
+    for (const auto& sums : sums_)
+        if (sums) sums->add_to(film);
+    divide(film, pixel_samples());
     glsl::require_ended_loops(film.pixels, shaders_->loops());
     return film;
 }
@@ -314,6 +367,8 @@ image::Image Renderer::read_film() const {
 std::array<float, 4> Renderer::read_pixel(int column, int row) const {
     require(sample_count_ > 0, "the film has samples");
     std::array<float, 4> texel = film_.read(column, row);
+    for (const auto& sums : sums_)
+        if (sums) sums->add_to(texel, column, row);
     const std::size_t pixel = static_cast<std::size_t>(row) * static_cast<std::size_t>(options_.width)
                               + static_cast<std::size_t>(column);
     for (float& value : texel)
@@ -325,9 +380,12 @@ std::array<float, 4> Renderer::read_pixel(int column, int row) const {
 image::Image Renderer::read_first_half() const {
     require(first_half_.has_value() && sample_count_ > 0,
             "the renderer estimates its error, and has samples");
+    image::Image film = first_half_->read();
+    if (sums_[0]) sums_[0]->add_to(film);
     std::vector<int> samples = pixel_samples();
     for (int& count : samples) count = samples_of_half(0, count);
-    return mean_of(*first_half_, samples);
+    divide(film, samples);
+    return film;
 }
 
 std::optional<ErrorEstimate> Renderer::estimate_error() const {

@@ -8,6 +8,7 @@
 #include "render/visibility/deferred_visibility.hpp"
 #include "render/visibility/depth_maps.hpp"
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -132,7 +133,7 @@ public:
 
     /// The sum of all samples so far, where shaders can read it: read_film() is it over pixel_samples(),
     /// which is sample_count() where no pixel is frozen.
-    const gl::Texture& film_sum() const { return film_.color(); }
+    const gl::Texture& film_sum() const;
 
     std::size_t program_count() const { return shaders_->program_count(); }
     /// Returns whether the opaque surfaces are shaded once and the CPU adds up what is seen, where it traces
@@ -159,9 +160,9 @@ private:
     ProgramTerms opaque_terms() const;
     ProgramTerms blended_terms() const;
     void shade_opaque(const PixelRect& window);
+    PixelSums& sums_of_sample();
     bool shows_environment() const; // behind everything; terms of the equation have no background
     void accumulate();
-    image::Image mean_of(const RenderTarget& sum, const std::vector<int>& samples) const;
 
     const GpuScene& scene_;
     scene::Camera camera_;
@@ -175,7 +176,12 @@ private:
     std::optional<RenderTarget> first_half_; // the sum of the first sequence's samples
     ConvergedPixels converged_;
     FrameData frame_data_;
-    std::optional<DeferredVisibility> deferred_; // or else:
+    std::optional<DeferredVisibility> deferred_;
+    /// With it, L_r, which the films lack: of the first half of the samples and of the second, or of all.
+    std::array<std::optional<PixelSums>, 2> sums_;
+    mutable std::optional<RenderTarget> whole_film_; // the film and the sums, where shaders can read them
+    mutable bool is_film_whole_ = false;
+    // or else:
     std::optional<CpuShadowRays> shadow_rays_;
     int rays_per_point_ = 0; // that these were made for
     int light_choices_ = 0;

@@ -10,7 +10,40 @@
 namespace sr::shadow {
 namespace {
 
-constexpr std::size_t packet = 8; // AVX
+constexpr std::size_t packet = Occlusion::packet;
+
+constexpr float offset_share = 1.0f / 131072.0f;     // 2^-17
+constexpr float last_share = 1.0f - 1.0f / 32768.0f; // 1 - 2^-15
+
+float largest(vec3 v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+
+/// From `origin` to where the query looks.
+Ray ray_from(vec3 origin, const Query& query) {
+    if (query.is_infinite) return {origin, query.to_emitter, std::numeric_limits<float>::infinity()};
+    return {origin, query.x + query.to_emitter - origin, last_share};
+}
+
+/// The part of a ray's origin that all rays from a point share.
+struct Receiver {
+    vec3 n{0.0f};          // of the triangle's plane; 0 if it has none
+    float distance = 0.0f; // of the point from the plane [m]
+    float offset = 0.0f;   // along n, away from the plane [m]
+
+    Receiver() = default;
+    Receiver(vec3 x, std::span<const vec3, 3> triangle) {
+        const vec3 a = triangle[0];
+        n = glm::cross(triangle[1] - a, triangle[2] - a);
+        const float length = glm::length(n);
+        n = length > 0.0f ? n / length : vec3(0.0f);
+        offset = offset_share * std::max({largest(a), largest(triangle[1]), largest(triangle[2])});
+        distance = glm::dot(x - a, n);
+    }
+
+    Ray ray_to(const Query& query) const {
+        const float side = glm::dot(n, query.to_emitter) < 0.0f ? -1.0f : 1.0f;
+        return ray_from(query.x + (side * offset - distance) * n, query);
+    }
+};
 
 /// A packet of rays with what the filter must know of each. Embree hands back the pointer to its first
 /// member.
@@ -118,15 +151,19 @@ void Occlusion::answer(std::span<const Query> queries, std::span<vec3> V) const 
     Context context{};
     context.casters = &casters_;
     RTCRay8 rays{};
+    Receiver receiver;
+    const Query* last = nullptr; // whose receiver it is
     for (std::size_t first = 0; first < queries.size(); first += packet) {
         const std::size_t count = std::min(packet, queries.size() - first);
         alignas(32) std::array<int, packet> valid{};
         for (std::size_t lane = 0; lane < count; ++lane) {
             const Query& query = queries[first + lane];
-            const Ray ray =
-                query.triangle < 0
-                    ? ray_from_line(query)
-                    : ray_of(query, casters_.triangle(static_cast<std::uint32_t>(query.triangle)));
+            const bool is_on_line = query.triangle < 0;
+            if (!is_on_line && !(last && last->triangle == query.triangle && last->x == query.x)) {
+                receiver = {query.x, casters_.triangle(static_cast<std::uint32_t>(query.triangle))};
+                last = &query;
+            }
+            const Ray ray = is_on_line ? ray_from_line(query) : receiver.ray_to(query);
             set_lane(rays, lane, ray);
             context.light[lane] = query.light;
             context.end[lane] = ray.end;
@@ -139,34 +176,13 @@ void Occlusion::answer(std::span<const Query> queries, std::span<vec3> V) const 
     }
 }
 
-namespace {
-
-constexpr float offset_share = 1.0f / 131072.0f;     // 2^-17
-constexpr float last_share = 1.0f - 1.0f / 32768.0f; // 1 - 2^-15
-
-float largest(vec3 v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
-
-/// From `origin` to where the query looks.
-Ray ray_from(vec3 origin, const Query& query) {
-    if (query.is_infinite) return {origin, query.to_emitter, std::numeric_limits<float>::infinity()};
-    return {origin, query.x + query.to_emitter - origin, last_share};
-}
-
-} // namespace
-
 Ray ray_from_line(const Query& query) {
     const vec3 wi = glm::normalize(query.to_emitter);
     return ray_from(query.x + offset_share * largest(query.x) * wi, query);
 }
 
 Ray ray_of(const Query& query, std::span<const vec3, 3> triangle) {
-    const vec3 a = triangle[0];
-    vec3 n = glm::cross(triangle[1] - a, triangle[2] - a);
-    const float length = glm::length(n);
-    n = length > 0.0f ? n / length : vec3(0.0f);
-    const float reach = std::max({largest(a), largest(triangle[1]), largest(triangle[2])});
-    const float side = glm::dot(n, query.to_emitter) < 0.0f ? -1.0f : 1.0f;
-    return ray_from(query.x + (side * offset_share * reach - glm::dot(query.x - a, n)) * n, query);
+    return Receiver(query.x, triangle).ray_to(query);
 }
 
 } // namespace sr::shadow

@@ -39,6 +39,8 @@ Ray ray_from_line(const Query& query);
 /// The casters as Embree traces them.
 class Occlusion {
 public:
+    static constexpr std::size_t packet = 8; // rays that are traced at once: those of AVX
+
     /// Builds Embree's tree. `casters` must outlive this. @throws Error if Embree fails.
     explicit Occlusion(const Casters& casters);
     ~Occlusion();

@@ -180,7 +180,8 @@ const Test bands("law.shadow.bands_of_rows_make_the_same_picture", [] {
         for (int i = 0; i < 2; ++i) renderer.add_sample();
         return renderer.read_film();
     };
-    const std::size_t rays_to_a_row = 64 * zoo.size() * 2;
+    const auto rays_to_a_row =
+        static_cast<std::size_t>(64 * gpu_scene.most_rays(static_cast<int>(zoo.size())));
     EXPECT_EQ(shaded(7 * rays_to_a_row).pixels, shaded(64 * rays_to_a_row).pixels);
     EXPECT_THROW(shaded(rays_to_a_row - 1), Error);
 });

@@ -210,6 +210,9 @@ void GpuScene::upload_lights(const scene::Scene& scene, std::span<const scene::L
             "use smaller emissive textures");
     light_count_ = static_cast<int>(lights.size());
     rays_per_light_ = light_features(lights).rays_per_light;
+    rays_to_light_.clear();
+    for (const scene::Light& light : lights)
+        rays_to_light_.push_back(light_features({&light, 1}).rays_per_light);
 }
 
 void GpuScene::bind_lights() const {
@@ -270,6 +273,16 @@ void GpuScene::bind_material(int material) const {
         images_[image_of_texture_[texture]].bind(slot);
         glBindSampler(slot, samplers_[sampler_of_texture_[texture]].id());
     }
+}
+
+int GpuScene::most_rays(int lights) const {
+    int most = 0, sum = 0;
+    for (std::size_t k = 0; k < rays_to_light_.size(); ++k) {
+        sum += rays_to_light_[k];
+        if (k >= static_cast<std::size_t>(lights)) sum -= rays_to_light_[k - static_cast<std::size_t>(lights)];
+        most = std::max(most, sum);
+    }
+    return most;
 }
 
 std::size_t GpuScene::feature_set_count() const {

@@ -44,6 +44,8 @@ public:
     /// Indices of the environment lights that are visible behind all surfaces.
     const std::vector<int>& visible_environments() const { return visible_environments_; }
     int rays_per_light() const { return rays_per_light_; } // that a point of a surface sends
+    /// Returns how many rays it sends at most to so many lights, one after the other.
+    int most_rays(int lights) const;
     /// The shadow casters; null without shadows or without lights.
     const VisibilityBackend* visibility_backend() const { return visibility_backend_.get(); }
     const std::vector<Draw>& opaque_draws() const { return opaque_; } // opaque and masked, by program
@@ -100,6 +102,7 @@ private:
     gl::Texture ltc_texture_ = upload_ltc_table();
     int light_count_ = 0;
     int rays_per_light_ = 1;
+    std::vector<int> rays_to_light_;
     std::unique_ptr<VisibilityBackend> visibility_backend_;
     std::vector<Draw> opaque_;
     std::vector<Draw> blended_;

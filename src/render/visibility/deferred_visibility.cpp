@@ -6,12 +6,14 @@
 #include "render/passes.hpp"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <bit>
 #include <chrono>
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
+#include <span>
 
 namespace sr::render {
 namespace {
@@ -19,17 +21,19 @@ namespace {
 // Keep in sync with shaders/interface/deferred.glsl.
 constexpr std::size_t receiver_words = 4, sample_words = 7;
 
+constexpr float max_radiance = 1e30f; // [cd/m²]; keep in sync with shaders/integrator/bounded.glsl
+
 constexpr int most_lights_at_once = 16; // more of them shade the surfaces again
 
-// Bytes of the samples of a band. A quarter of a frame's samples costs no time, but each band draws the scene
-// again.
-constexpr std::size_t fewest_bytes = std::size_t{32} << 20, most_bytes = std::size_t{128} << 20;
+// Bytes of the samples of a band. Each band draws the scene again: eight take 1.5 % more of DamagedHelmet's time
+// than four.
+constexpr std::size_t fewest_bytes = std::size_t{16} << 20, most_bytes = std::size_t{128} << 20;
 
 /// The words of a band, if those of a frame are so many.
 std::size_t words_of_band(std::size_t words_of_frame) {
     GLint most = 0;
     glGetIntegerv(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &most);
-    const std::size_t bytes = std::clamp(words_of_frame * sizeof(std::int32_t) / 4, fewest_bytes, most_bytes);
+    const std::size_t bytes = std::clamp(words_of_frame * sizeof(std::int32_t) / 5, fewest_bytes, most_bytes);
     return std::min(static_cast<std::size_t>(most), bytes) / sizeof(std::int32_t);
 }
 
@@ -37,11 +41,23 @@ vec3 floats(const std::int32_t* words) {
     return {std::bit_cast<float>(words[0]), std::bit_cast<float>(words[1]), std::bit_cast<float>(words[2])};
 }
 
-/// The deferred samples of a row of pixels.
-struct Samples {
-    std::vector<shadow::Query> queries;
-    std::vector<vec3> L;             // of each query: the sample without V
-    std::vector<std::size_t> pixels; // that it belongs to
+/// Samples that wait for their V, as many as are traced at once.
+struct Waiting {
+    std::array<shadow::Query, shadow::Occlusion::packet> queries;
+    std::array<vec3, shadow::Occlusion::packet> L;          // of each query: the sample without V
+    std::array<float*, shadow::Occlusion::packet> L_r;      // the sum of its pixel
+    std::size_t count = 0;
+
+    void add_seen(const shadow::Occlusion& occlusion) {
+        std::array<vec3, shadow::Occlusion::packet> V;
+        occlusion.answer(std::span(queries).first(count), std::span(V).first(count));
+        for (std::size_t i = 0; i < count; ++i) {
+            const vec3 seen = L[i] * V[i];
+            for (int channel = 0; channel < 3; ++channel)
+                L_r[i][channel] += std::min(seen[channel], max_radiance); // NaN stays NaN
+        }
+        count = 0;
+    }
 };
 
 } // namespace
@@ -61,7 +77,7 @@ DeferredVisibility::DeferredVisibility(const GpuScene& scene, int width, int hei
       rays_per_light_(light_choices > 0 ? light_choices + 1 : scene.rays_per_light()),
       lights_at_once_(light_choices > 0 ? scene.light_count()
                                         : std::clamp(scene.light_count(), 1, most_lights_at_once)),
-      most_rays_(light_choices > 0 ? rays_per_light_ : lights_at_once_ * rays_per_light_) {
+      most_rays_(light_choices > 0 ? rays_per_light_ : std::max(1, scene.most_rays(lights_at_once_))) {
     const auto row = static_cast<std::size_t>(width);
     const std::size_t words_of_row = row * (1 + pixel_words());
     const std::size_t words = words_of_band(words_of_row * static_cast<std::size_t>(height));
@@ -94,7 +110,7 @@ void DeferredVisibility::compile(ShaderLibrary& shaders) const {
 
 void DeferredVisibility::shade(const RenderTarget& frame, const PixelRect& window, int first_light,
                                int end_light, FrameData& frame_data, ShaderLibrary& shaders,
-                               bool has_closed) {
+                               PixelSums& sums) {
     const int first_row = frame.height() - window.row - window.height; // GL counts rows from below
     glEnable(GL_SCISSOR_TEST);
     for (int row = 0; row < window.height; row += rows_at_once_) {
@@ -105,20 +121,18 @@ void DeferredVisibility::shade(const RenderTarget& frame, const PixelRect& windo
         glBufferData(GL_UNIFORM_BUFFER, sizeof(block), &block, GL_STREAM_DRAW);
         glBindBufferBase(GL_UNIFORM_BUFFER, rays_block, block_.id());
         glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, samples_.id());
-        L_r_.assign(3 * static_cast<std::size_t>(width_) * static_cast<std::size_t>(band.count), 0.0f);
         for (int first = first_light; first < end_light; first += lights_at_once_) {
             frame_data.select_lights(first, std::min(end_light, first + lights_at_once_));
             forward_pass(frame, scene_, shaders, "deferred.frag", terms());
-            add_seen(band);
+            add_seen(band, sums);
         }
-        add_sums(frame, shaders, has_closed);
     }
     glDisable(GL_SCISSOR_TEST);
     frame_data.select_lights(first_light, end_light);
 }
 
-/// Adds L V of the samples of the band to L_r_, and forgets the samples.
-void DeferredVisibility::add_seen(RowRange band) {
+/// Adds L V of the samples of the band, and forgets the samples.
+void DeferredVisibility::add_seen(RowRange band, PixelSums& sums) {
     const auto plane = static_cast<std::size_t>(width_) * static_cast<std::size_t>(rows_at_once_);
     glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
     glBindBuffer(GL_COPY_READ_BUFFER, samples_.id());
@@ -133,7 +147,7 @@ void DeferredVisibility::add_seen(RowRange band) {
         band.count,
         [&](int row) {
             rays += add_seen_of_row(words, static_cast<std::size_t>(width_) * static_cast<std::size_t>(row),
-                                    plane);
+                                    plane, sums.row(band.first + row));
         },
         1 + width_ * band.count / pixels_per_thread);
     traced_.count += rays;
@@ -141,13 +155,18 @@ void DeferredVisibility::add_seen(RowRange band) {
     glUnmapBuffer(GL_COPY_READ_BUFFER);
 }
 
-/// `first`: the row's first pixel; `plane`: the pixels of the block. @return the number of rays
-std::size_t DeferredVisibility::add_seen_of_row(std::int32_t* words, std::size_t first, std::size_t plane) {
-    Samples samples;
+/// `first`: the row's first pixel; `plane`: the pixels of the block; `sums`: of the row. @return the number
+/// of rays
+std::size_t DeferredVisibility::add_seen_of_row(std::int32_t* words, std::size_t first, std::size_t plane,
+                                                std::span<float> sums) const {
+    const shadow::Occlusion& occlusion = *scene_.visibility_backend()->occlusion();
+    Waiting waiting;
+    std::size_t rays = 0;
     for (std::size_t pixel = first; pixel < first + static_cast<std::size_t>(width_); ++pixel) {
         const int count = words[pixel];
         if (count == 0) continue;
         words[pixel] = 0;
+        float* const L_r = &sums[3 * (pixel - first)];
         const std::int32_t* receiver = words + plane + pixel * pixel_words();
         const vec3 x = floats(receiver);
         for (int i = 0; i < count; ++i) {
@@ -155,29 +174,18 @@ std::size_t DeferredVisibility::add_seen_of_row(std::int32_t* words, std::size_t
                 receiver + receiver_words + static_cast<std::size_t>(i) * sample_words;
             const RecordedRay ray{vec4(floats(sample), std::bit_cast<float>(sample[3]))};
             if (!ray.is_finite() || !std::isfinite(x.x + x.y + x.z)) { // Embree must not get it
-                L_r_[3 * pixel] = std::numeric_limits<float>::quiet_NaN();
+                *L_r = std::numeric_limits<float>::quiet_NaN();
                 continue;
             }
-            samples.queries.push_back(ray.query(x, receiver[3], rays_per_light_));
-            samples.L.push_back(floats(sample + 4));
-            samples.pixels.push_back(pixel);
+            waiting.queries[waiting.count] = ray.query(x, receiver[3], rays_per_light_);
+            waiting.L[waiting.count] = floats(sample + 4);
+            waiting.L_r[waiting.count] = L_r;
+            ++rays;
+            if (++waiting.count == shadow::Occlusion::packet) waiting.add_seen(occlusion);
         }
     }
-    std::vector<vec3> V(samples.queries.size());
-    scene_.visibility_backend()->occlusion()->answer(samples.queries, V);
-    for (std::size_t i = 0; i < V.size(); ++i) {
-        const vec3 seen = samples.L[i] * V[i];
-        for (int channel = 0; channel < 3; ++channel)
-            L_r_[3 * samples.pixels[i] + static_cast<std::size_t>(channel)] += seen[channel];
-    }
-    return V.size();
-}
-
-void DeferredVisibility::add_sums(const RenderTarget& frame, ShaderLibrary& shaders, bool has_closed) {
-    sums_.upload(L_r_, "choose a smaller --size");
-    sums_.bind(ray_visibility_unit);
-    glBindVertexArray(no_vertices_.id());
-    add_pass(frame, shaders, has_closed);
+    waiting.add_seen(occlusion);
+    return rays;
 }
 
 } // namespace sr::render

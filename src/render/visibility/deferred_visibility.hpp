@@ -5,6 +5,7 @@
 #include "render/gpu/blocks.hpp"
 #include "render/gpu/gpu_scene.hpp"
 #include "render/gpu/shader_library.hpp"
+#include "render/visibility/pixel_sums.hpp"
 #include "render/visibility/recorded_ray.hpp"
 
 namespace sr::render {
@@ -23,19 +24,19 @@ public:
     /// Compiles the programs that shade() uses. @throws ShaderError
     void compile(ShaderLibrary& shaders) const;
 
-    /// Writes L_o of the opaque surfaces under the lights [first, end), where their depth lies in `frame`, in
-    /// these columns and rows of the scissor. `frame_data` then has these lights. `has_closed`: add_pass().
+    /// Writes L_e of the opaque surfaces, where their depth lies in `frame`, and adds L_r under the lights
+    /// [first, end) to `sums`, in the columns and rows of this window. `frame_data` then has these lights.
     void shade(const RenderTarget& frame, const PixelRect& window, int first_light, int end_light,
-               FrameData& frame_data, ShaderLibrary& shaders, bool has_closed);
+               FrameData& frame_data, ShaderLibrary& shaders, PixelSums& sums);
 
     const TracedRays& traced() const { return traced_; } // so far
 
 private:
     ProgramTerms terms() const { return {VisibilityTerm::defer, light_choices_}; }
     std::size_t pixel_words() const; // of its samples, in shaders/interface/deferred.glsl
-    void add_seen(RowRange band);
-    std::size_t add_seen_of_row(std::int32_t* words, std::size_t first, std::size_t plane);
-    void add_sums(const RenderTarget& frame, ShaderLibrary& shaders, bool has_closed);
+    void add_seen(RowRange band, PixelSums& sums);
+    std::size_t add_seen_of_row(std::int32_t* words, std::size_t first, std::size_t plane,
+                                std::span<float> L_r) const;
 
     const GpuScene& scene_;
     int width_;
@@ -46,9 +47,6 @@ private:
     int rows_at_once_;
     gl::Buffer samples_{"deferred samples"};
     gl::Buffer block_{"rays"};
-    BufferTexture sums_{"the sums over shadow rays", GL_RGB32F};
-    std::vector<float> L_r_; // of a band's pixels [cd/m²]
-    gl::VertexArray no_vertices_{"no vertices"};
     TracedRays traced_;
 };
 
