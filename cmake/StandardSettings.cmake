@@ -30,7 +30,21 @@ endif()
 if(STERADIAN_SANITIZE)
   target_compile_options(sr_compile_settings INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=undefined
                                                -fno-omit-frame-pointer)
-  target_link_options(sr_compile_settings INTERFACE -fsanitize=address,undefined)
+  # UndefinedBehaviorSanitizer describes each checked place by data with pointers, some 5 million of them in the program. In a
+  # program at a fixed address the linker fills them in; otherwise each start does, and touches 100 MB.
+  target_link_options(sr_compile_settings INTERFACE -fsanitize=address,undefined
+                                                    $<$<STREQUAL:$<TARGET_PROPERTY:TYPE>,EXECUTABLE>:-no-pie>)
+endif()
+
+# Files compiled together share headers and the templates that they use. 32 files at a time take four fifths of the processor time
+# of eight at a time, and 1.7 GB of memory. Where there are cores enough, what counts is that all of them have work.
+if(CMAKE_UNITY_BUILD AND NOT CMAKE_UNITY_BUILD_BATCH_SIZE)
+  cmake_host_system_information(RESULT cores QUERY NUMBER_OF_LOGICAL_CORES)
+  if(cores LESS_EQUAL 4)
+    set(CMAKE_UNITY_BUILD_BATCH_SIZE 32)
+  else()
+    set(CMAKE_UNITY_BUILD_BATCH_SIZE 8)
+  endif()
 endif()
 
 # What runs once or waits for others need not be fast. -O1 takes a quarter off the time that templates compile; with

@@ -28,7 +28,7 @@ require_writable_checkout() {
   [[ -w . ]] || fail "$root: cannot be written: clone it (git clone '$root' DIR), or build elsewhere (cmake -S '$root' -B DIR)"
 }
 
-# Builds a preset, release or sanitize. From nothing it compiles eight files at a time, which takes half as long; a build folder
+# Builds a preset, release or sanitize. From nothing it compiles many files at a time, which takes less than half as long; a build folder
 # that is there keeps its way, since an edit then costs one file.
 configure_and_build() { # PRESET [TARGET...]
   local preset=$1 configured=$1 folder=build

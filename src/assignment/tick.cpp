@@ -23,8 +23,8 @@ using nlohmann::ordered_json;
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t max_lines = 14;    // of code on the sheet
-constexpr std::size_t max_excerpt = 160; // bytes of a line there
+constexpr std::size_t max_code_lines = 14; // of code on the sheet
+constexpr std::size_t max_excerpt = 160;   // bytes of a line there
 
 void write_json_line(std::ostream& stream, const ordered_json& json) {
     stream << json.dump(-1, ' ', false, ordered_json::error_handler_t::replace) << std::endl;
@@ -90,11 +90,12 @@ ordered_json code_of(const Assignment& assignment, const Submission& submission)
     for (const CodeLine& line : lines) distances.push_back(line.differs);
     std::ranges::sort(distances, std::greater());
     const std::size_t least =
-        distances.empty() ? 1
-                          : std::max<std::size_t>(1, distances[std::min(max_lines, distances.size()) - 1]);
+        distances.empty()
+            ? 1
+            : std::max<std::size_t>(1, distances[std::min(max_code_lines, distances.size()) - 1]);
     ordered_json code = ordered_json::array();
     for (const CodeLine& line : lines)
-        if (line.differs >= least && code.size() < max_lines)
+        if (line.differs >= least && code.size() < max_code_lines)
             code.push_back({{"task", line.task},
                             {"file", line.file},
                             {"line", line.number},

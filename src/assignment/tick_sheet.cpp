@@ -40,7 +40,7 @@ constexpr const char* sheet_style =
     ".notes { height: 6mm; border-bottom: 0.2mm dotted #777; color: #777; font-size: 7.4pt; }\n"
     "@media screen { body { padding: 6mm; } }\n";
 
-std::string word(const ordered_json& json, const char* key) { return json[key].get<std::string>(); }
+std::string text_in(const ordered_json& json, const char* key) { return json[key].get<std::string>(); }
 
 /// Text in which `code` stands between backquotes.
 std::string with_code(const std::string& text) {
@@ -53,12 +53,12 @@ std::string with_code(const std::string& text) {
 
 /// The first thing that is wrong with a task: the name of its mistake, or the message.
 std::string finding_of(const ordered_json& task) {
-    if (!task["problems"].empty()) return word(task["problems"][0], "text");
+    if (!task["problems"].empty()) return text_in(task["problems"][0], "text");
     for (const ordered_json& check : task["checks"])
         if (!check["passed"].get<bool>())
-            return word(check, "name") + ": "
-                   + (check["diagnosis"].is_null() ? word(check, "message")
-                                                   : word(check["diagnosis"], "name"));
+            return text_in(check, "name") + ": "
+                   + (check["diagnosis"].is_null() ? text_in(check, "message")
+                                                   : text_in(check["diagnosis"], "name"));
     return "";
 }
 
@@ -67,8 +67,8 @@ std::string marks_table(const ordered_json& examination) {
     for (const ordered_json& task : examination["tasks"]) {
         const std::string finding = finding_of(task);
         rows += fmt::format(
-            "<tr><th>{}<td>{:g}/{:g}<td>{}{}\n", escape_markup(word(task, "id")),
-            task["points"].get<double>(), task["of"].get<double>(), escape_markup(word(task, "status")),
+            "<tr><th>{}<td>{:g}/{:g}<td>{}{}\n", escape_markup(text_in(task, "id")),
+            task["points"].get<double>(), task["of"].get<double>(), escape_markup(text_in(task, "status")),
             finding.empty() ? "" : "<div class=\"finding\">" + escape_markup(finding) + "</div>");
     }
     return "<table>\n" + rows + "</table>\n";
@@ -80,13 +80,13 @@ std::string code_table(const ordered_json& code) {
     for (const ordered_json& line : code) most = std::max(most, line["differs"].get<std::size_t>());
     std::string rows, task;
     for (const ordered_json& line : code) {
-        if (word(line, "task") != task)
-            rows += fmt::format("<tr><th colspan=\"2\">{} {}\n", escape_markup(word(line, "task")),
-                                escape_markup(word(line, "file")));
-        task = word(line, "task");
+        if (text_in(line, "task") != task)
+            rows += fmt::format("<tr><th colspan=\"2\">{} {}\n", escape_markup(text_in(line, "task")),
+                                escape_markup(text_in(line, "file")));
+        task = text_in(line, "task");
         rows += fmt::format("<tr{}><td class=\"number\">{}<td>{}\n",
                             2 * line["differs"].get<std::size_t>() > most ? " class=\"much\"" : "",
-                            line["line"].get<int>(), escape_markup(word(line, "text")));
+                            line["line"].get<int>(), escape_markup(text_in(line, "text")));
     }
     return "<table class=\"code\">\n" + rows + "</table>\n";
 }
@@ -97,7 +97,7 @@ std::string terms_table(const ordered_json& terms) {
     for (const ordered_json& light : terms["lights"]) {
         if (rows.size() > 1000) break; // of many lights the first few
         rows += fmt::format("<tr><td>{}<td>{}<td>{:.3g}<td>{:.3g}<td>{:.3g}<td>{:.3g}, {:.3g}, {:.3g}\n",
-                            escape_markup(word(light, "name")),
+                            escape_markup(text_in(light, "name")),
                             light["cos"].is_null() ? "" : fmt::format("{:.2f}", light["cos"].get<double>()),
                             light["V"].get<double>(), light["E"].get<double>(), light["f_r"].get<double>(),
                             light["L_r"][0].get<double>(), light["L_r"][1].get<double>(),
@@ -116,22 +116,22 @@ std::string question_section(const ordered_json& question, std::size_t number) {
     for (const ordered_json& picture : question["pictures"])
         pictures += fmt::format(
             "<figure><img alt=\"\" src=\"data:image/png;base64,{}\"><figcaption>{}</figcaption></figure>",
-            escape_markup(word(picture, "png")), escape_markup(word(picture, "caption")));
+            escape_markup(text_in(picture, "png")), escape_markup(text_in(picture, "caption")));
     const std::string terms =
-        word(question, "kind") == "pixel" ? terms_table(question["facts"]["terms"]) : std::string();
+        text_in(question, "kind") == "pixel" ? terms_table(question["facts"]["terms"]) : std::string();
     return fmt::format(
         "<section>\n<h2>{}. {}</h2>\n<p class=\"ask\">{}</p>\n<ul class=\"answer\">\n{}</ul>\n{}{}\n"
         "<div class=\"notes\">notes</div>\n</section>\n",
-        number, escape_markup(word(question, "title")), with_code(word(question, "ask")), answer, terms,
+        number, escape_markup(text_in(question, "title")), with_code(text_in(question, "ask")), answer, terms,
         pictures);
 }
 
 } // namespace
 
 std::string tick_html(const ordered_json& examination) {
-    const std::string student = word(examination, "student");
+    const std::string student = text_in(examination, "student");
     const std::string title =
-        fmt::format("{}: {}", word(examination, "assignment"), student.empty() ? "no id" : student);
+        fmt::format("{}: {}", text_in(examination, "assignment"), student.empty() ? "no id" : student);
     std::string questions, missing;
     for (std::size_t i = 0; i < examination["questions"].size(); ++i)
         questions += question_section(examination["questions"][i], i + 1);
@@ -146,8 +146,8 @@ std::string tick_html(const ordered_json& examination) {
         "<div class=\"top\">\n<div><h2>Marks</h2>\n{6}</div>\n<div><h2>Lines that differ most from the "
         "template</h2>\n{7}</div>\n</div>\n"
         "<div class=\"questions\">\n{8}</div>\n{9}",
-        escape_markup(title), sheet_style, escape_markup(word(examination, "title")),
-        escape_markup(word(examination, "seed")), examination["points"].get<double>(),
+        escape_markup(title), sheet_style, escape_markup(text_in(examination, "title")),
+        escape_markup(text_in(examination, "seed")), examination["points"].get<double>(),
         examination["of"].get<double>(), marks_table(examination), code_table(examination["code"]), questions,
         missing);
 }

@@ -19,8 +19,9 @@ file(WRITE "${OUT}" "// Made by src/glsl/embed.cmake.
 namespace sr::glsl {
 
 Root embedded() {
-    return Root::memory(\"shaders\", Files{
+    static const Root shaders = Root::memory(\"shaders\", Files{
 ${entries}    });
+    return shaders;
 }
 
 } // namespace sr::glsl

@@ -16,8 +16,7 @@ namespace sr::glsl {
 
 namespace fs = std::filesystem;
 
-Root::Root(std::string label, std::variant<fs::path, Files> place)
-    : label_(std::move(label)), place_(std::move(place)) {}
+Root::Root(std::string label, Place place) : label_(std::move(label)), place_(std::move(place)) {}
 
 Root Root::folder(const fs::path& folder) {
     std::error_code ignored;
@@ -26,7 +25,9 @@ Root Root::folder(const fs::path& folder) {
     return {folder.string(), folder};
 }
 
-Root Root::memory(std::string label, Files files) { return {std::move(label), std::move(files)}; }
+Root Root::memory(std::string label, Files files) {
+    return {std::move(label), std::make_shared<const Files>(std::move(files))};
+}
 
 Root Root::single(std::string place, std::string name, std::string text) {
     Root root = memory(std::move(place), {{std::move(name), std::move(text)}});
@@ -59,9 +60,14 @@ void require_own_file(const fs::path& folder, std::string_view name) {
 
 } // namespace
 
+const Files* Root::in_memory() const {
+    const auto* files = std::get_if<std::shared_ptr<const Files>>(&place_);
+    return files ? files->get() : nullptr;
+}
+
 std::optional<std::string> Root::text_of(std::string_view name) const {
     if (is_untrusted() && !name.ends_with(".glsl")) return std::nullopt;
-    if (const Files* files = std::get_if<Files>(&place_)) {
+    if (const Files* files = in_memory()) {
         const auto found = files->find(name);
         return found == files->end() ? std::nullopt : std::optional(found->second);
     }
@@ -77,7 +83,7 @@ std::optional<std::string> Root::text_of(std::string_view name) const {
 
 std::vector<std::string> Root::names() const {
     std::vector<std::string> names;
-    if (const Files* files = std::get_if<Files>(&place_))
+    if (const Files* files = in_memory())
         for (const auto& [name, text] : *files) names.push_back(name);
     return names;
 }

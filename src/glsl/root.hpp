@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -15,7 +16,7 @@ namespace sr::glsl {
 /// File names relative to a root ("brdf/ggx.glsl", always with '/') and their texts.
 using Files = std::map<std::string, std::string, std::less<>>;
 
-/// A folder on disk, read again at each call, or files in memory.
+/// A folder on disk, read again at each call, or files in memory, which copies of the root share.
 class Root {
 public:
     /// @throws Error if there is no such folder.
@@ -49,10 +50,15 @@ public:
     const std::vector<std::string>& permitted() const { return *permitted_; }
 
 private:
-    Root(std::string label, std::variant<std::filesystem::path, Files> place);
+    using Place = std::variant<std::filesystem::path, std::shared_ptr<const Files>>;
+
+    Root(std::string label, Place place);
+
+    /// Absent for a folder.
+    const Files* in_memory() const;
 
     std::string label_;
-    std::variant<std::filesystem::path, Files> place_;
+    Place place_;
     bool is_single_ = false;
     std::optional<std::vector<std::string>> permitted_; // words; absent: everything is
 };

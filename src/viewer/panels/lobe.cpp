@@ -6,7 +6,7 @@
 namespace sr::viewer {
 namespace {
 
-vec3 across(vec3 w) {
+vec3 perpendicular_to(vec3 w) {
     const vec3 axis = std::abs(w.x) < 0.7f ? vec3(1.0f, 0.0f, 0.0f) : vec3(0.0f, 0.0f, 1.0f);
     return glm::normalize(glm::cross(w, axis));
 }
@@ -15,7 +15,7 @@ vec3 across(vec3 w) {
 vec3 across_towards(vec3 w, vec3 v) {
     const vec3 rest = v - glm::dot(v, w) * w;
     constexpr float rounding = 1e-5f; // of what is left of two unit vectors
-    return glm::length(rest) > rounding ? glm::normalize(rest) : across(w);
+    return glm::length(rest) > rounding ? glm::normalize(rest) : perpendicular_to(w);
 }
 
 /// Returns the place of a point on its meridian: a thousandth of the way at first, then geometrically

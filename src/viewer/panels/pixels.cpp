@@ -13,7 +13,7 @@
 namespace sr::viewer {
 namespace {
 
-constexpr float min_side = 44.0f; // of a pixel with numbers in it [pixels, before scaling]
+constexpr float min_numbered_side = 44.0f; // of a pixel with numbers in it [pixels, before scaling]
 constexpr std::array channel_colors{IM_COL32(255, 110, 110, 255), IM_COL32(120, 220, 120, 255),
                                     IM_COL32(130, 170, 255, 255)};
 
@@ -203,7 +203,7 @@ PixelsOutcome draw_pixels_panel(const ShownFilm& film, const std::optional<Pixel
 
 void draw_pixel_numbers(const ShownFilm& film) {
     const float side = film.area_of({0, 0}).size.x;
-    if (side < min_side * film.scale) return;
+    if (side < min_numbered_side * film.scale) return;
     const auto first = film.pixel_at(film.shown.from + 0.5f);
     const auto last = film.pixel_at(film.shown.from + film.shown.size - 1.0f);
     if (!first || !last) return;

@@ -19,7 +19,7 @@ namespace {
 constexpr float exposure_step = 1.0f / 3.0f; // [EV]
 
 /// Returns the view after `view` in the table; null, radiance, after the last one.
-const output::Variable* next_view(const output::Variable* view) {
+const output::Variable* view_after(const output::Variable* view) {
     bool is_next = !view;
     for (const output::Variable& variable : output::all_variables()) {
         if (is_next && output::view_named(variable.name)) return &variable;
@@ -67,7 +67,7 @@ std::optional<Changes> AdjustDisplay::handle(const Event& event) {
         return set_view(display.view == luminance ? nullptr : luminance);
     }
     case Command::fit_range: return fit_range();
-    case Command::next_view: return set_view(next_view(display.view));
+    case Command::next_view: return set_view(view_after(display.view));
     case Command::next_background: return next_background();
     default: return std::nullopt;
     }

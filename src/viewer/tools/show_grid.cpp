@@ -9,8 +9,8 @@
 namespace sr::viewer {
 namespace {
 
-constexpr int reach = 10; // steps of the grid on each side of its middle
-constexpr int parts = 60; // of a line, each of which is seen, hidden or behind the camera
+constexpr int grid_reach = 10; // steps of the grid on each side of its middle
+constexpr int parts = 60;      // of a line, each of which is seen, hidden or behind the camera
 constexpr ImU32 weak = IM_COL32(200, 200, 200, 95);
 constexpr ImU32 strong = IM_COL32(220, 220, 220, 160); // each tenth line
 
@@ -55,7 +55,7 @@ Changes ShowGrid::draw(const Overlay& overlay) {
     const float radius = ws_.camera->bounds().is_empty() ? 1.0f : ws_.camera->bounds().radius();
     const double step = step_for(radius);
     draw_ground(overlay, step);
-    draw_axes(overlay, static_cast<float>(step * reach));
+    draw_axes(overlay, static_cast<float>(step * grid_reach));
     draw_compass(overlay);
     const Area picture = ws_.shown_area();
     const float line = ImGui::GetTextLineHeight();
@@ -85,10 +85,10 @@ void ShowGrid::draw_ground(const Overlay& overlay, double step) const {
     const auto point = [&](double i, double k) {
         return vec3(glm::dvec3((x0 + i) * step, 0.0, (z0 + k) * step) - origin);
     };
-    for (int i = -reach; i <= reach; ++i) {
+    for (int i = -grid_reach; i <= grid_reach; ++i) {
         const bool is_tenth_x = std::fmod(x0 + i, 10.0) == 0.0, is_tenth_z = std::fmod(z0 + i, 10.0) == 0.0;
-        draw_line(overlay, point(i, -reach), point(i, reach), is_tenth_x ? strong : weak, 1.0f);
-        draw_line(overlay, point(-reach, i), point(reach, i), is_tenth_z ? strong : weak, 1.0f);
+        draw_line(overlay, point(i, -grid_reach), point(i, grid_reach), is_tenth_x ? strong : weak, 1.0f);
+        draw_line(overlay, point(-grid_reach, i), point(grid_reach, i), is_tenth_z ? strong : weak, 1.0f);
     }
 }
 

@@ -18,7 +18,7 @@ STERADIAN = SCENE = None
 
 
 def run(*arguments, **options):
-    return subprocess.run([STERADIAN, *map(str, arguments)], capture_output=True, text=True, timeout=100, **options)
+    return subprocess.run([STERADIAN, *map(str, arguments)], capture_output=True, text=True, timeout=250, **options)
 
 
 class CommandLine(unittest.TestCase):
@@ -353,7 +353,7 @@ class CommandLine(unittest.TestCase):
             line = " ".join(f"'{word}'" for word in words)
             command = (f"source completion; COMP_WORDS=(steradian {line}); COMP_CWORD={len(words)}; "
                        "_steradian; printf '%s\\n' \"${COMPREPLY[@]}\"")
-            result = subprocess.run(["bash", "-c", command], capture_output=True, text=True, cwd=self.folder, timeout=20)
+            result = subprocess.run(["bash", "-c", command], capture_output=True, text=True, cwd=self.folder, timeout=100)
             self.assertEqual(result.stderr, "")
             return result.stdout.split()
 

@@ -190,7 +190,7 @@ class Class(unittest.TestCase):
             self.hand_in(f"s{i}", str(i))
         run = subprocess.Popen(self.words("--jobs", "1"), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         results = self.out / "results"
-        end = time.monotonic() + 100
+        end = time.monotonic() + 250
         while not (results.is_dir() and len(list(results.glob("*.json"))) >= 2) and time.monotonic() < end:
             time.sleep(0.02)
         run.kill()
@@ -237,7 +237,7 @@ class Class(unittest.TestCase):
         first = subprocess.Popen(self.words(), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         self.addCleanup(first.wait)
         self.addCleanup(first.kill)
-        end = time.monotonic() + 60
+        end = time.monotonic() + 200
         while not (self.out / ".lock").exists() and time.monotonic() < end:
             time.sleep(0.01)
         time.sleep(0.2)

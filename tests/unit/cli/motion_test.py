@@ -97,11 +97,11 @@ class Motion(cli_test.CommandLine):
         process = subprocess.Popen([cli_test.STERADIAN, "render", SCENE, "-o", str(self.folder / "f.####.exr"), "--size", "48x32",
                                     "--samples", "4", "--frames", "0:9999", "--fps", "10000"],
                                    stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-        deadline = time.monotonic() + 60.0
+        deadline = time.monotonic() + 200.0
         while not (self.folder / "f.0001.exr").exists() and time.monotonic() < deadline:
             time.sleep(0.1)
         process.send_signal(signal.SIGINT)
-        _, stderr = process.communicate(timeout=60)
+        _, stderr = process.communicate(timeout=200)
         self.assertEqual(process.returncode, 130, stderr)
         self.assertIn("the frames before are written", stderr)
         for file in self.folder.iterdir():

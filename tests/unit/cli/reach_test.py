@@ -19,7 +19,7 @@ STERADIAN = SCENES = None
 
 
 def run(*arguments, **options):
-    return subprocess.run([STERADIAN, *map(str, arguments)], capture_output=True, text=True, timeout=100, **options)
+    return subprocess.run([STERADIAN, *map(str, arguments)], capture_output=True, text=True, timeout=250, **options)
 
 
 class FirstContact(unittest.TestCase):
@@ -35,7 +35,7 @@ class FirstContact(unittest.TestCase):
         except OSError:  # Linux reports the end of a terminal so
             pass
         os.close(ours)
-        return program.wait(timeout=20), text.decode().replace("\r\n", "\n")
+        return program.wait(timeout=100), text.decode().replace("\r\n", "\n")
 
     def test_alone_on_a_terminal_it_says_what_it_is(self):
         status, text = self.on_terminal()
@@ -185,7 +185,7 @@ class FirstContact(unittest.TestCase):
                 return
             for page in ("steradian.1", "steradian-render.1"):
                 shown = subprocess.run(["man", "--warnings", "-E", "UTF-8", "-l", Path(folder, page)], capture_output=True, text=True,
-                                       env={**os.environ, "MANWIDTH": "100", "LC_ALL": "C.UTF-8"}, timeout=20)
+                                       env={**os.environ, "MANWIDTH": "100", "LC_ALL": "C.UTF-8"}, timeout=100)
                 self.assertEqual((shown.returncode, shown.stderr), (0, ""))
             self.assertIn("--tone-curve", shown.stdout)
 
@@ -199,14 +199,14 @@ class FirstContact(unittest.TestCase):
                 with tempfile.NamedTemporaryFile("w") as file:
                     file.write(script)
                     file.flush()
-                    checked = subprocess.run([*check, file.name], capture_output=True, text=True, timeout=20)
+                    checked = subprocess.run([*check, file.name], capture_output=True, text=True, timeout=100)
                 self.assertEqual((checked.returncode, checked.stderr), (0, ""), shell)
 
     @unittest.skipUnless(shutil.which("fish"), "needs fish")
     def test_fish_completes_commands_options_and_values(self):
         def completed(line):
             result = subprocess.run(["fish", "--no-config", "-c", f"steradian completion fish | source; complete -C '{line}'"],
-                                    capture_output=True, text=True, timeout=20,
+                                    capture_output=True, text=True, timeout=100,
                                     env={**os.environ, "PATH": f"{Path(STERADIAN).parent}:{os.environ['PATH']}"})
             self.assertEqual(result.stderr, "")
             return [line.split("\t")[0] for line in result.stdout.splitlines()]
@@ -225,7 +225,7 @@ class FirstContact(unittest.TestCase):
             line = " ".join(f"'{word}'" for word in words)
             script = ("autoload -U +X compinit && compinit -u -D; source =(steradian completion zsh); setopt ksharrays; "
                       f"COMP_WORDS=({line}); COMP_CWORD={len(words) - 1}; _steradian_words; print -l -- ${{COMPREPLY[@]}}")
-            result = subprocess.run(["zsh", "-f", "-c", script], capture_output=True, text=True, timeout=20,
+            result = subprocess.run(["zsh", "-f", "-c", script], capture_output=True, text=True, timeout=100,
                                     env={**os.environ, "PATH": f"{Path(STERADIAN).parent}:{os.environ['PATH']}"})
             self.assertEqual(result.stderr, "")
             return result.stdout.split()

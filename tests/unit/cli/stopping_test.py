@@ -30,7 +30,7 @@ class Stopping(cli_test.CommandLine):
         time.sleep(0.3)
         for number in signals:
             process.send_signal(number)
-        _, stderr = process.communicate(timeout=60)
+        _, stderr = process.communicate(timeout=200)
         return process.returncode, stderr, [path.name for path in self.folder.iterdir()]
 
     def test_ctrl_c_writes_what_there_is(self):

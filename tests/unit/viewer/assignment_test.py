@@ -18,7 +18,7 @@ SIZE = "320x240"
 
 
 def steradian(*arguments, status=0):
-    run = subprocess.run([STERADIAN, *map(str, arguments)], capture_output=True, text=True, timeout=100)
+    run = subprocess.run([STERADIAN, *map(str, arguments)], capture_output=True, text=True, timeout=250)
     assert run.returncode == status, (arguments, run.stdout, run.stderr)
     return run.stdout
 
@@ -71,7 +71,7 @@ def main():
         viewer.wait(lambda: sum(viewer.screen(*places[1])) > 0, "a picture")
         before = viewer.screen(*places[1])
         viewer.key("b")
-        viewer.wait(lambda: sum(viewer.screen(*places[1])) > 1.5 * sum(before), "the reference's picture beside", 20)
+        viewer.wait(lambda: sum(viewer.screen(*places[1])) > 1.5 * sum(before), "the reference's picture beside")
         viewer.close()
 
 

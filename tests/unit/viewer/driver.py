@@ -8,6 +8,9 @@ import sys
 import time
 from pathlib import Path
 
+# How long anything is waited for [s]: long enough for a machine under load. What hangs is ended.
+PATIENCE = 240.0
+
 
 def skip_without(*programs: str, modules: tuple[str, ...] = ()):
     """Ends a test as skipped, with status 77, where a program or a Python module that it needs is missing."""
@@ -49,7 +52,7 @@ class Display:
     def do(self, *arguments) -> str:
         """xdotool, which makes real events (XTEST)."""
         result = subprocess.run(["xdotool", *map(str, arguments)], env=self.environment, capture_output=True,
-                                text=True, timeout=20)
+                                text=True, timeout=PATIENCE)
         return result.stdout.strip()
 
     def words(self):
@@ -99,7 +102,7 @@ class Viewer:
         self.window = self.window.splitlines()[0]
         display.do("windowfocus", self.window)
 
-    def wait(self, condition, what: str, seconds: float = 60, interval: float = 0.03):
+    def wait(self, condition, what: str, seconds: float = PATIENCE, interval: float = 0.03):
         """Until the condition holds, which is looked at once an interval [s]; its value."""
         end = time.monotonic() + seconds
         while time.monotonic() < end:
@@ -111,7 +114,7 @@ class Viewer:
             time.sleep(interval)
         raise AssertionError(f"waited {seconds} s for {what}; title: {self.title()}; {self.errors()}")
 
-    def said(self, text: str, count: int = 1, seconds: float = 60):
+    def said(self, text: str, count: int = 1, seconds: float = PATIENCE):
         """Until it has said this text so many times."""
         self.wait(lambda: self.errors().count(text) >= count, text, seconds)
 
@@ -194,7 +197,7 @@ class Viewer:
         suffix = ".exr" if exr else ".png"
         before = set(self.folder.glob("*" + suffix))
         self.key("shift+F12" if exr else "F12")
-        new = self.wait(lambda: set(self.folder.glob("*" + suffix)) - before, "a screenshot", 30)
+        new = self.wait(lambda: set(self.folder.glob("*" + suffix)) - before, "a screenshot")
         return new.pop()
 
     def processor_time(self) -> float:
@@ -205,6 +208,6 @@ class Viewer:
     def close(self) -> str:
         """Quits by its key; what it printed."""
         self.key("ctrl+q")
-        output, _ = self.process.communicate(timeout=30)
+        output, _ = self.process.communicate(timeout=PATIENCE)
         assert self.process.returncode == 0, (self.process.returncode, self.errors())
         return output

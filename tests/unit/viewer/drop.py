@@ -8,7 +8,7 @@ from Xlib.protocol import event
 VERSION = 5
 
 
-def drop(name: str, window: int, files, timeout: float = 10.0):
+def drop(name: str, window: int, files, timeout: float = 240.0):
     """Drops files in the middle of a window of the display `name`; returns when the window says that it has taken them."""
     connection = display.Display(name)
     try:

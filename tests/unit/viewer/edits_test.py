@@ -10,14 +10,14 @@ import signal
 import sys
 from pathlib import Path
 
-from driver import Display, Viewer, skip_without
+from driver import PATIENCE, Display, Viewer, skip_without
 
 STERADIAN, SCENES, SCRATCH = (Path(argument).resolve() for argument in sys.argv[1:])
 OPTIONS = "--size", "400x300", "--samples", "1", "--visibility", "none", "--exposure", "8"
 
 
 def is_unsaved(viewer: Viewer, expected: bool):
-    viewer.wait(lambda: viewer.title().startswith("*") == expected, f"a title {'with' if expected else 'without'} a star", 20)
+    viewer.wait(lambda: viewer.title().startswith("*") == expected, f"a title {'with' if expected else 'without'} a star")
 
 
 def journals(display: Display) -> list[Path]:
@@ -115,7 +115,7 @@ def saving(viewer: Viewer, scene: Path):
     viewer.said("is the open file")
     viewer.type("")  # the field has the keyboard again, with the path
     viewer.said("is the open file", 2)
-    viewer.wait(lambda: viewer.errors().count("text field focused") > viewer.fields, "the field again", 20)
+    viewer.wait(lambda: viewer.errors().count("text field focused") > viewer.fields, "the field again")
     viewer.fields += 1
     viewer.key("Escape", "ctrl+s", "ctrl+a")
     viewer.type(str(other))
@@ -125,7 +125,7 @@ def saving(viewer: Viewer, scene: Path):
     is_unsaved(viewer, True)
     viewer.key("ctrl+s")
     viewer.type("")  # the name that is proposed
-    viewer.wait(edited.exists, "a saved file", 20)
+    viewer.wait(edited.exists, "a saved file")
     is_unsaved(viewer, False)
     viewer.key("ctrl+z")
     viewer.said("Undone: disabling ")
@@ -178,7 +178,7 @@ def typing_ahead(viewer: Viewer, target: Path):
     viewer.said(f"Saved {by_name}.")
     viewer.pause()
     viewer.key("ctrl+s")
-    viewer.wait(lambda: viewer.errors().rstrip().endswith("text field focused"), "the field", 20)
+    viewer.wait(lambda: viewer.errors().rstrip().endswith("text field focused"), "the field")
     viewer.process.send_signal(signal.SIGSTOP)  # Ctrl A and what replaces the name come in one frame
     viewer.display.do("key", "--delay", "1", "ctrl+a", "type", "--delay", "1", "--args", "1", str(in_field), "key", "Return")
     viewer.process.send_signal(signal.SIGCONT)
@@ -193,14 +193,14 @@ def opening(viewer: Viewer, other: Path):
     viewer.type("")  # tries the same path again
     viewer.said("veach.gltfx", 2)
     viewer.type(str(other))  # in the place of the path, which is selected
-    viewer.wait(lambda: "veach.gltf" in viewer.title(), "the file that was meant", 20)
+    viewer.wait(lambda: "veach.gltf" in viewer.title(), "the file that was meant")
 
 
 def crashing(viewer: Viewer, display: Display, scene: Path):
     """Edits of a run that was killed are offered at the next start, by name if the file has changed; a clean end leaves no journal."""
     viewer.key("Tab", "space")
     is_unsaved(viewer, True)
-    viewer.wait(lambda: journals(display), "a journal", 20)
+    viewer.wait(lambda: journals(display), "a journal")
     viewer.process.kill()
     viewer.process.wait()
     journal = journals(display)[0]
@@ -217,7 +217,7 @@ def crashing(viewer: Viewer, display: Display, scene: Path):
     viewer.key("ctrl+q")
     viewer.said("Quit?")
     viewer.key("s")
-    viewer.process.communicate(timeout=30)
+    viewer.process.communicate(timeout=PATIENCE)
     assert viewer.process.returncode == 0, viewer.errors()
     stated = [node for node in json.loads(copy.read_text())["nodes"] if "extras" in node]
     assert [node["extras"]["steradian"]["quantity"]["value"] for node in stated] == [0], f"not switched off: {stated}"

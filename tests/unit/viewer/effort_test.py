@@ -32,9 +32,9 @@ def many_lights() -> dict:
 def probing(viewer: Viewer):
     """The first numbers come before the last ones, and commands are done in between."""
     viewer.click(450, 310)
-    viewer.wait(lambda: "The first numbers of the probe are there." in viewer.errors(), "first numbers", 120)
+    viewer.wait(lambda: "The first numbers of the probe are there." in viewer.errors(), "first numbers")
     viewer.key("v")
-    viewer.wait(lambda: "View: " in viewer.errors(), "a command that is done during the probe", 120)
+    viewer.wait(lambda: "View: " in viewer.errors(), "a command that is done during the probe")
     assert "Probed pixel" not in viewer.errors(), "the probe is too short to show anything: take more lights"
 
 
@@ -48,7 +48,7 @@ def hiding(viewer: Viewer):
         viewer.pause()
         return viewer.processor_time() - before < 0.1
 
-    viewer.wait(costs_nothing, "0.6 s without processor time while nobody sees the window", 60)
+    viewer.wait(costs_nothing, "0.6 s without processor time while nobody sees the window")
     assert "Probed pixel" not in viewer.errors(), "the probe has ended, and so would the work of a window that is seen"
     viewer.display.do("windowmap", "--sync", viewer.window)
     viewer.display.do("windowfocus", viewer.window)

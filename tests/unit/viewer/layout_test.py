@@ -71,7 +71,7 @@ def see_all(viewer: Viewer, width: int, height: int):
     if width > 1500:
         return  # its pictures take seconds to write and to read; the smaller ones show the rule
     viewer.move(5, height - 3)
-    viewer.wait(lambda: is_bare(viewer), f"a picture that nothing covers, {width}x{height}", 20)
+    viewer.wait(lambda: is_bare(viewer), f"a picture that nothing covers, {width}x{height}")
 
 
 def column_of(viewer: Viewer) -> list[tuple[int, int, int]]:
@@ -86,7 +86,7 @@ def at_rest(viewer: Viewer) -> list[tuple[int, int, int]]:
         before = column_of(viewer)
         viewer.pause()
         return before if column_of(viewer) == before else None
-    return viewer.wait(stays, "a column that stays as it is", 10)
+    return viewer.wait(stays, "a column that stays as it is")
 
 
 def sharing(viewer: Viewer):
@@ -162,9 +162,9 @@ def framed(viewer: Viewer):
 def widening(viewer: Viewer):
     """The column's edge can be dragged; that is remembered."""
     viewer.pull((COLUMN - 1, 250), (COLUMN + 79, 250))
-    viewer.wait(lambda: abs(picture_of(viewer)[0] - COLUMN - 80) <= 2, "a wider column", 20)
+    viewer.wait(lambda: abs(picture_of(viewer)[0] - COLUMN - 80) <= 2, "a wider column")
     viewer.move(5, 497)
-    viewer.wait(lambda: is_bare(viewer), "a picture that nothing covers beside a wider column", 20)
+    viewer.wait(lambda: is_bare(viewer), "a picture that nothing covers beside a wider column")
 
 
 def probing(viewer: Viewer):
@@ -183,7 +183,7 @@ def probing(viewer: Viewer):
     viewer.key("Escape")
     viewer.wait(lambda: viewer.count(color) == 0, "no lobe")
     viewer.move(5, 497)
-    viewer.wait(lambda: is_bare(viewer), "the whole picture again", 20)
+    viewer.wait(lambda: is_bare(viewer), "the whole picture again")
     assert viewer.converged() == before
 
 

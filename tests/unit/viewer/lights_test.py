@@ -34,7 +34,7 @@ def adding(viewer: Viewer):
     viewer.wait(lambda: len(places_of(viewer, LINES)) > 60, "the lines of the new light")
     viewer.changed_by(lambda: viewer.key("shift+space"))  # alone
     viewer.changed_by(lambda: viewer.key("h"))
-    viewer.wait(lambda: 40 < max(viewer.screen(SIZE[0] // 2, SIZE[1] // 2)) < 250, "a picture that is neither dark nor white", 20)
+    viewer.wait(lambda: 40 < max(viewer.screen(SIZE[0] // 2, SIZE[1] // 2)) < 250, "a picture that is neither dark nor white")
     viewer.changed_by(lambda: viewer.key("h"))
     viewer.changed_by(lambda: viewer.key("ctrl+z"))
 

@@ -57,7 +57,7 @@ def press(viewer: Viewer, x: int, y: int):
     def changes_by(*action):
         before = viewer.screen(x + 2, y + 2)  # left of the pointer, which is on the screen, too
         viewer.display.do(*action)
-        viewer.wait(lambda: viewer.screen(x + 2, y + 2) != before, f"a button that answers to {action[0]}", 10)
+        viewer.wait(lambda: viewer.screen(x + 2, y + 2) != before, f"a button that answers to {action[0]}")
 
     changes_by("mousemove", x + 7, y + 7)
     changes_by("mousedown", 1)

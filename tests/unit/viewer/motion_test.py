@@ -34,9 +34,9 @@ def playing(viewer: Viewer, scene: Path):
     viewer.key("space")
     viewer.wait(lambda: "Playing." in viewer.errors(), "an animation that plays")
     first_color = viewer.screen(150, 250)
-    viewer.wait(lambda: viewer.screen(150, 250) != first_color, "another picture while it plays", 10)
+    viewer.wait(lambda: viewer.screen(150, 250) != first_color, "another picture while it plays")
     viewer.key("k")  # on a slow machine a picture may converge between two frames of what still plays
-    viewer.wait(lambda: re.search(r"Paused.*converged:", viewer.errors(), re.DOTALL), "a paused picture that converged", 20)
+    viewer.wait(lambda: re.search(r"Paused.*converged:", viewer.errors(), re.DOTALL), "a paused picture that converged")
     camera, *moment = arguments_of(viewer)
     paused = viewer.shot()
     assert same(paused, rendered(scene, camera, *moment, OPTIONS)), f"render {moment} is another picture"
@@ -74,7 +74,7 @@ def dropping(viewer: Viewer, display: Display):
     text.write_text("no picture")
     drop(display.environment["DISPLAY"], window, [picture])
     viewer.wait(lambda: "Comparing with my picture.png" in viewer.errors(), "a picture to compare with")
-    viewer.wait(lambda: viewer.screen(300, 150) == (51, 153, 102), "the dropped picture's colours", 10)
+    viewer.wait(lambda: viewer.screen(300, 150) == (51, 153, 102), "the dropped picture's colours")
     drop(display.environment["DISPLAY"], window, [text])
     viewer.wait(lambda: "notes.txt: is neither" in viewer.errors(), "a clear line")
     loud = SCRATCH / "VEACH.GLTF"

@@ -21,7 +21,7 @@ UPRIGHT = "--attrib", "pnm:pfmflip", "0"  # OpenImageIO 2.5 writes a PPM upside 
 
 
 def steradian(*arguments) -> subprocess.CompletedProcess:
-    return subprocess.run([STERADIAN, *map(str, arguments)], capture_output=True, text=True, timeout=100)
+    return subprocess.run([STERADIAN, *map(str, arguments)], capture_output=True, text=True, timeout=250)
 
 
 def same(a: Path, b: Path, factor: float = 1.0) -> bool:
@@ -104,7 +104,7 @@ def editing_lights(viewer: Viewer, scene: Path, first: Path):
     assert same(first, viewer.shot(), 2.0), "twice the flux is not twice the radiance"
     viewer.key("ctrl+s", "ctrl+a")
     viewer.type(str(relit))
-    viewer.wait(relit.exists, "a saved file", 10)
+    viewer.wait(relit.exists, "a saved file")
     assert same(first, rendered(relit, "main"), 2.0), "the saved file is not what was seen"
     viewer.changed_by(lambda: viewer.key("ctrl+z"))
     assert same(first, viewer.shot()), "undone it is not what it was"
@@ -121,23 +121,23 @@ def probing_and_comparing(viewer: Viewer):
     without = viewer.screen(*side)
     viewer.click(WIDTH // 2, HEIGHT - 40)
     viewer.wait(lambda: f"Probed pixel {WIDTH // 2},{HEIGHT - 40}." in viewer.errors(), "an answer")
-    viewer.wait(lambda: viewer.screen(*side) != without, "the panels, over a window so small", 10)
+    viewer.wait(lambda: viewer.screen(*side) != without, "the panels, over a window so small")
     viewer.key("Escape", "h")
-    viewer.wait(lambda: viewer.screen(*side) == without, "the picture without panels", 10)
+    viewer.wait(lambda: viewer.screen(*side) == without, "the picture without panels")
     viewer.key("b")
     viewer.wait(lambda: "Reference kept." in viewer.errors(), "a kept picture")
     places = side, (3 * WIDTH // 4, HEIGHT // 2)
     viewer.pause()
     before = [viewer.screen(*place) for place in places]
     viewer.changed_by(lambda: viewer.key("1"))
-    viewer.wait(lambda: viewer.screen(*places[0]) != before[0], "the new picture on the wipe's own side", 10)
+    viewer.wait(lambda: viewer.screen(*places[0]) != before[0], "the new picture on the wipe's own side")
     assert viewer.screen(*places[1]) == before[1], "the wipe's other side is not the kept picture"
     earlier = set(viewer.folder.glob("*.png"))
     viewer.key("alt+F12")
-    seen = viewer.wait(lambda: set(viewer.folder.glob("*.png")) - earlier, "a picture of what is seen", 10).pop()
+    seen = viewer.wait(lambda: set(viewer.folder.glob("*.png")) - earlier, "a picture of what is seen").pop()
     shown = pixels_of(seen)
     # The file is written before the window shows the frame.
-    viewer.wait(lambda: all(shown(*place) == viewer.screen(*place) for place in places), "a window that shows what was written", 10)
+    viewer.wait(lambda: all(shown(*place) == viewer.screen(*place) for place in places), "a window that shows what was written")
     viewer.key("Escape")
     viewer.changed_by(lambda: viewer.key("0"))
 
@@ -146,14 +146,14 @@ def reloading(viewer: Viewer, shader: Path, scene: Path, first: Path):
     """A broken shader is named with its line while the last picture goes on; mended, it shows. So does a saved scene."""
     code = '#include "surface/surface.glsl"\nvec3 f_r(Surface x, vec3 wi, vec3 wo) {{\n    return {};\n}}\n'
     viewer.write(shader, code.format("undeclared"))
-    viewer.wait(lambda: "f_r.glsl:3" in viewer.errors(), "the error's line", 10)
+    viewer.wait(lambda: "f_r.glsl:3" in viewer.errors(), "the error's line")
     assert same(first, viewer.shot()), "the last good picture is gone"
     viewer.changed_by(lambda: viewer.write(shader, code.format("vec3(0.0)")))
     assert not same(first, viewer.shot()), "the mended shader does not show"
     viewer.changed_by(shader.unlink)
     assert same(first, viewer.shot()), "without the overlay it is not what it was"
     scene.write_text("{")
-    viewer.wait(lambda: "scene.gltf:1:" in viewer.errors(), "the broken file's line", 10)
+    viewer.wait(lambda: "scene.gltf:1:" in viewer.errors(), "the broken file's line")
     viewer.changed_by(lambda: viewer.write(scene, (SCENES / "spheres.gltf").read_text()))
     assert same(viewer.shot(), rendered(scene, "main")), "the saved scene does not show"
 
@@ -199,7 +199,7 @@ def gripping(viewer: Viewer, folder: Path):
     viewer.wait(lambda: "Change discarded." in viewer.errors(), "a move that was given up")
     viewer.key("h", "ctrl+s", "ctrl+a")
     viewer.type(str(saved))
-    viewer.wait(saved.exists, "a saved file", 10)
+    viewer.wait(saved.exists, "a saved file")
     nodes = json.loads(saved.read_text())["nodes"]
     plate, spot = (nodes[nodes[i]["children"][0]] for i in (1, 2))
     assert abs(plate["extras"]["steradian"]["width"] - 1.4) < 1e-3, plate
@@ -215,7 +215,7 @@ def keys_beside_fields(viewer: Viewer):
     for name in ("plate", "spot", "plate"):
         before = viewer.errors().count(f"Selected {name}.")
         viewer.key("Tab")
-        viewer.wait(lambda: viewer.errors().count(f"Selected {name}.") > before, f"the {name} by Tab", 10)
+        viewer.wait(lambda: viewer.errors().count(f"Selected {name}.") > before, f"the {name} by Tab")
     viewer.key("Return")
     viewer.close()
 

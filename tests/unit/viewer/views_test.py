@@ -61,7 +61,7 @@ def all_views(viewer: Viewer):
         else:
             viewer.changed_by(lambda: viewer.key("v"))
             viewer.said(f"View: {name}, ")
-        now = viewer.wait(lambda: pixels() if pixels() != before else None, f"other pixels in {name}", 10)
+        now = viewer.wait(lambda: pixels() if pixels() != before else None, f"other pixels in {name}")
         before = now
     viewer.changed_by(lambda: viewer.key("v"))
     viewer.said("View: radiance.")
@@ -132,7 +132,7 @@ def keeping(viewer: Viewer):
     for said in "Picture A: ", "Picture B: ", "The render.", "Picture A: ":
         viewer.key("shift+k")
         viewer.said(said, 1 + (len(seen) == 4))
-        seen.append(viewer.wait(lambda: pixels() if pixels() != seen[-1] else None, f"other pixels: {said}", 10))
+        seen.append(viewer.wait(lambda: pixels() if pixels() != seen[-1] else None, f"other pixels: {said}"))
     render, a, b, render_again, a_again = seen
     assert (render, a) == (render_again, a_again) and len({render, a, b}) == 3, seen
     viewer.key("alt+k")
