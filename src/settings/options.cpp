@@ -265,7 +265,7 @@ constexpr std::array options{
         "frames A to B of the animation or the turntable, or from A to its end; OUT has #### or %04d in its "
         "name"},
     Option{"fps", "Animation", by_render, number<&S::fps>(1e-3, 1e6),
-           "frames a second: frame n is at n / fps seconds"},
+           "frames a second, also of a video: frame n is at n / fps seconds"},
     Option{"turntable",
            "Animation",
            by_render,
@@ -274,6 +274,18 @@ constexpr std::array options{
            "counter-clockwise seen from above; scene and lights stand still",
            nullptr,
            {"turn", turn_text}},
+    Option{"turn_axis",
+           "Animation",
+           by_render,
+           choice<turn_axes, &S::turn_axis>(),
+           "axis that the camera of --turntable goes around: y is up in the scene; camera: what is up in the "
+           "first picture",
+           nullptr,
+           {"turn_axis",
+            [](const S& s) {
+                const bool is_upright = s.turn_axis == scene::TurnAxis::y;
+                return std::string(s.turntable && !is_upright ? name_in(turn_axes, s.turn_axis) : "");
+            }}},
 
     Option{"size", "Picture", by_picture | by_export,
            parsed<parse_size, [](Size size) { return text_of(size); }, &S::size>("WIDTHxHEIGHT"),

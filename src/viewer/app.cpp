@@ -50,15 +50,12 @@ Tools make_tools(Workspace& workspace) {
     return tools;
 }
 
-/// The keys of keys.json; the built-in ones if there is no such file; absent if it is wrong. `problem`: says
-/// what is wrong with it; empty if nothing is.
+/// The keys in use; absent if the file of keys is wrong. `problem`: says what is wrong with it; empty if
+/// nothing is.
 std::optional<Keymap> read_keys(std::string& problem) {
     problem.clear();
-    const std::filesystem::path file = keys_file();
-    std::error_code ignored;
-    if (file.empty() || !std::filesystem::exists(file, ignored)) return Keymap();
     try {
-        return Keymap::read(file);
+        return Keymap::in_use();
     } catch (const Error& error) {
         problem = error.what();
         return std::nullopt;
@@ -308,6 +305,9 @@ Changes App::dispatch(const Event& event) {
         for (const std::string& file : drop->files) input_.put(FileEvent{file});
     if (const auto* key = std::get_if<KeyEvent>(&event)) return dispatch_key(*key);
     if (const auto command = command_in(event)) return execute(*command); // of a menu
+    const bool is_view =
+        std::holds_alternative<ViewEvent>(event) || std::holds_alternative<LightViewEvent>(event);
+    if (is_view && workspace_.refuses(Command::next_view)) return Change::redraw;
     return belongs_to_panel(event) ? Changes() : dispatch_to_tools(event);
 }
 
@@ -345,6 +345,7 @@ Changes App::dispatch_to_tools(const Event& event) {
 }
 
 Changes App::execute(Command command) {
+    if (workspace_.refuses(command)) return Change::redraw;
     switch (command) {
     case Command::quit: workspace_.leave(Departure::quit); break;
     case Command::fullscreen: toggle_fullscreen(); break;

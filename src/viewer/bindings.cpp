@@ -83,7 +83,8 @@ constexpr auto table = std::to_array<CommandInfo>({
     {screenshot_seen, "Write what is seen", "a PNG with wipe, difference or false colours", "Picture"},
     {export_picture, "Export a picture", "of any size, with as many samples as asked for, as PNG or EXR",
      "Picture"},
-    {turntable, "Write a turntable", "PNGs of a full turn around the pivot; asks how many", "Picture"},
+    {turntable, "Write a turntable", "of a full turn around the pivot: PNGs or a video, any size and axis",
+     "Picture"},
     {next_light, "Next light", "select the next light of the list", "Lights"},
     {switch_light, "Switch the light", "disable or enable the selected lights", "Lights"},
     {solo_light, "Light alone", "disable all but the selected lights, or enable all again", "Lights"},
@@ -364,6 +365,43 @@ bool works_in_text_fields(Command command) {
     }
 }
 
+bool changes_scene(Command command) {
+    switch (command) {
+    case false_color:
+    case next_view:
+    case next_light_alone:
+    case next_background:
+    case switch_light:
+    case solo_light:
+    case edit_light:
+    case brighten_light:
+    case dim_light:
+    case mix_lights:
+    case add_light:
+    case duplicate_light:
+    case rename_light:
+    case delete_light:
+    case move_light:
+    case turn_light:
+    case scale_light:
+    case undo_light:
+    case redo_light:
+    case hide_object:
+    case isolate_object:
+    case show_objects:
+    case leave_out_term:
+    case play:
+    case frame_back:
+    case frame_forward:
+    case first_frame:
+    case last_frame:
+    case next_variant:
+    case try_question:
+    case reload: return true;
+    default: return false;
+    }
+}
+
 bool opens_text_field(Command command) {
     switch (command) {
     case find_command:
@@ -371,6 +409,7 @@ bool opens_text_field(Command command) {
     case save_as:
     case type_camera:
     case export_picture:
+    case turntable:
     case edit_light:
     case rename_light: return true;
     default: return false;
