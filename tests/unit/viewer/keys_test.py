@@ -146,6 +146,14 @@ def followed(viewer: Viewer, keys: Path):
     viewer.said("Your file of keys is gone: the built-in keys are in use.")
     viewer.key("F9", "ctrl+c")
     viewer.said("Copied: --camera", 5)
+    keys.mkdir()
+    viewer.said(f"{keys}: this is a folder")
+    keys.rmdir()
+    viewer.said("Your file of keys is gone: the built-in keys are in use.", 2)
+    keys.symlink_to(keys)
+    viewer.said(f"{keys}: the file cannot be opened (Too many levels of symbolic links)")
+    keys.unlink()
+    viewer.said("Your file of keys is gone: the built-in keys are in use.", 3)
 
 
 def remapped(display: Display):
