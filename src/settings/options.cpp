@@ -67,7 +67,8 @@ constexpr Value list(const char* type) {
                     member<path...>(s).push_back(given);
                     return true;
                 },
-            .write = [](const S& s) { return fmt::format("{}", fmt::join(member<path...>(s), " ")); }};
+            .write = [](const S& s) { return fmt::format("{}", fmt::join(member<path...>(s), " ")); },
+            .entries = [](const S& s) { return member<path...>(s); }};
 }
 
 /// Reads a number of the type T in the value's range.
@@ -435,6 +436,32 @@ std::string allowed_by(const Value& value) {
     const char* const kind = value.kind == Kind::whole ? "a whole number" : "a number";
     if (value.max == no_limit) return fmt::format("{} of at least {}", kind, value.min);
     return fmt::format("{} from {} to {}", kind, value.min, value.max);
+}
+
+std::string shell_word(const std::string& word) {
+    constexpr std::string_view plain =
+        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+.,:/%=@";
+    if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
+    std::string quoted = "'";
+    for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return quoted + "'";
+}
+
+std::string render_arguments(const RenderSettings& settings) {
+    std::string text;
+    for (const Option& option : options) {
+        const Value& value = option.value;
+        const std::string written = value.write(settings);
+        if (!(option.takers & by_render) || option.key == std::string_view("gl_debug")) continue;
+        if (written == default_of(option)) continue;
+        std::vector<std::string> words{written};
+        if (value.entries) words = value.entries(settings);
+        for (const std::string& word : words) {
+            text += " " + option.flag();
+            if (value.kind != Kind::flag) text += " " + shell_word(word);
+        }
+    }
+    return text;
 }
 
 std::string default_of(const Option& option) { return option.value.write(RenderSettings()); }

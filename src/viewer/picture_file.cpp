@@ -11,10 +11,8 @@ PictureFile picture_file(const Workspace& workspace, image::Image film, const Fi
     const output::Variable* const view = workspace.display.view;
     if (view) film = output::numbers_of(*view, film);
     film.channel_names = {"R", "G", "B", "A"};
-    settings::RenderSettings settings = workspace.options;
-    settings.at = workspace.playback.seconds;
+    settings::RenderSettings settings = workspace.seen_settings();
     settings.stop = facts.rule;
-    settings.view = view;
     film.attributes = settings::attributes_of(
         settings,
         {.unit = output::unit_of(view, workspace.scene->stage().scene.units),

@@ -3,6 +3,7 @@
 #include "core/error.hpp"
 #include "core/file.hpp"
 #include "core/parallel.hpp"
+#include "settings/options.hpp"
 #include "viewer/config.hpp"
 #include "viewer/panels/animation.hpp"
 
@@ -271,17 +272,32 @@ Changes Workspace::reload_shaders() {
     return Change::redraw;
 }
 
-std::string Workspace::time_arguments() const {
+settings::RenderSettings Workspace::seen_settings() const {
     const LoadedScene& loaded = scene->loaded();
-    std::string text;
-    if (playback.seconds) {
-        text += fmt::format(" --at {}", *playback.seconds);
-        if (loaded.contents.animations.size() > 1)
-            text += fmt::format(" --animation '{}'",
-                                animation_argument(loaded.contents.animations, playback.animations));
-    }
-    if (!loaded.variant.empty()) text += fmt::format(" --variant '{}'", loaded.variant);
-    return text;
+    const auto& animations = loaded.contents.animations;
+    settings::RenderSettings seen = options;
+    seen.scene = loaded.file;
+    seen.camera = camera->argument();
+    seen.variant = loaded.variant;
+    seen.at = playback.seconds;
+    seen.animation.clear();
+    if (seen.at && animations.size() > 1)
+        seen.animation = animation_argument(animations, playback.animations);
+    seen.size = settings::Size{width, height};
+    seen.stop = scene->render().rule();
+    seen.view = display.view;
+    seen.ev100 = display.ev100;
+    seen.tone_curve = display.curve;
+    return seen;
+}
+
+std::string Workspace::time_arguments() const {
+    const settings::RenderSettings seen = seen_settings();
+    settings::RenderSettings time, variant;
+    time.at = seen.at;
+    time.animation = seen.animation;
+    variant.variant = seen.variant;
+    return settings::render_arguments(time) + settings::render_arguments(variant);
 }
 
 } // namespace sr::viewer

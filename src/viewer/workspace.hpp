@@ -147,6 +147,8 @@ struct Workspace {
     Changes take_loaded();
     /// Restarts the render with the shaders on disk. Reports errors; then the old render stays.
     Changes reload_shaders();
+    /// The settings by which `render` makes the picture that is seen, of the scene file without edits.
+    settings::RenderSettings seen_settings() const;
     /// The arguments of `steradian render` for the current time and variant, each after a space.
     std::string time_arguments() const;
 

@@ -6,6 +6,7 @@ usage: start_test.py STERADIAN SCENES_FOLDER SCRATCH_FOLDER
 """
 import json
 import re
+import shlex
 import shutil
 import subprocess
 import sys
@@ -14,7 +15,7 @@ from pathlib import Path
 from driver import Display, Viewer, skip_without
 
 STERADIAN, SCENES, SCRATCH = (Path(argument).resolve() for argument in sys.argv[1:])
-OPTIONS = "--size", "640x400", "--samples", "1", "--visibility", "none", "--exposure", "8", "--gl-debug"
+OPTIONS = "--size", "640x400", "--samples", "1", "--visibility", "none", "--exposure", "8", "--seed", "3", "--gl-debug"
 
 
 def camera_of(viewer: Viewer) -> dict[str, list[float]]:
@@ -107,9 +108,7 @@ def turning(viewer: Viewer):
     viewer.fill("ctrl+F12", "turntable", fields)
     viewer.said("-turntable: 3 pictures.")
     folder, = viewer.folder.glob("*-turntable")
-    text = re.findall(r"--camera '([^']*)'", viewer.errors())[-1]
-    subprocess.run([STERADIAN, "render", SCENES / "cornell.gltf", "-o", SCRATCH / "turn.####.png", "--turntable", "3", "--camera", text, "--size", "96x64",
-                    "--samples", "2", "--exposure", "8", "--visibility", "none"], check=True)
+    render_copied(viewer, SCRATCH / "turn.####.png", turntable="3", size="96x64", samples="2")
     for number in range(3):
         compared = subprocess.run([STERADIAN, "compare", folder / f"{number:04}.png", SCRATCH / f"turn.{number:04}.png", "--json"], capture_output=True)
         assert json.loads(compared.stdout)["metrics"]["mean_abs"] < 0.002, (number, compared.stdout)
@@ -136,12 +135,34 @@ def turning(viewer: Viewer):
     assert not list(viewer.folder.glob(".steradian*")), "a temporary file is left"
 
 
+def render_copied(viewer: Viewer, output: Path, **changed: str) -> list[str]:
+    """Runs the command that Ctrl C copies, with other values of some options, and returns its words."""
+    count = viewer.errors().count("Copied: ")
+    viewer.key("ctrl+c")
+    viewer.said("Copied: ", count + 1)
+    words = shlex.split(re.findall(r"Copied: (steradian render .*)", viewer.errors())[-1])
+    words[words.index("-o") + 1] = str(output)
+    for key, value in changed.items():
+        if f"--{key}" in words:
+            words[words.index(f"--{key}") + 1] = value
+        else:
+            words += [f"--{key}", value]
+    subprocess.run([STERADIAN, *words[1:]], cwd=viewer.folder, check=True, capture_output=True)
+    return words
+
+
 def background(viewer: Viewer):
-    """Alt B shows another background, which a copied view has, too."""
+    """Alt B shows another background. The command that Ctrl C copies makes the picture that is seen."""
     viewer.changed_by(lambda: viewer.key("alt+b"))
     viewer.said("Background: grey, ")
     viewer.key("ctrl+c")
     viewer.wait(lambda: re.search(r"Copied: .*--background \d", viewer.errors()), "the background in the copied view")
+    viewer.key("t", "comma")  # the next tone curve, a darker picture
+    shot = viewer.shot(exr=False)
+    words = render_copied(viewer, SCRATCH / "copied.png")
+    assert {"--visibility", "--exposure", "--tone-curve", "--background", "--seed"} <= set(words), words
+    compared = subprocess.run([STERADIAN, "compare", SCRATCH / "copied.png", shot, "--json"], capture_output=True)
+    assert json.loads(compared.stdout)["metrics"]["max_abs"] == 0, compared.stdout
     viewer.changed_by(lambda: viewer.key("alt+b"))
     viewer.said("Background: white, ")
     viewer.wait(lambda: min(viewer.screen(*CORNER)) > 200, "a white background")
