@@ -154,11 +154,20 @@ def timing(viewer: Viewer):
     """Shift T shows the time of a sample by parts: their sum is the time that the message area has."""
     viewer.key("shift+t")
     viewer.said("A sample: ")
-    parts = re.findall(r"([a-z ]+) (-?[0-9.]+) ms", re.findall(r"A sample: (.*)", viewer.errors())[-1])
-    assert [name.strip() for name, _ in parts] == ["surfaces", "shadow rays"], parts
-    values = [float(value) for _, value in parts]
-    sample = float(re.findall(r"converged: .*, (\S+) ms each", viewer.errors())[-1])
-    assert min(values) >= 0 and abs(sum(values) - sample) < 0.1, (values, sample)
+
+    def parts() -> dict[str, float]:
+        found = re.findall(r"([a-z ]+) (-?[0-9.]+) ms", re.findall(r"A sample: (.*)", viewer.errors())[-1])
+        values = {name.strip(): float(value) for name, value in found}
+        sample = float(re.findall(r"converged: .*, (\S+) ms each", viewer.errors())[-1])
+        assert min(values.values()) >= 0 and abs(sum(values.values()) - sample) < 0.1, (values, sample)
+        return values
+
+    assert [*parts()] == ["surfaces", "shadow rays"], parts()
+    viewer.changed_by(lambda: viewer.key("Left"))  # from its first sample on, a picture is measured by pass
+    viewer.said("A sample: ", 2)
+    passes = parts()
+    assert [*passes] == ["depth", "shading", "shadow rays", "adding", "the rest"], passes
+    assert passes["shading"] > passes["the rest"] and passes["depth"] > 0 and passes["adding"] > 0, passes
     viewer.key("shift+t")
 
 
