@@ -36,7 +36,7 @@ struct OptionalProgram {
     std::string_view install; // the command
 };
 
-constexpr std::array<OptionalProgram, 6> optional_programs{{
+constexpr std::array<OptionalProgram, 7> optional_programs{{
     {"oiiotool", {"oiiotool"}, "looks into EXR files", "sudo apt-get install openimageio-tools"},
     {"Chromium",
      {"chromium", "chromium-browser", "google-chrome"},
@@ -47,6 +47,10 @@ constexpr std::array<OptionalProgram, 6> optional_programs{{
      {"ffmpeg"},
      "encodes the videos of `render -o NAME.mp4` and of the viewer",
      "sudo apt-get install ffmpeg"},
+    {"xclip",
+     {"xclip", "wl-copy"},
+     "puts the viewer's picture on the clipboard",
+     "sudo apt-get install xclip, or wl-clipboard for Wayland"},
     {"pandoc", {"pandoc"}, "makes the handouts of assignments", "sudo apt-get install pandoc"},
     {"Mitsuba 3", {"mitsuba"}, "renders what `steradian export` writes", "pip install mitsuba"},
 }};

@@ -45,7 +45,7 @@ Tools make_tools(Workspace& workspace) {
                             make_compare,        make_assignment,   make_tick,
                             make_probe,          make_explain,      make_measure_illuminance,
                             make_view_light,     make_files,        make_turntable,
-                            make_export_picture, make_keep_edits})
+                            make_export_picture, make_copy_picture, make_keep_edits})
         if (auto tool = make(workspace)) tools.push_back(std::move(tool));
     return tools;
 }
@@ -429,12 +429,12 @@ void App::present() {
     const ScreenRectangle place{static_cast<int>(from.x), height - static_cast<int>(from.y + size.y),
                                 static_cast<int>(size.x), static_cast<int>(size.y)};
     presenter_.draw(film, reference, workspace_.display, place);
-    if (!workspace_.seen_file.empty()) write_seen(place);
+    if (workspace_.takes_seen) hand_over_seen(place);
 }
 
-/// Writes the picture in the frame as a PNG, before panels are drawn over it.
-void App::write_seen(const ScreenRectangle& place) {
-    const std::string file = std::exchange(workspace_.seen_file, {});
+/// Hands over the picture in the frame, before panels are drawn over it.
+void App::hand_over_seen(const ScreenRectangle& place) {
+    const auto take = std::exchange(workspace_.takes_seen, {});
     image::Image picture(place.width, place.height, 3);
     std::vector<std::uint8_t> codes(picture.pixels.size());
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
@@ -444,10 +444,9 @@ void App::write_seen(const ScreenRectangle& place) {
     for (std::size_t i = 0; i < codes.size(); ++i) // GL's first row is the lowest
         picture.pixels[codes.size() - row - i / row * row + i % row] = static_cast<float>(codes[i]) / 255.0f;
     try {
-        image::write(picture, file, image::SampleType::integer8);
-        workspace_.messages.notify(fmt::format("Wrote {}.", file));
+        take(picture);
     } catch (const Error& error) {
-        workspace_.messages.fail("Cannot write the picture.", error.what());
+        workspace_.messages.fail("The picture is not written or copied.", error.what());
     }
 }
 

@@ -101,6 +101,7 @@ enum class Command {
     screenshot_png,
     screenshot_exr,
     screenshot_seen,
+    copy_picture,
     export_picture,
     turntable,
     times,

@@ -76,8 +76,8 @@ struct Workspace {
     std::optional<Question> question{}; // takes all keys until it is answered
     Changes answered{};                 // by the answer to a question
     bool is_closing = false;
-    std::string
-        seen_file{}; // the next frame is written there, as it is seen without panels; empty: it is not
+    /// Takes the next frame, as it is seen without panels, and may throw Error; empty: nobody does.
+    std::function<void(const image::Image& picture)> takes_seen{};
     std::vector<WrittenFile> written{}; // scene files that this run has saved, the last one last
 
     /// Size of the window, in the unit of the pointer.

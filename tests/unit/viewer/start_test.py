@@ -171,6 +171,20 @@ def background(viewer: Viewer):
     viewer.wait(lambda: max(viewer.screen(*CORNER)) < 50, "a black background")
 
 
+def copying(viewer: Viewer, clipboard: Path):
+    """Ctrl Shift C gives the picture that is seen to a program of the system; one that fails is a line."""
+    viewer.key("alt+F12")
+    written = viewer.wait(lambda: re.findall(r"Wrote (\S+\.png)\.", viewer.errors()), "a picture")[-1]
+    viewer.key("ctrl+shift+c")
+    viewer.said("Copied the picture: ")
+    assert (clipboard / "args").read_text().split() == ["-selection", "clipboard", "-target", "image/png", "-in"]
+    assert (clipboard / "copied.png").read_bytes() == (viewer.folder / written).read_bytes()
+    (clipboard / "xclip").write_text("#!/bin/sh\necho no display >&2\nexit 1\n")
+    viewer.key("ctrl+shift+c")
+    viewer.said("xclip: no display: ")
+    viewer.key("Escape")
+
+
 def grid(viewer: Viewer):
     """Shift G draws a grid and axes over the picture, and takes them away again."""
     viewer.move(5, 395)
@@ -221,7 +235,12 @@ def main() -> int:
         (folder / f"{name}.gltf").write_text((SCENES / "cornell.gltf").read_text())
     for buffer in SCENES.glob("cornell*.bin"):
         shutil.copy(buffer, folder)
+    clipboard = SCRATCH / "clipboard"
+    clipboard.mkdir()
+    (clipboard / "xclip").write_text(f"#!/bin/sh\necho $* > {clipboard}/args\nexec cat > {clipboard}/copied.png\n")
+    (clipboard / "xclip").chmod(0o755)
     with Display(SCRATCH / "display", 640, 400) as display:
+        display.environment["PATH"] = f"{clipboard}:{display.environment['PATH']}"
         viewer = Viewer(display, STERADIAN, SCRATCH / "run", *OPTIONS)
         first_page(viewer, folder)
         neighbours(viewer)
@@ -230,6 +249,7 @@ def main() -> int:
         history(viewer)
         grid(viewer)
         background(viewer)
+        copying(viewer, clipboard)
         turning(viewer)
         viewer.close()
         broken(display, folder)
