@@ -4,6 +4,7 @@
 #include "core/error.hpp"
 #include "core/file.hpp"
 #include "core/output.hpp"
+#include "core/piped_program.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -17,7 +18,6 @@
 #include <string>
 #include <string_view>
 #include <thread>
-#include <unistd.h>
 #include <vector>
 
 namespace sr::cli {
@@ -36,13 +36,21 @@ struct OptionalProgram {
     std::string_view install; // the command
 };
 
-constexpr std::array<OptionalProgram, 5> optional_programs{{
+constexpr std::array<OptionalProgram, 7> optional_programs{{
     {"oiiotool", {"oiiotool"}, "looks into EXR files", "sudo apt-get install openimageio-tools"},
     {"Chromium",
      {"chromium", "chromium-browser", "google-chrome"},
      "tests the reports as people see them",
      "sudo apt-get install chromium"},
     {"Xvfb", {"Xvfb"}, "gives `steradian view` a display where there is none", "sudo apt-get install xvfb"},
+    {"ffmpeg",
+     {"ffmpeg"},
+     "encodes the videos of `render -o NAME.mp4` and of the viewer",
+     "sudo apt-get install ffmpeg"},
+    {"xclip",
+     {"xclip", "wl-copy"},
+     "puts the viewer's picture on the clipboard",
+     "sudo apt-get install xclip, or wl-clipboard for Wayland"},
     {"pandoc", {"pandoc"}, "makes the handouts of assignments", "sudo apt-get install pandoc"},
     {"Mitsuba 3", {"mitsuba"}, "renders what `steradian export` writes", "pip install mitsuba"},
 }};
@@ -61,23 +69,12 @@ constexpr std::array<OptionalLibrary, 4> optional_libraries{{
     {"libseccomp", "confines students' code", "libseccomp-dev"},
 }};
 
-/// Returns the program of this name in PATH; empty if there is none.
-std::string program_in_path(std::string_view name) {
-    const char* path = std::getenv("PATH");
-    if (name.empty() || !path) return "";
-    for (const std::string& folder : CLI::detail::split(path, ':')) {
-        const std::string file = (fs::path(folder) / name).string();
-        if (fs::is_regular_file(file) && access(file.c_str(), X_OK) == 0) return file;
-    }
-    return "";
-}
-
 ordered_json optional_programs_json() {
     ordered_json list = ordered_json::array();
     for (const OptionalProgram& program : optional_programs) {
         std::string file;
         for (const std::string_view name : program.files)
-            if (file.empty()) file = program_in_path(name);
+            if (file.empty()) file = program_in_path(name).string();
         ordered_json entry{{"name", program.name}, {"found", !file.empty()}, {"purpose", program.purpose}};
         if (file.empty())
             entry["install"] = program.install;

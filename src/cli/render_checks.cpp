@@ -1,5 +1,6 @@
 #include "cli/render_checks.hpp"
 
+#include "image/video.hpp"
 #include "image/whole_file.hpp"
 #include "output/write.hpp"
 #include "picture/checks.hpp"
@@ -48,8 +49,16 @@ std::optional<NumberPlace> place_in(const std::string& name) {
 
 /// Refuses outputs that cannot be written, and channels without a file that holds them.
 void check_outputs(const RenderCommand& command) {
-    const bool is_sequence = command.frames || command.turntable;
+    const bool is_sequence = command.is_sequence();
     for (const std::string& output : command.outputs) {
+        if (image::is_video(output)) {
+            if (!is_sequence)
+                refuse("-o", fmt::format("'{}' is a video of several pictures: add --frames or --turntable",
+                                         output));
+            image::require_video_encoder(output);
+            image::require_writable(output);
+            continue;
+        }
         image::is_scene_referred(output);
         if (is_sequence && !numbered(output, 0))
             refuse("-o", fmt::format("'{}' has no place for the frame's number: name it like frame.####.png",
@@ -67,6 +76,10 @@ void check_outputs(const RenderCommand& command) {
 void check(const RenderCommand& command) {
     if (command.frames && command.at && !command.turntable)
         refuse("--frames", "is a sequence of moments, and --at is one: leave one of them out");
+    const bool has_use_of_rate = command.turntable ? std::ranges::any_of(command.outputs, image::is_video)
+                                                   : command.frames.has_value();
+    if (command.has_rate && !has_use_of_rate)
+        refuse("--fps", "is the rate of --frames, and of a video: add --frames, or name a video with -o");
     picture::check(command);
     check_outputs(command);
 }

@@ -9,6 +9,9 @@ namespace sr::cli {
 
 struct RenderCommand : RenderSettings {
     bool json = false;
+    bool has_rate = false; // --fps is given
+
+    bool is_sequence() const { return frames || turntable; }
 };
 
 /// Refuses them before any work is done. @throws CLI::ValidationError; Error for an unknown format of a file.

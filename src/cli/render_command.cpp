@@ -3,11 +3,13 @@
 #include "cli/progress.hpp"
 #include "cli/render_checks.hpp"
 #include "core/output.hpp"
+#include "image/video.hpp"
 #include "output/write.hpp"
 #include "picture/summary.hpp"
 #include "render/adaptive/convergence.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <fmt/format.h>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -40,6 +42,8 @@ struct Rendering {
     render::RenderOptions options;
     render::Renderer& renderer;
     picture::PhaseTimes& times;
+    std::vector<std::string> pictures{}; // of the outputs, those that hold one frame
+    std::vector<std::unique_ptr<image::VideoFile>> videos{};
     std::vector<std::string> written{};
     std::optional<Picture> last{};
 };
@@ -61,6 +65,21 @@ picture::Work work_of(const Rendering& rendering, const RenderCommand& command, 
             std::move(stop), shown_as_bars(),      rendering.times, std::move(what)};
 }
 
+/// Says what a sequence leaves that was interrupted in one of its frames.
+void remark_on_interruption(const Rendering& rendering, const std::string& what) {
+    print_remark("interrupted in {}: {}", what,
+                 rendering.pictures.empty() ? "no video is written"
+                 : rendering.videos.empty() ? "the frames before are written"
+                                            : "the frames before are written, and no video");
+}
+
+/// Adds a picture to the videos. @return false if the stop has come
+bool add_to_videos(const Rendering& rendering, const output::ScreenPicture& shown,
+                   const std::stop_token& stop) {
+    return std::ranges::all_of(rendering.videos,
+                               [&](const auto& video) { return video->add(shown.picture, stop); });
+}
+
 /// Draws, and writes the files. @return absent if nothing was: half a frame of a sequence is not
 std::optional<Picture> make_picture(const Rendering& rendering, const RenderCommand& command,
                                     const Interruption& interruption, const std::string& what) {
@@ -71,17 +90,27 @@ std::optional<Picture> make_picture(const Rendering& rendering, const RenderComm
         return std::nullopt;
     }
     if (!rendering.open.frames.empty() && interruption.has_come()) {
-        print_remark("interrupted in {}: the frames before are written", what);
+        remark_on_interruption(rendering, what);
         return std::nullopt;
     }
     rendering.open.context->require_silence();
     picture::remark_on(picture.film, command, rendering.open.stage);
     picture::describe(picture, command, rendering.open.stage, rendering.open.context->info());
-    picture.ev100 = output::write(picture.film, picture.layers ? &*picture.layers : nullptr, command.outputs,
-                                  {.ev100 = command.ev100,
-                                   .tone_curve = command.tone_curve,
-                                   .exr_type = command.exr_type,
-                                   .view = command.view});
+    output::FileSettings settings{.ev100 = command.ev100,
+                                  .tone_curve = command.tone_curve,
+                                  .exr_type = command.exr_type,
+                                  .view = command.view};
+    picture.ev100 =
+        output::write(picture.film, picture.layers ? &*picture.layers : nullptr, command.outputs, settings);
+    if (!rendering.videos.empty()) {
+        if (picture.ev100) settings.ev100 = picture.ev100;
+        const output::ScreenPicture shown = output::shown(picture.film, settings);
+        picture.ev100 = shown.ev100;
+        if (!add_to_videos(rendering, shown, interruption.token())) {
+            remark_on_interruption(rendering, what);
+            return std::nullopt;
+        }
+    }
     rendering.times.end("write");
     remark_on_stop(picture, command);
     return picture;
@@ -89,9 +118,16 @@ std::optional<Picture> make_picture(const Rendering& rendering, const RenderComm
 
 /// Renders and writes the frames. @return whether all are written; `rendering` lists those that are
 bool make_frames(Rendering& rendering) {
-    auto& [command, open, scene, options, renderer, times, written, last] = rendering;
+    auto& [command, open, scene, options, renderer, times, pictures, videos, written, last] = rendering;
     const Interruption interruption;
+    for (const std::string& output : command.outputs) {
+        if (image::is_video(output))
+            videos.push_back(std::make_unique<image::VideoFile>(output, command.fps));
+        else
+            pictures.push_back(output);
+    }
     RenderCommand picture = command;
+    picture.outputs = pictures;
     for (const int frame : open.frames) {
         if (frame != open.frames.front()) {
             picture::show_frame(open, command, frame);
@@ -105,14 +141,20 @@ bool make_frames(Rendering& rendering) {
             picture.frames = settings::FrameRange{frame, frame};
         else
             picture.at = picture::seconds_of(frame, command);
-        for (std::size_t i = 0; i < command.outputs.size(); ++i)
-            picture.outputs[i] = *numbered(command.outputs[i], frame);
+        for (std::size_t i = 0; i < pictures.size(); ++i) picture.outputs[i] = *numbered(pictures[i], frame);
         const auto what = fmt::format("frame {} of {} to {}", frame, open.frames.front(), open.frames.back());
         auto made = make_picture(rendering, picture, interruption, what);
         if (!made) return false;
         if (made->ev100) picture.ev100 = made->ev100; // that of the first frame for all of them
         last = std::move(made);
         written.insert(written.end(), picture.outputs.begin(), picture.outputs.end());
+    }
+    for (const auto& video : videos) {
+        if (!video->put_in_place(interruption.token())) {
+            remark_on_interruption(rendering, fmt::format("the encoding of {}", video->file().string()));
+            return false;
+        }
+        written.push_back(video->file().string());
     }
     return true;
 }
@@ -161,16 +203,17 @@ void add_render_command(CLI::App& app) {
     CLI::App* command = app.add_subcommand("render", "render a glTF scene offscreen, lit by its own lights");
     command->add_option("SCENE", options->scene, "a .gltf or .glb file")->required();
     command
-        ->add_option("-o,--output", options->outputs,
-                     "OUT.exr or .hdr for radiance, OUT.png or .jpg for a picture (repeatable)")
+        ->add_option(
+            "-o,--output", options->outputs,
+            "OUT.exr or .hdr for radiance, OUT.png or .jpg for a picture, OUT.mp4 or .webm for a video "
+            "of all frames, which ffmpeg encodes (repeatable)")
         ->type_name("OUT")
         ->allow_extra_args(false) // one a flag: what follows may be the scene
         ->required();
     command->add_flag("--json", options->json,
                       "print a summary as JSON: times by phase, triangles, samples, …");
     declare(*command, settings::by_render, *options);
-    command->get_option("--fps")->needs(command->get_option("--frames"));
-    command->get_option("--turntable")->excludes(command->get_option("--fps"));
+    command->get_option("--turn-axis")->needs(command->get_option("--turntable"));
     command->footer(
         "Examples:\n"
         "  steradian render scene.glb -o picture.png\n"
@@ -185,10 +228,12 @@ void add_render_command(CLI::App& app) {
         "  steradian render dancer.glb -o pose.png --animation Walk --at 0.5\n"
         "  steradian render dancer.glb -o walk.####.png --frames 0:47 --fps 24\n"
         "  steradian render vase.glb -o vase.###.png --turntable 120\n"
+        "  steradian render vase.glb -o vase.mp4 --turntable 120 --fps 30 --turn-axis x\n"
         "  steradian render scene.glb -o mine.png --shaders my_shaders    (my_shaders/brdf/f_r.glsl wins)");
     command->callback([options, command] {
         if (command->count("--samples") == 0 && options->stop.asks_for_error())
             options->stop.samples = max_samples;
+        options->has_rate = command->count("--fps") > 0;
         const ExitStatus status = render(*options);
         if (status != done) throw CLI::RuntimeError(status);
     });

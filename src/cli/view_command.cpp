@@ -101,12 +101,7 @@ void converge_by_default(render::StopRule& stop) {
 }
 
 /// Prints the keys in use. @throws Error if the file of keys is wrong
-void print_keys() {
-    const std::filesystem::path file = viewer::keys_file();
-    std::error_code ignored;
-    const bool has_file = !file.empty() && std::filesystem::exists(file, ignored);
-    write_json((has_file ? viewer::Keymap::read(file) : viewer::Keymap()).json());
-}
+void print_keys() { write_json(viewer::Keymap::in_use().json()); }
 
 void view(const ViewCommand& command) {
     if (command.prints_keys) return print_keys();

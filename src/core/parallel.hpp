@@ -2,7 +2,9 @@
 // Work on several threads, or on fewer where the system gives no more.
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <future>
+#include <memory>
 #include <system_error>
 #include <thread>
 #include <utility>
@@ -35,11 +37,20 @@ void for_each_row(int rows, const Work& work, int max_threads = 256) {
 /// Runs `work` on its own thread, or in the caller of get() if no thread can be started.
 template<typename Work>
 auto started(Work work) -> std::future<decltype(work())> {
+    const auto kept = std::make_shared<Work>(std::move(work));
+    const auto run = [kept] { return (*kept)(); };
     try {
-        return std::async(std::launch::async, work);
+        return std::async(std::launch::async, run);
     } catch (const std::system_error&) {
-        return std::async(std::launch::deferred, std::move(work));
+        return std::async(std::launch::deferred, run);
     }
+}
+
+/// True if get() of what started() returned waits for no other thread: the work is done, or no thread was to
+/// be had and get() does it.
+template<typename Value>
+bool is_done(const std::future<Value>& work) {
+    return work.wait_for(std::chrono::seconds(0)) != std::future_status::timeout;
 }
 
 /// Starts as many threads as a library may want, one for each core and a few more, and ends them. Software

@@ -112,6 +112,8 @@ public:
         if (closed != 0) fail(name_, target_, errno);
     }
 
+    const fs::path& path() const { return path_; }
+
     void put_in_place() {
         if (rename(path_.c_str(), target_.c_str()) != 0) fail(name_, target_, errno);
         is_in_place_ = true;
@@ -138,6 +140,12 @@ WholeFiles::~WholeFiles() = default;
 void WholeFiles::add(const fs::path& file, std::span<const std::uint8_t> bytes) {
     temporaries_.push_back(std::make_unique<Temporary>(file));
     temporaries_.back()->write(bytes);
+}
+
+fs::path WholeFiles::reserve(const fs::path& file) {
+    temporaries_.push_back(std::make_unique<Temporary>(file));
+    temporaries_.back()->write({});
+    return temporaries_.back()->path();
 }
 
 void WholeFiles::put_in_place() {

@@ -26,6 +26,10 @@ public:
     /// The same for an image, as write() has it.
     void add(const Image& image, const std::filesystem::path& file, SampleType type);
 
+    /// Makes an empty temporary file for `file`, which another program writes. @return its path; @throws
+    /// Error
+    std::filesystem::path reserve(const std::filesystem::path& file);
+
     /// @throws Error if a file cannot be renamed; those before it are in place then
     void put_in_place();
 

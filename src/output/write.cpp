@@ -20,9 +20,16 @@ void warn_of_half_overflow(const image::Image& image, const std::string& output)
 
 bool holds_layers(const std::string& file) { return file.ends_with(".exr") || file.ends_with(".EXR"); }
 
+ScreenPicture shown(const image::Image& film, const FileSettings& settings) {
+    if (settings.view && settings.view->display != Display::exposed)
+        return {colors_of(*settings.view, film), std::nullopt};
+    const float ev100 = settings.ev100 ? *settings.ev100 : image::auto_ev100(film);
+    return {image::displayed(film, ev100, *settings.tone_curve), ev100};
+}
+
 std::optional<float> write(const image::Image& film, const image::Image* layers,
                            const std::vector<std::string>& files, const FileSettings& settings) {
-    std::optional<float> ev100;
+    std::optional<ScreenPicture> screen;
     image::WholeFiles whole;
     for (const std::string& file : files) {
         if (image::is_scene_referred(file)) {
@@ -32,18 +39,14 @@ std::optional<float> write(const image::Image& film, const image::Image* layers,
             whole.add(written, file, settings.exr_type);
             continue;
         }
-        image::Image shown;
-        if (settings.view && settings.view->display != Display::exposed) {
-            shown = colors_of(*settings.view, film);
-        } else {
-            if (!ev100) ev100 = settings.ev100 ? *settings.ev100 : image::auto_ev100(film);
-            shown = image::displayed(film, *ev100, *settings.tone_curve);
+        if (!screen) {
+            screen = shown(film, settings);
+            screen->picture.attributes = film.attributes;
         }
-        shown.attributes = film.attributes;
-        whole.add(shown, file, image::SampleType::integer8);
+        whole.add(screen->picture, file, image::SampleType::integer8);
     }
     whole.put_in_place();
-    return ev100;
+    return screen ? screen->ev100 : std::nullopt;
 }
 
 } // namespace sr::output

@@ -21,6 +21,13 @@ struct FileSettings {
 /// Returns true if the file's format has room for more than one picture (.exr).
 bool holds_layers(const std::string& file);
 
+/// A film as a screen shows it.
+struct ScreenPicture {
+    image::Image picture;       // 0..1, encoded for display
+    std::optional<float> ev100; // that was used; absent: false colours have none
+};
+ScreenPicture shown(const image::Image& film, const FileSettings& settings);
+
 /// Writes `film` (R, G, B, A) to all of `files`, or to none. `layers`: the film with further channels, for
 /// the formats that hold them; null: none. Attributes are the images' own.
 /// @return the EV100 in use, if any was. @throws Error

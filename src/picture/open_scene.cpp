@@ -4,6 +4,7 @@
 #include "core/output.hpp"
 #include "gltf/asset.hpp"
 #include "gltf/read/environment.hpp"
+#include "image/video.hpp"
 #include "scene/look_at.hpp"
 #include "settings/bad_setting.hpp"
 
@@ -162,8 +163,11 @@ OpenScene open_scene(const RenderSettings& settings, PhaseTimes& times) {
     times.end("start");
     auto loading = std::async(std::launch::async, open, std::cref(settings));
     // Last, since no thread can start while it has that lock.
+    const auto is_quick = [](const std::string& file) {
+        return image::is_video(file) || image::is_png(file);
+    };
     const auto preloading =
-        std::ranges::all_of(settings.outputs, image::is_png) ? std::future<void>() : image::preload();
+        std::ranges::all_of(settings.outputs, is_quick) ? std::future<void>() : image::preload();
     Opened opened = loading.get();
     times.end("wait for load");
     times.add("load (beside start)", opened.seconds);
@@ -192,8 +196,18 @@ OpenScene open_scene(const RenderSettings& settings, PhaseTimes& times) {
     return result;
 }
 
+Turn::Turn(scene::Camera begin, const scene::Bounds& bounds, vec3 around, int count, scene::TurnAxis axis,
+           bool fits_depths)
+    : begin_(std::move(begin)),
+      bounds_(bounds),
+      around_(around),
+      count_(count),
+      axis_(axis),
+      fits_depths_(fits_depths) {}
+
 Turn::Turn(scene::Camera begin, const scene::Bounds& bounds, const RenderSettings& settings)
-    : begin_(std::move(begin)), bounds_(bounds), count_(*settings.turntable) {
+    : Turn(std::move(begin), bounds, bounds.is_empty() ? vec3(0.0f) : bounds.center(), *settings.turntable,
+           settings.turn_axis, false) {
     fits_depths_ = begin_.name == "auto" && begin_.number < 0;
     if (!scene::is_look_at(settings.camera)) return;
     const scene::LookAt view = scene::parse_look_at(settings.camera);
@@ -202,8 +216,7 @@ Turn::Turn(scene::Camera begin, const scene::Bounds& bounds, const RenderSetting
 
 scene::Camera Turn::camera(int picture) const {
     if (picture == 0) return begin_;
-    const vec3 middle = bounds_.is_empty() ? vec3(0.0f) : bounds_.center();
-    scene::Camera camera = scene::turned(begin_, middle, 360.0 * picture / count_);
+    scene::Camera camera = scene::turned(begin_, around_, 360.0 * picture / count_, axis_);
     if (!fits_depths_) return camera;
     const mat4& m = camera.world_from_camera;
     scene::LookAt view;

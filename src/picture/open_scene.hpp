@@ -41,15 +41,20 @@ class Turn {
 public:
     /// @param begin the camera of picture 0. @param bounds of the scene, around whose middle it goes
     Turn(scene::Camera begin, const scene::Bounds& bounds, const RenderSettings& settings);
+    /// @param around the point that it goes around. @param fits_depths whether near and far are those of the
+    /// scene as each picture sees it, and not the camera's
+    Turn(scene::Camera begin, const scene::Bounds& bounds, vec3 around, int count, scene::TurnAxis axis,
+         bool fits_depths);
 
     scene::Camera camera(int picture) const;
 
 private:
     scene::Camera begin_;
     scene::Bounds bounds_;
+    vec3 around_;
     int count_; // pictures of a whole turn
-    bool
-        fits_depths_; // the camera has no near and far of its own: those of the scene as each picture sees it
+    scene::TurnAxis axis_;
+    bool fits_depths_;
 };
 
 struct OpenScene {

@@ -5,6 +5,7 @@
 #include "render/sampling.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <fmt/format.h>
 #include <utility>
 
@@ -13,6 +14,24 @@ namespace {
 
 /// LightSampling::automatic samples one light where there are more: tools/bench/results/lights.md.
 constexpr int max_lights_to_visit = 32;
+
+/// Times the parts of a frame one after the other; does nothing without PassTimes.
+class PassClock {
+public:
+    explicit PassClock(PassTimes* times) : times_(times) {}
+
+    /// Ends a part, which began where the last one ended.
+    void end(double PassTimes::*part) {
+        if (!times_) return;
+        glFinish();
+        const auto now = std::chrono::steady_clock::now();
+        times_->*part += std::chrono::duration<double>(now - std::exchange(last_, now)).count();
+    }
+
+private:
+    PassTimes* times_;
+    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
 
 /// The analytic estimator evaluates f_r lobe by lobe.
 /// @throws Error if a user's folder changes f_r without its lobes.
@@ -237,6 +256,7 @@ bool Renderer::add_rows(int count) {
 }
 
 void Renderer::draw(const PixelRect& part) {
+    PassClock clock(pass_times_);
     const View view = begin_frame();
     set_scissor(part);
     depth_pass(frame_, scene_, *shaders_,
@@ -247,10 +267,13 @@ void Renderer::draw(const PixelRect& part) {
         converged_.bind(sample_count_, 0);
         mask_pass(frame_, *shaders_);
     }
+    clock.end(&PassTimes::depth);
     shade_opaque(part);
     set_scissor(part);
     blend_pass(frame_, scene_, *shaders_, options_.shader, view.eye, blended_terms());
+    clock.end(&PassTimes::shading);
     accumulate();
+    clock.end(&PassTimes::adding);
     glDisable(GL_SCISSOR_TEST);
 }
 

@@ -33,6 +33,13 @@ inline constexpr int default_analytic_points = 16;
 /// A mesh of more emissive triangles is sampled by the analytic estimator too.
 inline constexpr int max_outlined_triangles = 12;
 
+/// Time of the parts of frames [s].
+struct PassTimes {
+    double depth = 0.0;   // depth maps, depth of opaque surfaces, background
+    double shading = 0.0; // of opaque and of blended surfaces, with their shadow rays
+    double adding = 0.0;  // of the frame to the film
+};
+
 struct RenderOptions {
     int width = 1280;
     int height = 720;
@@ -143,6 +150,10 @@ public:
     /// The rays that the CPU answered; absent where it answers none.
     std::optional<TracedRays> traced_rays() const;
 
+    /// Adds the time of each part of a frame to `times` from now on, and waits for the GPU after each; null:
+    /// no more.
+    void measure_passes(PassTimes* times) { pass_times_ = times; }
+
     /// Returns the number of lights that a sample chooses; 0 if it visits all.
     int light_choices() const { return light_choices_; }
 
@@ -189,6 +200,7 @@ private:
     gl::VertexArray no_vertices_{"no vertices"}; // core profile draws need one bound
     int sample_count_ = 0;
     int rows_done_ = 0; // of the next sample
+    PassTimes* pass_times_ = nullptr;
 };
 
 } // namespace sr::render

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
 #include <numbers>
 #include <optional>
 #include <string>
@@ -55,14 +56,24 @@ inline vec2 half_extent(const Camera& camera, float aspect) {
     return {std::max(own.x, own.y * aspect), std::max(own.y, own.x / aspect)};
 }
 
-/// Returns the camera turned by an angle around the upright axis through a point: counter-clockwise, seen
-/// from above.
-inline Camera turned(Camera camera, vec3 around, double degrees) {
-    const double angle = degrees * (std::numbers::pi / 180.0);
-    const auto c = static_cast<float>(std::cos(angle)), s = static_cast<float>(std::sin(angle));
-    const mat3 turn(vec3(c, 0.0f, -s), vec3(0.0f, 1.0f, 0.0f), vec3(s, 0.0f, c));
+/// Axis that a camera goes around: one of the scene, whose y is up, or what is up in the camera's picture.
+enum class TurnAxis { x, y, z, camera };
+
+/// Returns the rotation by an angle around an axis, counter-clockwise for someone whom the axis points to:
+/// for y, seen from above. `camera`: the one that the axis may belong to.
+inline mat3 rotation_about(TurnAxis axis, const mat4& world_from_camera, double degrees) {
+    const glm::dvec3 direction = axis == TurnAxis::x   ? glm::dvec3(1, 0, 0)
+                                 : axis == TurnAxis::y ? glm::dvec3(0, 1, 0)
+                                 : axis == TurnAxis::z ? glm::dvec3(0, 0, 1)
+                                                       : glm::dvec3(world_from_camera[1]);
+    return mat3(glm::rotate(glm::dmat4(1.0), degrees * (std::numbers::pi / 180.0), direction));
+}
+
+/// Returns the camera turned by an angle around an axis through a point.
+inline Camera turned(Camera camera, vec3 around, double degrees, TurnAxis axis = TurnAxis::y) {
     mat4& m = camera.world_from_camera;
-    for (int axis = 0; axis < 3; ++axis) m[axis] = vec4(turn * vec3(m[axis]), 0.0f);
+    const mat3 turn = rotation_about(axis, m, degrees);
+    for (int column = 0; column < 3; ++column) m[column] = vec4(turn * vec3(m[column]), 0.0f);
     m[3] = vec4(around + turn * (vec3(m[3]) - around), 1.0f);
     return camera;
 }

@@ -67,7 +67,8 @@ constexpr Value list(const char* type) {
                     member<path...>(s).push_back(given);
                     return true;
                 },
-            .write = [](const S& s) { return fmt::format("{}", fmt::join(member<path...>(s), " ")); }};
+            .write = [](const S& s) { return fmt::format("{}", fmt::join(member<path...>(s), " ")); },
+            .entries = [](const S& s) { return member<path...>(s); }};
 }
 
 /// Reads a number of the type T in the value's range.
@@ -265,7 +266,7 @@ constexpr std::array options{
         "frames A to B of the animation or the turntable, or from A to its end; OUT has #### or %04d in its "
         "name"},
     Option{"fps", "Animation", by_render, number<&S::fps>(1e-3, 1e6),
-           "frames a second: frame n is at n / fps seconds"},
+           "frames a second, also of a video: frame n is at n / fps seconds"},
     Option{"turntable",
            "Animation",
            by_render,
@@ -274,6 +275,18 @@ constexpr std::array options{
            "counter-clockwise seen from above; scene and lights stand still",
            nullptr,
            {"turn", turn_text}},
+    Option{"turn_axis",
+           "Animation",
+           by_render,
+           choice<turn_axes, &S::turn_axis>(),
+           "axis that the camera of --turntable goes around: y is up in the scene; camera: what is up in the "
+           "first picture",
+           nullptr,
+           {"turn_axis",
+            [](const S& s) {
+                const bool is_upright = s.turn_axis == scene::TurnAxis::y;
+                return std::string(s.turntable && !is_upright ? name_in(turn_axes, s.turn_axis) : "");
+            }}},
 
     Option{"size", "Picture", by_picture | by_export,
            parsed<parse_size, [](Size size) { return text_of(size); }, &S::size>("WIDTHxHEIGHT"),
@@ -423,6 +436,32 @@ std::string allowed_by(const Value& value) {
     const char* const kind = value.kind == Kind::whole ? "a whole number" : "a number";
     if (value.max == no_limit) return fmt::format("{} of at least {}", kind, value.min);
     return fmt::format("{} from {} to {}", kind, value.min, value.max);
+}
+
+std::string shell_word(const std::string& word) {
+    constexpr std::string_view plain =
+        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+.,:/%=@";
+    if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
+    std::string quoted = "'";
+    for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return quoted + "'";
+}
+
+std::string render_arguments(const RenderSettings& settings) {
+    std::string text;
+    for (const Option& option : options) {
+        const Value& value = option.value;
+        const std::string written = value.write(settings);
+        if (!(option.takers & by_render) || option.key == std::string_view("gl_debug")) continue;
+        if (written == default_of(option)) continue;
+        std::vector<std::string> words{written};
+        if (value.entries) words = value.entries(settings);
+        for (const std::string& word : words) {
+            text += " " + option.flag();
+            if (value.kind != Kind::flag) text += " " + shell_word(word);
+        }
+    }
+    return text;
 }
 
 std::string default_of(const Option& option) { return option.value.write(RenderSettings()); }

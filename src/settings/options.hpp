@@ -40,6 +40,8 @@ struct Value {
     bool (*read)(const Value& value, RenderSettings& settings, const std::string& text) = nullptr;
     /// Returns the text that read() takes over; empty if the value is absent or the flag is off.
     std::string (*write)(const RenderSettings& settings) = nullptr;
+    /// Returns the texts of a list, one for each entry; null for other values.
+    std::vector<std::string> (*entries)(const RenderSettings& settings) = nullptr;
 };
 
 /// Attribute of a picture's file, "steradian:NAME".
@@ -71,6 +73,13 @@ std::string type_of(const Value& value);
 
 /// Returns what is allowed, for messages: "a whole number from 1 to 32".
 std::string allowed_by(const Value& value);
+
+/// Returns a word as shells take it: in quotes, if it has other letters than a name, a number or a path.
+std::string shell_word(const std::string& word);
+
+/// Returns the options that make a picture as `render` takes them, each after a space: those that are not the
+/// default. Scene, outputs and checks of the driver are not among them.
+std::string render_arguments(const RenderSettings& settings);
 
 /// Returns the text of the default; empty if the option has none.
 std::string default_of(const Option& option);

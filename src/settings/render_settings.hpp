@@ -28,6 +28,11 @@ inline constexpr std::array<NamedValue<render::LightSampling>, 3> light_sampling
      {"all", render::LightSampling::all},
      {"one", render::LightSampling::one}}};
 
+inline constexpr std::array<NamedValue<scene::TurnAxis>, 4> turn_axes{{{"x", scene::TurnAxis::x},
+                                                                       {"y", scene::TurnAxis::y},
+                                                                       {"z", scene::TurnAxis::z},
+                                                                       {"camera", scene::TurnAxis::camera}}};
+
 /// Returns the options of a rendering before anyone chooses: its samples take one of the lights where there
 /// are many.
 inline render::RenderOptions default_rendering() {
@@ -57,6 +62,7 @@ struct RenderSettings {
     std::optional<FrameRange> frames;
     double fps = 24.0;
     std::optional<int> turntable; // pictures from a camera that goes once around; `frames` are some of them
+    scene::TurnAxis turn_axis = scene::TurnAxis::y; // that it goes around
 
     render::StopRule stop;
     /// Seed, background, estimator and depth maps; size, shaders and samples follow from the rest.

@@ -45,20 +45,17 @@ Tools make_tools(Workspace& workspace) {
                             make_compare,        make_assignment,   make_tick,
                             make_probe,          make_explain,      make_measure_illuminance,
                             make_view_light,     make_files,        make_turntable,
-                            make_export_picture, make_keep_edits})
+                            make_export_picture, make_copy_picture, make_keep_edits})
         if (auto tool = make(workspace)) tools.push_back(std::move(tool));
     return tools;
 }
 
-/// The keys of keys.json; the built-in ones if there is no such file; absent if it is wrong. `problem`: says
-/// what is wrong with it; empty if nothing is.
+/// The keys in use; absent if the file of keys is wrong. `problem`: says what is wrong with it; empty if
+/// nothing is.
 std::optional<Keymap> read_keys(std::string& problem) {
     problem.clear();
-    const std::filesystem::path file = keys_file();
-    std::error_code ignored;
-    if (file.empty() || !std::filesystem::exists(file, ignored)) return Keymap();
     try {
-        return Keymap::read(file);
+        return Keymap::in_use();
     } catch (const Error& error) {
         problem = error.what();
         return std::nullopt;
@@ -308,6 +305,9 @@ Changes App::dispatch(const Event& event) {
         for (const std::string& file : drop->files) input_.put(FileEvent{file});
     if (const auto* key = std::get_if<KeyEvent>(&event)) return dispatch_key(*key);
     if (const auto command = command_in(event)) return execute(*command); // of a menu
+    const bool is_view =
+        std::holds_alternative<ViewEvent>(event) || std::holds_alternative<LightViewEvent>(event);
+    if (is_view && workspace_.refuses(Command::next_view)) return Change::redraw;
     return belongs_to_panel(event) ? Changes() : dispatch_to_tools(event);
 }
 
@@ -345,6 +345,7 @@ Changes App::dispatch_to_tools(const Event& event) {
 }
 
 Changes App::execute(Command command) {
+    if (workspace_.refuses(command)) return Change::redraw;
     switch (command) {
     case Command::quit: workspace_.leave(Departure::quit); break;
     case Command::fullscreen: toggle_fullscreen(); break;
@@ -428,12 +429,12 @@ void App::present() {
     const ScreenRectangle place{static_cast<int>(from.x), height - static_cast<int>(from.y + size.y),
                                 static_cast<int>(size.x), static_cast<int>(size.y)};
     presenter_.draw(film, reference, workspace_.display, place);
-    if (!workspace_.seen_file.empty()) write_seen(place);
+    if (workspace_.takes_seen) hand_over_seen(place);
 }
 
-/// Writes the picture in the frame as a PNG, before panels are drawn over it.
-void App::write_seen(const ScreenRectangle& place) {
-    const std::string file = std::exchange(workspace_.seen_file, {});
+/// Hands over the picture in the frame, before panels are drawn over it.
+void App::hand_over_seen(const ScreenRectangle& place) {
+    const auto take = std::exchange(workspace_.takes_seen, {});
     image::Image picture(place.width, place.height, 3);
     std::vector<std::uint8_t> codes(picture.pixels.size());
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
@@ -443,10 +444,9 @@ void App::write_seen(const ScreenRectangle& place) {
     for (std::size_t i = 0; i < codes.size(); ++i) // GL's first row is the lowest
         picture.pixels[codes.size() - row - i / row * row + i % row] = static_cast<float>(codes[i]) / 255.0f;
     try {
-        image::write(picture, file, image::SampleType::integer8);
-        workspace_.messages.notify(fmt::format("Wrote {}.", file));
+        take(picture);
     } catch (const Error& error) {
-        workspace_.messages.fail("Cannot write the picture.", error.what());
+        workspace_.messages.fail("The picture is not written or copied.", error.what());
     }
 }
 

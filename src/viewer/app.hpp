@@ -44,7 +44,7 @@ private:
     void apply(Changes changes);
     void advance(double seconds);
     void present();
-    void write_seen(const ScreenRectangle& place);
+    void hand_over_seen(const ScreenRectangle& place);
     bool is_hidden() const;
     void update_title();
     void toggle_fullscreen();

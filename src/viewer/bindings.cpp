@@ -47,8 +47,7 @@ constexpr auto table = std::to_array<CommandInfo>({
     {earlier_view, "Earlier view", "go back to the view before; edits stay, which Undo takes back", "Camera"},
     {later_view, "Later view", "go forward again to the view after", "Camera"},
     {grid, "Grid and axes", "of the file's world, and how the view is turned; or hide them", "Camera"},
-    {copy_view, "Copy the view", "copy it as arguments of `steradian render` that make the same picture",
-     "Camera"},
+    {copy_view, "Copy the view", "copy the `steradian render` command that makes the same picture", "Camera"},
     {paste_view, "Paste a view", "go to a view that was copied", "Camera"},
     {darker, "Darker", "raise the exposure value by 1/3 EV", "Picture"},
     {brighter, "Brighter", "lower the exposure value by 1/3 EV", "Picture"},
@@ -81,9 +80,12 @@ constexpr auto table = std::to_array<CommandInfo>({
     {screenshot_exr, "Write an EXR", "radiance, once the render has converged; twice: as it is now",
      "Picture"},
     {screenshot_seen, "Write what is seen", "a PNG with wipe, difference or false colours", "Picture"},
+    {copy_picture, "Copy the picture", "what is seen, as a PNG on the clipboard (by xclip or wl-copy)",
+     "Picture"},
     {export_picture, "Export a picture", "of any size, with as many samples as asked for, as PNG or EXR",
      "Picture"},
-    {turntable, "Write a turntable", "PNGs of a full turn around the pivot; asks how many", "Picture"},
+    {turntable, "Write a turntable", "of a full turn around the pivot: PNGs or a video, any size and axis",
+     "Picture"},
     {next_light, "Next light", "select the next light of the list", "Lights"},
     {switch_light, "Switch the light", "disable or enable the selected lights", "Lights"},
     {solo_light, "Light alone", "disable all but the selected lights, or enable all again", "Lights"},
@@ -212,6 +214,7 @@ constexpr auto keys = std::to_array<Binding>({
     {GLFW_KEY_F12, no_modifier, screenshot_png},
     {GLFW_KEY_F12, shift, screenshot_exr},
     {GLFW_KEY_F12, alt, screenshot_seen},
+    {GLFW_KEY_C, control | shift, copy_picture},
     {GLFW_KEY_E, control, export_picture},
     {GLFW_KEY_F12, control, turntable},
     {GLFW_KEY_TAB, no_modifier, next_light},
@@ -364,6 +367,43 @@ bool works_in_text_fields(Command command) {
     }
 }
 
+bool changes_scene(Command command) {
+    switch (command) {
+    case false_color:
+    case next_view:
+    case next_light_alone:
+    case next_background:
+    case switch_light:
+    case solo_light:
+    case edit_light:
+    case brighten_light:
+    case dim_light:
+    case mix_lights:
+    case add_light:
+    case duplicate_light:
+    case rename_light:
+    case delete_light:
+    case move_light:
+    case turn_light:
+    case scale_light:
+    case undo_light:
+    case redo_light:
+    case hide_object:
+    case isolate_object:
+    case show_objects:
+    case leave_out_term:
+    case play:
+    case frame_back:
+    case frame_forward:
+    case first_frame:
+    case last_frame:
+    case next_variant:
+    case try_question:
+    case reload: return true;
+    default: return false;
+    }
+}
+
 bool opens_text_field(Command command) {
     switch (command) {
     case find_command:
@@ -371,6 +411,7 @@ bool opens_text_field(Command command) {
     case save_as:
     case type_camera:
     case export_picture:
+    case turntable:
     case edit_light:
     case rename_light: return true;
     default: return false;

@@ -101,6 +101,7 @@ enum class Command {
     screenshot_png,
     screenshot_exr,
     screenshot_seen,
+    copy_picture,
     export_picture,
     turntable,
     times,
@@ -150,6 +151,9 @@ std::optional<std::pair<int, int>> parse_key(std::string_view text);
 
 /// True if a key of the command also works while a text field has the keyboard.
 bool works_in_text_fields(Command command);
+
+/// True for a command that changes what the render shows, and not only from where or how it is displayed.
+bool changes_scene(Command command);
 
 /// True for a command that opens a text field, which is to have what is typed next.
 bool opens_text_field(Command command);

@@ -37,4 +37,9 @@ constexpr Changes operator|(Change a, Change b) { return Changes(a) | Changes(b)
 inline constexpr Changes everything = Change::camera | Change::lights | Changes(Change::shadows)
                                       | Change::materials | Change::display | Change::redraw;
 
+/// True if another picture than before is seen from the same place.
+constexpr bool is_of_scene(Changes changes) {
+    return changes.has(Change::lights) || changes.has(Change::shadows) || changes.has(Change::materials);
+}
+
 } // namespace sr::viewer

@@ -86,6 +86,14 @@ Keymap Keymap::read(const std::filesystem::path& path) {
     return map;
 }
 
+Keymap Keymap::in_use() {
+    const std::filesystem::path file = keys_file();
+    std::error_code ignored;
+    const bool has_file =
+        !file.empty() && std::filesystem::exists(std::filesystem::symlink_status(file, ignored));
+    return has_file ? read(file) : Keymap();
+}
+
 std::string Keymap::text(Command command) const {
     const auto found = std::ranges::find(bindings_, command, &Binding::command);
     return found == bindings_.end() ? std::string() : keys_of(*found);

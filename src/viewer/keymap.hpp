@@ -19,6 +19,10 @@ public:
     /// key, and for a key of two commands
     static Keymap read(const std::filesystem::path& file);
 
+    /// Those of keys_file(), or the built-in ones where nothing has its name. @throws Error as read() does,
+    /// also for a folder, and for a link that leads nowhere or in a circle
+    static Keymap in_use();
+
     std::span<const Binding> all() const { return bindings_; }
     /// The first key of a command, "Ctrl Shift Z"; empty if it has none.
     std::string text(Command command) const;

@@ -1,13 +1,15 @@
 #include "viewer/workspace.hpp"
 
 #include "core/error.hpp"
+#include "core/file.hpp"
+#include "core/parallel.hpp"
+#include "settings/options.hpp"
 #include "viewer/config.hpp"
 #include "viewer/panels/animation.hpp"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -27,6 +29,27 @@ void Workspace::ask(Question asked) {
     glfwShowWindow(window.handle());
 }
 
+void Workspace::ask_to_replace(const std::string& file, const std::string& free,
+                               const std::function<void(const std::string&)>& write) {
+    ask({fmt::format("{} exists already. Replace it?", file),
+         {{GLFW_KEY_S, fmt::format("Save as {}", file_name(free)), [write, free] { write(free); }},
+          {GLFW_KEY_R, "Replace it", [write, file] { write(file); }},
+          {0, "Cancel"}}});
+}
+
+bool Workspace::is_exporting() {
+    if (exporting.empty()) return false;
+    messages.notify(fmt::format("Now: {}. {} cancels it.", exporting, keys.text(Command::cancel)));
+    return true;
+}
+
+bool Workspace::refuses(Command command) {
+    if (exporting.empty() || !changes_scene(command)) return false;
+    messages.notify(fmt::format("{} would change what is exported. Now: {}. {} cancels it.",
+                                info_of(command).name, exporting, keys.text(Command::cancel)));
+    return true;
+}
+
 void Workspace::answer(const Answer& given) {
     const auto act = given.act; // the answer belongs to the question
     question.reset();
@@ -34,6 +57,11 @@ void Workspace::answer(const Answer& given) {
 }
 
 void Workspace::leave(Departure departure, const std::string& file) {
+    try {
+        if (departure == Departure::open) require_regular_file(file);
+    } catch (const Error& error) {
+        return fail_to_open(error.what()); // no reason for a question about edits
+    }
     if (!scene || !scene->lights().is_unsaved()) return depart(departure, file);
     const std::string copy = name_to_save();
     const auto save_first = [this, copy, departure, file] {
@@ -88,11 +116,7 @@ bool Workspace::save(const std::string& file) {
     });
     const bool is_refused = !has_extension(file, scene_extensions); // by write(), with the reason
     if (is_own || is_refused || !std::filesystem::exists(file, ignored)) return write(file);
-    const std::string free = edited_name(open_file);
-    ask({fmt::format("{} exists already. Replace it?", file),
-         {{GLFW_KEY_S, fmt::format("Save as {}", file_name(free)), [this, free] { write(free); }},
-          {GLFW_KEY_R, "Replace it", [this, file] { write(file); }},
-          {0, "Cancel"}}});
+    ask_to_replace(file, edited_name(open_file), [this](const std::string& chosen) { write(chosen); });
     return false;
 }
 
@@ -121,6 +145,16 @@ bool Workspace::write(const std::string& file) {
     return true;
 }
 
+/// Says why a file cannot be shown. The options are those of the scene that stays.
+void Workspace::fail_to_open(const std::string& problem) {
+    messages.fail(scene ? "Cannot open the file. The previous scene stays." : "Cannot open the file.",
+                  problem);
+    keeps_edits = false;
+    if (!scene) return;
+    options.scene = scene->loaded().file;
+    options.variant = scene->loaded().variant;
+}
+
 void Workspace::open(const std::string& file) {
     if (loading) return messages.notify("A file is loading. Try again when it is done.");
     options.is_reloading = scene && file == scene->loaded().file;
@@ -132,9 +166,8 @@ void Workspace::open(const std::string& file) {
         options.plays = keeps_edits = false;
     }
     options.scene = file;
-    loading = std::async(std::launch::async, [file, options = options, aspect = aspect_ratio()] {
-        return load_scene(file, options, aspect);
-    });
+    loading = started(
+        [file, options = options, aspect = aspect_ratio()] { return load_scene(file, options, aspect); });
 }
 
 void Workspace::reload() {
@@ -148,14 +181,13 @@ void Workspace::show_variant(const std::string& name) {
     options.variant = name;
     options.is_reloading = keeps_edits = true;
     if (!scene::is_look_at(camera->argument())) options.camera = camera->argument();
-    loading = std::async(std::launch::async,
-                         [source = scene->loaded().source, options = options, aspect = aspect_ratio()] {
-                             return load_scene(source, options, aspect);
-                         });
+    loading = started([source = scene->loaded().source, options = options, aspect = aspect_ratio()] {
+        return load_scene(source, options, aspect);
+    });
 }
 
 Changes Workspace::take_loaded() {
-    if (!loading || loading->wait_for(std::chrono::seconds(0)) != std::future_status::ready) return {};
+    if (!loading || !is_done(*loading)) return {};
     try {
         auto loaded = std::exchange(loading, std::nullopt);
         show(loaded->get());
@@ -163,8 +195,7 @@ Changes Workspace::take_loaded() {
         return everything;
     } catch (const Error& error) {
         if (!scene && !has_first_page) throw;
-        messages.fail(scene ? "Cannot open the file. The previous scene stays." : "Cannot open the file.",
-                      error.what());
+        fail_to_open(error.what());
         return Change::redraw;
     }
 }
@@ -241,17 +272,32 @@ Changes Workspace::reload_shaders() {
     return Change::redraw;
 }
 
-std::string Workspace::time_arguments() const {
+settings::RenderSettings Workspace::seen_settings() const {
     const LoadedScene& loaded = scene->loaded();
-    std::string text;
-    if (playback.seconds) {
-        text += fmt::format(" --at {}", *playback.seconds);
-        if (loaded.contents.animations.size() > 1)
-            text += fmt::format(" --animation '{}'",
-                                animation_argument(loaded.contents.animations, playback.animations));
-    }
-    if (!loaded.variant.empty()) text += fmt::format(" --variant '{}'", loaded.variant);
-    return text;
+    const auto& animations = loaded.contents.animations;
+    settings::RenderSettings seen = options;
+    seen.scene = loaded.file;
+    seen.camera = camera->argument();
+    seen.variant = loaded.variant;
+    seen.at = playback.seconds;
+    seen.animation.clear();
+    if (seen.at && animations.size() > 1)
+        seen.animation = animation_argument(animations, playback.animations);
+    seen.size = settings::Size{width, height};
+    seen.stop = scene->render().rule();
+    seen.view = display.view;
+    seen.ev100 = display.ev100;
+    seen.tone_curve = display.curve;
+    return seen;
+}
+
+std::string Workspace::time_arguments() const {
+    const settings::RenderSettings seen = seen_settings();
+    settings::RenderSettings time, variant;
+    time.at = seen.at;
+    time.animation = seen.animation;
+    variant.variant = seen.variant;
+    return settings::render_arguments(time) + settings::render_arguments(variant);
 }
 
 } // namespace sr::viewer

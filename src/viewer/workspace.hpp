@@ -21,6 +21,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <future>
 
 namespace sr::viewer {
@@ -59,7 +60,7 @@ struct Workspace {
     bool is_term_left_out = false;       // the picture beside is the one without a term
     bool is_mixing = false;              // the GPU has the light mixer's lights, and the render waits
     std::string mixing{};                // how far the light mixer is
-    std::string exporting{};             // how far an export is; empty: there is none
+    std::string exporting{};             // how far an export or a turntable is; empty: there is none
     bool is_time_held = false;           // while a light is dragged
     Layout layout{};
     bool wants_panels = false; // hidden panels shall be shown
@@ -75,8 +76,8 @@ struct Workspace {
     std::optional<Question> question{}; // takes all keys until it is answered
     Changes answered{};                 // by the answer to a question
     bool is_closing = false;
-    std::string
-        seen_file{}; // the next frame is written there, as it is seen without panels; empty: it is not
+    /// Takes the next frame, as it is seen without panels, and may throw Error; empty: nobody does.
+    std::function<void(const image::Image& picture)> takes_seen{};
     std::vector<WrittenFile> written{}; // scene files that this run has saved, the last one last
 
     /// Size of the window, in the unit of the pointer.
@@ -93,6 +94,8 @@ struct Workspace {
     }
     /// Place of a point of the window in the picture, from 0 at its upper left to 1.
     vec2 place_in_picture(vec2 at) const { return (at - picture().from) / picture().size; }
+    /// The kept picture that stands in place of the render; null: the render is shown.
+    const KeptPicture* shown_picture() const { return is_term_left_out ? nullptr : kept.shown(); }
     /// True if a surface in the picture lies before this point.
     bool hides(vec3 point) {
         const int step = scene->render().is_interactive() ? 4 : 2; // pixels of the film
@@ -111,7 +114,15 @@ struct Workspace {
         return show_panels() || was_behind;
     }
 
+    /// Says that an export or a turntable is under way, if one is.
+    bool is_exporting();
+    /// Refuses a command that would end what is being exported, with a message. @return whether it did
+    bool refuses(Command command);
+
     void ask(Question asked);
+    /// Asks before a file is replaced, or written under the name `free` instead. @param write gets the name
+    void ask_to_replace(const std::string& file, const std::string& free,
+                        const std::function<void(const std::string&)>& write);
     void answer(const Answer& given);
     /// Quits, opens a file or reloads the current one. Asks first if there are unsaved edits.
     void leave(Departure departure, const std::string& file = {});
@@ -136,10 +147,13 @@ struct Workspace {
     Changes take_loaded();
     /// Restarts the render with the shaders on disk. Reports errors; then the old render stays.
     Changes reload_shaders();
+    /// The settings by which `render` makes the picture that is seen, of the scene file without edits.
+    settings::RenderSettings seen_settings() const;
     /// The arguments of `steradian render` for the current time and variant, each after a space.
     std::string time_arguments() const;
 
 private:
+    void fail_to_open(const std::string& problem);
     void depart(Departure departure, const std::string& file);
     bool write(const std::string& file);
     void show(LoadedScene loaded);

@@ -10,7 +10,7 @@ from . import _native
 
 TABLE = {row["key"]: row for row in _native.options()}
 # Sequences, and files: these belong to the command line.
-_LEFT_OUT = {"frames", "fps", "turntable", "scene", "variant", "strict"}
+_LEFT_OUT = {"frames", "fps", "turntable", "turn_axis", "scene", "variant", "strict"}
 RENDER = {key for key, row in TABLE.items() if row["of_render"]} - _LEFT_OUT
 PROBE = {key for key, row in TABLE.items() if row["of_probe"]} - _LEFT_OUT
 _LISTS = {"aov": ",", "environment": ",", "background": ","}

@@ -17,6 +17,7 @@ from ._result import Result
 
 Progress = Callable[[str, float, str], None]
 Vector = tuple[float, float, float]
+_AXES = {"x": (1, 0, 0), "y": (0, 1, 0), "z": (0, 0, 1), "camera": None}  # that a camera turns around
 
 
 @dataclass(frozen=True)
@@ -43,21 +44,26 @@ class Camera:
         """Returns this camera with other values."""
         return replace(self, **{"number": None, **changes})
 
-    def turned(self, degrees: float, around: Sequence[float] | None = None) -> Camera:
-        """Returns this camera turned by an angle around the upright axis through a point, its target if that is None.
+    def turned(self, degrees: float, around: Sequence[float] | None = None, axis: str = "y") -> Camera:
+        """Returns this camera turned by an angle around an axis through a point, its target if that is None.
 
-        A positive angle goes counter-clockwise, seen from above.
+        axis: "x", "y" (up) or "z" of the scene, or "camera", what is up in its picture. A positive angle goes counter-clockwise for someone
+        whom the axis points to.
 
         >>> steradian.Camera(eye=(0, 1, 4), target=(0, 1, 0)).turned(90).eye
         (4.0, 1.0, 0.0)
         """
         around = self.target if around is None else around
+        back = np.subtract(self.eye, self.target)
+        direction = _AXES[axis] if axis != "camera" else np.cross(back, np.cross(self.up, back))
+        k = np.asarray(direction, float) / np.linalg.norm(direction)
         angle = np.radians(degrees)
-        c, s = float(np.cos(angle)), float(np.sin(angle))
 
         def turn(v: Sequence[float], by: Sequence[float]) -> Vector:
-            x, y, z = (float(a) - float(b) for a, b in zip(v, by))
-            return round(by[0] + c * x + s * z, 12), round(by[1] + y, 12), round(by[2] + c * z - s * x, 12)
+            offset = np.subtract(v, by)  # Rodrigues' formula
+            moved = np.cos(angle) * offset + np.sin(angle) * np.cross(k, offset) + (1 - np.cos(angle)) * np.dot(k, offset) * k
+            x, y, z = (round(float(a), 12) for a in np.add(by, moved))
+            return x, y, z
 
         return self.with_(eye=turn(self.eye, around), target=turn(self.target, around), up=turn(self.up, (0, 0, 0)))
 
@@ -174,13 +180,13 @@ class Scene:
             options["camera"] = self.camera("auto")
         yield from self._sequence(((number, {"at": number / fps, "animation": animation}, {}) for number in numbers), options)
 
-    def turntable(self, count: int = 36, camera: Camera | str | int | None = None, around: Sequence[float] | None = None,
+    def turntable(self, count: int = 36, camera: Camera | str | int | None = None, around: Sequence[float] | None = None, axis: str = "y",
                   **options: Any) -> Iterator[tuple[int, Result]]:
         """Yields `count` pictures from a camera that goes once around the scene, each with its number, as in
         `steradian render --turntable`.
 
         camera: as `render` takes it; picture 0 is from there. around: the point that it goes around; None: the middle of
-        the scene. The other options are those of `render`; an automatic exposure is that of the first picture. The studio
+        the scene. axis: that it goes around: "y" is up in the scene; "x", "z"; "camera": what is up in the first picture. The other options are those of `render`; an automatic exposure is that of the first picture. The studio
         or softboxes that light a dark scene stand still, unless `around` is given: then they are placed for each camera.
 
             for number, picture in scene.turntable(36, size=(640, 360)):
@@ -190,12 +196,14 @@ class Scene:
             raise ValueError(f"count: {count} is not 1 or more")
         if around is not None and len(around) != 3:
             raise ValueError(f"around: {around} is not x, y, z")
+        if axis not in _AXES:
+            raise ValueError(f"axis: {axis!r} is not one of {', '.join(_AXES)}")
         if around is None:
-            moments = ((number, {"camera": camera}, {"turntable": [str(count)], "frames": [f"{number}:{number}"]})
+            moments = ((number, {"camera": camera}, {"turntable": [str(count)], "turn_axis": [axis], "frames": [f"{number}:{number}"]})
                        for number in range(count))
         else:
             begin = camera if isinstance(camera, Camera) else self.camera(camera)
-            moments = ((number, {"camera": begin.turned(360 * number / count, around) if number else begin}, {})
+            moments = ((number, {"camera": begin.turned(360 * number / count, around, axis) if number else begin}, {})
                        for number in range(count))
         yield from self._sequence(moments, options)
 

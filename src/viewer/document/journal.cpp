@@ -182,11 +182,24 @@ bool is_named_by(const LightEdit& edit, const json& entry) {
            && entry.at("shape") == scene::light_kind_names()[edit.light.index()];
 }
 
+/// The same for an entry of a journal that named nodes not yet.
+bool is_of_number(const LightEdit& edit, const json& entry) {
+    return static_cast<int>(edit.kind) == entry.at("kind").get<int>()
+           && edit.source == entry.at("source").get<int>();
+}
+
+/// The name of an entry's light or material, or what is known of it.
+std::string name_in(const json& entry) {
+    return entry.contains("in_file") ? entry.at("in_file").get<std::string>()
+                                     : fmt::format("number {}", entry.at("source").get<int>());
+}
+
 /// Brings the entries of a journal into the edits of `lost`.
 void recover(LostEdits& lost, const json& entries) {
     std::vector<LightEdit>& edits = lost.edits;
     for (const json& entry : entries) {
         const auto matches = [&](const LightEdit& edit) {
+            if (!entry.contains("node")) return is_of_number(edit, entry);
             return lost.has_file_changed ? is_named_by(edit, entry) : is_of(edit, entry);
         };
         auto known = std::ranges::find_if(edits, matches);
@@ -194,7 +207,7 @@ void recover(LostEdits& lost, const json& entries) {
         const bool is_added = source < 0 && entry.contains("added");
         const bool is_ambiguous = std::ranges::count_if(edits, matches) > 1;
         if (is_ambiguous || (known == edits.end() && !is_added)) {
-            lost.missing.push_back(entry.at("in_file").get<std::string>());
+            lost.missing.push_back(name_in(entry));
             continue;
         }
         if (known == edits.end()) {
@@ -219,11 +232,21 @@ fs::path moved_aside(const fs::path& journal) {
     return failure ? journal : aside;
 }
 
-/// Reads a journal. @throws Error if it cannot be read; json::exception if it is damaged
-LostEdits read_journal(const fs::path& journal, const std::vector<LightEdit>& fresh, std::size_t json_hash) {
+/// Time and size of a scene file, by which older journals noticed a change.
+std::string stamp_of(const std::string& file) {
+    std::error_code ignored;
+    const auto time = fs::last_write_time(file, ignored).time_since_epoch().count();
+    return fmt::format("{} {}", time, fs::file_size(file, ignored));
+}
+
+/// Reads a journal of `scene_file`. @throws Error if it cannot be read; json::exception if it is damaged
+LostEdits read_journal(const fs::path& journal, const std::string& scene_file,
+                       const std::vector<LightEdit>& fresh, std::size_t json_hash) {
     const json root = json::parse(read_text(journal));
     LostEdits lost{journal, fresh};
-    lost.has_file_changed = root.at("json_hash").get<std::size_t>() != json_hash;
+    lost.has_file_changed = root.is_object() && root.contains("stamp")
+                                ? root.at("stamp") != stamp_of(scene_file)
+                                : root.at("json_hash").get<std::size_t>() != json_hash;
     recover(lost, root.at("edits"));
     return lost;
 }
@@ -298,7 +321,7 @@ FoundJournals Journal::find(const std::vector<LightEdit>& fresh, std::size_t jso
     for (const auto& [time, journal] : journals) {
         if (found.newest) break;
         try {
-            LostEdits lost = read_journal(journal, fresh, json_hash);
+            LostEdits lost = read_journal(journal, scene_file_, fresh, json_hash);
             if (lost.count > 0 || !lost.missing.empty()) found.newest = std::move(lost);
         } catch (const Error& error) {
             found.problems.emplace_back(error.what());

@@ -11,20 +11,23 @@ void Watch::set(std::vector<fs::path> places) {
 
 Watch::Stamps Watch::look() const {
     Stamps stamps;
-    const auto stamp = [&](const fs::path& file) {
-        std::error_code failure;
-        const Stamp now{fs::last_write_time(file, failure), fs::file_size(file, failure)};
-        if (!failure) stamps.emplace(file, now);
+    const auto stamp = [&](const fs::path& file, bool is_folder) {
+        std::error_code ignored;
+        const fs::file_status own = fs::symlink_status(file, ignored);
+        if (!fs::exists(own)) return;
+        Stamp now{{}, 0, own.type(), fs::status(file, ignored).permissions()};
+        if (!is_folder) now.time = fs::last_write_time(file, ignored);
+        if (!is_folder) now.size = fs::file_size(file, ignored);
+        stamps.emplace(file, now);
     };
     for (const fs::path& place : places_) {
         std::error_code failure;
-        if (!fs::is_directory(place, failure)) {
-            stamp(place);
-            continue;
-        }
+        const bool is_folder = fs::is_directory(place, failure);
+        stamp(place, is_folder);
+        if (!is_folder) continue;
         fs::recursive_directory_iterator entry(place, fs::directory_options::skip_permission_denied, failure);
         for (; !failure && entry != fs::recursive_directory_iterator(); entry.increment(failure))
-            if (entry->is_regular_file(failure)) stamp(entry->path());
+            if (entry->is_regular_file(failure)) stamp(entry->path(), false);
     }
     return stamps;
 }

@@ -21,6 +21,8 @@ private:
     struct Stamp {
         std::filesystem::file_time_type time{};
         std::uintmax_t size = 0;
+        std::filesystem::file_type type{}; // of the file itself: a link may lead nowhere
+        std::filesystem::perms permissions{};
 
         bool operator==(const Stamp&) const = default;
     };

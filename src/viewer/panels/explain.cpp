@@ -52,6 +52,27 @@ std::string digits_or_dash(const std::optional<float>& value) { return value ? d
 
 void text_line(const std::string& text) { ImGui::TextUnformatted(in_plain_letters(text).c_str()); }
 
+/// Puts a sum or a product into the room: lines break before its signs alone, never within a number.
+void equation_line(const std::string& text) {
+    const std::string shown = in_plain_letters(text);
+    const float right = ImGui::GetContentRegionMax().x;
+    for (std::size_t from = 0; from < shown.size();) {
+        // A sign stands between spaces; the piece up to the next one begins with its own.
+        std::size_t end = shown.size();
+        for (const char* sign : {" = ", " + ", " · ", " * "})
+            end = std::min(end, shown.find(in_plain_letters(sign), from + 1));
+        std::string piece = shown.substr(from, end - from);
+        const bool is_first = from == 0;
+        if (!is_first) ImGui::SameLine(0.0f, 0.0f);
+        if (!is_first && ImGui::GetCursorPosX() + ImGui::CalcTextSize(piece.c_str()).x > right) {
+            ImGui::NewLine();
+            piece.erase(0, 1);
+        }
+        ImGui::TextUnformatted(piece.c_str());
+        from = end;
+    }
+}
+
 /// The lights, the brightest at this pixel first.
 std::vector<int> by_brightness(const render::PixelTerms& terms, ColorPart part) {
     std::vector<int> order(terms.lights.size());
@@ -142,15 +163,13 @@ void ExplainPanel::draw_head(const ProbeResult& result, const Ui& ui) {
 void ExplainPanel::draw_equation(const ProbeResult& result, const scene::RenderScene& stage,
                                  const Explanation& explanation, const Ui& ui) {
     const render::PixelTerms& terms = result.terms;
-    ImGui::PushFont(ui.fonts().heading);
-    ImGui::PushTextWrapPos();
-    text_line(sum_of(terms, part_));
+    if (!is_narrow_) ImGui::PushFont(ui.fonts().heading);
+    equation_line(sum_of(terms, part_));
     const auto light = static_cast<std::size_t>(explanation.chosen.light);
     if (light < terms.lights.size())
-        text_line(product_text(product_of(terms.lights[light], part_, reflectance_of(result)),
-                               scene::name_of(stage.lights[light])));
-    ImGui::PopTextWrapPos();
-    ImGui::PopFont();
+        equation_line(product_text(product_of(terms.lights[light], part_, reflectance_of(result)),
+                                   scene::name_of(stage.lights[light])));
+    if (!is_narrow_) ImGui::PopFont();
 }
 
 /// Draws a number that chooses its term.
@@ -173,6 +192,7 @@ void ExplainPanel::draw_light(int light, const ProbeResult& result, const scene:
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     text_line(fmt::format("{} {}", light, scene::name_of(stage.lights[static_cast<std::size_t>(light)])));
+    if (is_narrow_) draw_share(p, part_of(terms.L_o, part_));
     cell(digits_or_dash(p.f_r), at(EquationTerm::f_r), chosen);
     const bool has_extent = p.solid_angle > 0.0f || p.is_mirror;
     const std::string unit(scene::name_of({scene::Quantity::irradiance, stage.scene.units}));
@@ -187,8 +207,14 @@ void ExplainPanel::draw_light(int light, const ProbeResult& result, const scene:
                                : "-",
          at(EquationTerm::visibility), chosen);
     cell(p.is_mirror ? "" : p.f_r ? fmt::format("{:.4f}", p.cos_i) : "-", at(EquationTerm::cosine), chosen);
+    if (!is_narrow_) draw_share(p, part_of(terms.L_o, part_));
+    ImGui::PopID();
+}
+
+/// Draws what the light adds to the pixel, in numbers and as a bar.
+void ExplainPanel::draw_share(const EquationProduct& p, float L_o) const {
     ImGui::TableNextColumn();
-    const float share = p.L_r / std::max(1e-30f, part_of(terms.L_o, part_));
+    const float share = p.L_r / std::max(1e-30f, L_o);
     const ImVec2 from = ImGui::GetCursorScreenPos();
     ImGui::GetWindowDrawList()->AddRectFilled(
         from,
@@ -202,16 +228,22 @@ void ExplainPanel::draw_light(int light, const ProbeResult& result, const scene:
         text_line(is_wide ? fmt::format("0: {}", reason_of(p)) : "0");
         tooltip(reason_of(p));
     }
-    ImGui::PopID();
+}
+
+/// Height of the table: that of all rows in a narrow panel, which scrolls as a whole; else what is left.
+float ExplainPanel::height_of_products(std::size_t lights) const {
+    if (!is_narrow_) return std::max(ImGui::GetContentRegionAvail().y, 5.0f * ImGui::GetFrameHeight());
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float row = ImGui::GetTextLineHeight() + 2.0f * style.CellPadding.y;
+    return static_cast<float>(lights + 2) * row + style.ScrollbarSize + 2.0f * style.CellPadding.y;
 }
 
 void ExplainPanel::draw_products(const ProbeResult& result, const scene::RenderScene& stage,
-                                 const ChosenTerm& chosen, float height) {
-    constexpr auto flags = ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_RowBg
-                           | ImGuiTableFlags_BordersInnerV | ImGuiTableFlags_ScrollY
-                           | ImGuiTableFlags_ScrollX;
+                                 const ChosenTerm& chosen) {
+    const auto flags = ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerV
+                       | ImGuiTableFlags_ScrollX | (is_narrow_ ? 0 : ImGuiTableFlags_ScrollY);
     const std::string radiance(scene::radiance_unit(stage.scene.units));
-    const std::array<std::pair<std::string, const char*>, 7> heads{
+    std::array<std::pair<std::string, const char*>, 7> heads{
         {{"light", "the light's name, the brightest at this pixel first"},
          {"fᵣ [1/sr]", "the BRDF, the mean over the light"},
          {fmt::format("· L [{}]", radiance), "radiance of the light, the mean that makes the product exact"},
@@ -220,6 +252,9 @@ void ExplainPanel::draw_products(const ProbeResult& result, const scene::RenderS
          {"· cos θᵢ", "the mean cosine between the normal and the light, 0 to 1"},
          {fmt::format("= Lᵣ [{}]", radiance),
           "the light that this light makes the surface reflect towards the eye"}}};
+    // The result first, where not all columns have room.
+    if (is_narrow_) std::rotate(heads.begin() + 1, heads.end() - 1, heads.end());
+    const float height = height_of_products(result.terms.lights.size());
     if (!ImGui::BeginTable("products", static_cast<int>(heads.size()), flags, {0.0f, height})) return;
     ImGui::TableSetupScrollFreeze(1, 1);
     draw_table_heads(heads);
@@ -227,7 +262,7 @@ void ExplainPanel::draw_products(const ProbeResult& result, const scene::RenderS
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     text_line("the surface itself");
-    for (int i = 0; i < 5; ++i) ImGui::TableNextColumn();
+    for (int i = 0; !is_narrow_ && i < 5; ++i) ImGui::TableNextColumn();
     cell(fmt::format("Lₑ {}", digits(part_of(result.terms.L_e, part_))),
          {EquationTerm::emission, chosen.light}, chosen);
     ImGui::EndTable();
@@ -309,25 +344,26 @@ ExplainPanel::Request ExplainPanel::draw(const ProbeResult& result, const scene:
     if (ImGui::Begin("Explain", nullptr, flags | ImGuiWindowFlags_NoNavInputs)) {
         draw_head(result, ui);
         const ImVec2 space = ImGui::GetContentRegionAvail();
-        const bool is_narrow = space.x < 60.0f * ImGui::GetFontSize(); // the code is below the numbers
-        const float width = is_narrow ? space.x : std::min(0.58f * space.x, 46.0f * ImGui::GetFontSize());
-        ImGui::BeginChild("numbers", {width, space.y});
+        is_narrow_ = space.x < 60.0f * ImGui::GetFontSize();
+        const float width = std::min(0.58f * space.x, 46.0f * ImGui::GetFontSize());
+        if (!is_narrow_) ImGui::BeginChild("numbers", {width, space.y});
         if (result.terms.coverage == 0.0f)
             text_line("No surface is seen here: Lₒ is the background.");
         else
             draw_equation(result, stage, explanation, ui);
-        draw_products(result, stage, explanation.chosen,
-                      std::max(ImGui::GetContentRegionAvail().y, 5.0f * ImGui::GetFrameHeight()));
-        ImGui::EndChild();
-        if (!is_narrow) ImGui::SameLine();
-        ImGui::BeginChild("code", {0.0f, space.y}, true);
+        draw_products(result, stage, explanation.chosen);
+        if (!is_narrow_) {
+            ImGui::EndChild();
+            ImGui::SameLine();
+            ImGui::BeginChild("code", {0.0f, space.y}, true);
+        }
         ImGui::PushTextWrapPos();
         text_line(meaning_of(explanation.chosen.term, reflectance_of(result) > 0.0f));
         ImGui::PopTextWrapPos();
         draw_omission(result, explanation, ui, keys);
         ImGui::Separator();
         draw_code(stage, explanation, ui);
-        ImGui::EndChild();
+        if (!is_narrow_) ImGui::EndChild();
     }
     if (!is_docked) keep_in_viewport();
     ImGui::End();

@@ -47,8 +47,9 @@ private:
     void draw_head(const ProbeResult& result, const Ui& ui);
     void draw_equation(const ProbeResult& result, const scene::RenderScene& stage,
                        const Explanation& explanation, const Ui& ui);
-    void draw_products(const ProbeResult& result, const scene::RenderScene& stage, const ChosenTerm& chosen,
-                       float height);
+    void draw_products(const ProbeResult& result, const scene::RenderScene& stage, const ChosenTerm& chosen);
+    float height_of_products(std::size_t lights) const;
+    void draw_share(const EquationProduct& product, float L_o) const;
     void draw_light(int light, const ProbeResult& result, const scene::RenderScene& stage,
                     const ChosenTerm& chosen);
     void cell(const std::string& text, const ChosenTerm& here, const ChosenTerm& chosen);
@@ -56,6 +57,7 @@ private:
     void draw_omission(const ProbeResult& result, const Explanation& explanation, const Ui& ui,
                        const Keymap& keymap);
 
+    bool is_narrow_ = false; // numbers and code stand below each other, and the panel scrolls as a whole
     ColorPart part_ = ColorPart::luminance;
     Request request_;
 };

@@ -171,6 +171,7 @@ PixelsOutcome draw_pixels_panel(const ShownFilm& film, const std::optional<Pixel
     if (ImGui::Begin(side::pixels, nullptr,
                      ui.panel_flags(area.has_value()) & ~ImGuiWindowFlags_AlwaysAutoResize)) {
         if (area) heading(side::pixels, ui);
+        ImGui::TextDisabled("of %s", film.source.c_str());
         draw_loupe(film, pointed);
         ImGui::SameLine();
         draw_pointed(film, pointed);

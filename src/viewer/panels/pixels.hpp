@@ -14,6 +14,7 @@ namespace sr::viewer {
 /// A film with its values, as they are shown.
 struct ShownFilm {
     image::Image numbers; // of the view that is shown, or radiance
+    std::string source;   // whose numbers they are: "the render", "picture A"
     std::string unit;     // of `numbers`
     const DisplaySettings& display;
     Area shown;         // area of the window that shows it or a part of it

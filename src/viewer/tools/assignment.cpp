@@ -1,12 +1,12 @@
 // Assignment tool: marks of a student's folder, which child processes check, and the reference render.
 #include "assignment/check.hpp"
 #include "core/error.hpp"
+#include "core/parallel.hpp"
 #include "viewer/document/watch.hpp"
 #include "viewer/palette.hpp"
 #include "viewer/tools/tool.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -89,6 +89,7 @@ public:
     Activity activity() const override;
 
 private:
+    Changes advance_reference();
     Changes end_check();
     bool needs_reference() const;
     void draw_comparison();
@@ -175,7 +176,7 @@ void Checker::begin() {
         const std::lock_guard lock(run->mutex);
         run->found.push_back(mark_of(task));
     };
-    ending_ = std::async(std::launch::async, [submission = submission_, options]() -> std::string {
+    ending_ = started([submission = submission_, options]() -> std::string {
         try {
             assignment::check_submission(submission, options);
         } catch (const Error& error) {
@@ -187,7 +188,7 @@ void Checker::begin() {
 
 bool Checker::take() {
     if (!ending_.valid()) return false;
-    const bool is_over = ending_.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+    const bool is_over = is_done(ending_);
     bool has_new = is_over;
     {
         const std::lock_guard lock(run_->mutex);
@@ -278,9 +279,20 @@ Changes Assignment::update(double /*seconds*/) {
     if (shader_watch_.has_changed()) checker_.begin();
     if (checker_.take()) changes |= Change::redraw;
     if (checker_.take_end()) changes |= end_check();
-    if (needs_reference())
-        ws_.scene->advance_reference(ws_.options, ws_.camera->camera(), ws_.width, ws_.height);
+    if (needs_reference()) changes |= advance_reference();
     return changes;
+}
+
+/// A reference that cannot be rendered is not tried again until a person asks for it.
+Changes Assignment::advance_reference() {
+    try {
+        ws_.scene->advance_reference(ws_.options, ws_.camera->camera(), ws_.width, ws_.height);
+        return {};
+    } catch (const Error& error) {
+        ws_.display.comparison = ComparisonMode::none;
+        ws_.messages.fail("The reference cannot be shown. The render stays.", error.what());
+        return Change::display;
+    }
 }
 
 /// Shows the student's code. The window runs it only after the check has ended: an endless loop would hang

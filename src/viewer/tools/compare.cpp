@@ -1,6 +1,7 @@
 // Comparison tool: a wipe, a difference or a ꟻLIP map between two pictures: the render, kept renders, files.
 #include "compare/planes.hpp"
 #include "core/error.hpp"
+#include "core/parallel.hpp"
 #include "image/file.hpp"
 #include "settings/render_settings.hpp"
 #include "viewer/document/picture_errors.hpp"
@@ -12,7 +13,6 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <chrono>
 #include <filesystem>
 #include <fmt/format.h>
 #include <imgui.h>
@@ -78,7 +78,7 @@ public:
     Changes draw_section() override;
     void notice(Changes changes) override;
     FilmSum film() const override {
-        return ws_.kept.shown() && !ws_.is_term_left_out ? ws_.kept.shown()->picture.sum() : FilmSum{};
+        return ws_.shown_picture() ? ws_.shown_picture()->picture.sum() : FilmSum{};
     }
     FilmSum reference_film() const override;
     bool holds_keyboard() const override { return dialog_.is_open(); }
@@ -232,8 +232,9 @@ Changes Compare::begin_measuring() {
     measured_unit_ = shown.is_displayed || other.is_displayed
                          ? "of a screen's code values"
                          : scene::radiance_unit(ws_.scene->stage().scene.units);
-    measuring_ =
-        std::async(std::launch::async, measure_errors, std::move(shown), std::move(other), ws_.display);
+    measuring_ = started([shown = std::move(shown), other = std::move(other), display = ws_.display] {
+        return measure_errors(shown, other, display);
+    });
     return Change::redraw;
 }
 
@@ -271,13 +272,13 @@ void Compare::begin_flip() {
     const KeptPicture* const reference = ws_.kept.reference();
     if (flipping_ || !reference || ws_.scene->render().sample_count() == 0) return;
     flip_result_ = "computing ...";
-    flipping_ = std::async(std::launch::async, flip_map, shown_picture(), compared(*reference), ws_.display);
+    flipping_ = started([shown = shown_picture(), other = compared(*reference), display = ws_.display] {
+        return flip_map(shown, other, display);
+    });
 }
 
 Changes Compare::update(double /*seconds*/) {
-    const auto is_ready = [](const auto& work) {
-        return work && work->wait_for(std::chrono::seconds(0)) == std::future_status::ready;
-    };
+    const auto is_ready = [](const auto& work) { return work && is_done(*work); };
     Changes changes;
     if (is_ready(flipping_)) changes |= take_flip();
     if (is_ready(measuring_)) changes |= take_metrics();

@@ -1,16 +1,17 @@
 // Export tool: renders the view at any size beside the window's render, and writes it.
 #include "core/error.hpp"
+#include "core/parallel.hpp"
 #include "viewer/config.hpp"
 #include "viewer/panels/export_dialog.hpp"
 #include "viewer/picture_file.hpp"
 #include "viewer/tools/tool.hpp"
-#include "viewer/view/picture_render.hpp"
 
-#define GLFW_INCLUDE_NONE
-#include <GLFW/glfw3.h>
 #include <chrono>
 #include <filesystem>
 #include <fmt/format.h>
+#include <future>
+#include <memory>
+#include <optional>
 #include <utility>
 
 namespace sr::viewer {
@@ -25,7 +26,7 @@ public:
     Changes draw(const Overlay& overlay) override;
     bool holds_keyboard() const override { return dialog_.is_open() && !ws_.question; }
     Activity activity() const override {
-        return render_ ? Activity::active : writing_ ? Activity::waiting : Activity::idle;
+        return render_ ? Activity::active : writing_.valid() ? Activity::waiting : Activity::idle;
     }
 
 private:
@@ -39,10 +40,10 @@ private:
 
     ExportDialog dialog_;
     ExportRequest request_; // that was taken last
-    std::optional<PictureRender> render_;
+    std::unique_ptr<PictureRender> render_;
     std::string camera_; // of the picture, as `render --camera` takes it
     std::chrono::steady_clock::time_point begin_;
-    std::optional<std::future<void>> writing_;
+    std::future<void> writing_;
 };
 
 std::optional<Changes> ExportPicture::handle(const Event& event) {
@@ -60,13 +61,11 @@ std::optional<Changes> ExportPicture::handle(const Event& event) {
 }
 
 void ExportPicture::show() {
-    if (render_ || writing_)
-        return ws_.messages.notify(
-            fmt::format("A picture is being exported. {} cancels it.", ws_.keys.text(Command::cancel)));
+    if (ws_.is_exporting()) return;
     ws_.show_panels();
     ExportRequest proposed = request_;
     if (proposed.file.empty())
-        proposed = {{ws_.width, ws_.height}, ws_.options.stop.samples, ws_.options.stop.error, {}};
+        proposed.picture = {{ws_.width, ws_.height}, ws_.options.stop.samples, ws_.options.stop.error};
     proposed.file = free_name(ws_.scene->loaded().file, ".png");
     dialog_.show(proposed, {ws_.width, ws_.height});
 }
@@ -75,31 +74,25 @@ void ExportPicture::show() {
 void ExportPicture::take(const ExportRequest& wanted) {
     std::error_code ignored;
     if (!std::filesystem::exists(wanted.file, ignored)) return begin(wanted);
-    ws_.ask({fmt::format("{} exists already. Replace it?", wanted.file),
-             {{GLFW_KEY_R, "Replace it", [this, wanted] { begin(wanted); }}, {0, "Cancel"}}});
+    const std::string free =
+        free_name(ws_.scene->loaded().file, std::filesystem::path(wanted.file).extension().string());
+    ws_.ask_to_replace(wanted.file, free, [this, wanted](const std::string& file) {
+        begin({wanted.picture, file});
+    });
 }
 
 void ExportPicture::begin(const ExportRequest& wanted) {
     dialog_.close();
     request_ = wanted;
     ws_.playback.is_playing = false;
-    const auto [width, height] = wanted.size;
-    // A view has no error of its own.
-    const render::StopRule rule{wanted.samples, std::nullopt, ws_.display.view ? std::nullopt : wanted.error};
-    Options options = ws_.options;
-    options.stop = rule;
     camera_ = ws_.camera->argument();
-    const scene::Camera camera =
-        camera_ == "auto" ? ws_.scene->framing_camera(static_cast<float>(width) / static_cast<float>(height))
-                          : ws_.camera->camera();
-    const double ratio = static_cast<double>(width) * height / (static_cast<double>(ws_.width) * ws_.height);
     try {
-        render_.emplace(ws_.scene->gpu(), camera, viewer::render_options(options, width, height), rule,
-                        ratio * ws_.scene->render().seconds_per_sample());
+        render_ = begin_picture(ws_, wanted.picture, camera_for(ws_, wanted.picture.size));
         begin_ = std::chrono::steady_clock::now();
         report();
         ws_.messages.notify(fmt::format("Exporting {} at {}. {} cancels.", wanted.file,
-                                        settings::text_of(wanted.size), ws_.keys.text(Command::cancel)));
+                                        settings::text_of(wanted.picture.size),
+                                        ws_.keys.text(Command::cancel)));
     } catch (const Error& error) {
         fail(error.what());
     }
@@ -107,10 +100,10 @@ void ExportPicture::begin(const ExportRequest& wanted) {
 
 /// Says how far it is, where the message area has the progress of the window's render.
 void ExportPicture::report() {
-    const double done = render_->progress(), share = done / request_.samples;
+    const double done = render_->progress(), share = done / request_.picture.samples;
     const double spent = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
-    ws_.exporting =
-        fmt::format("exporting {}: {} of {} samples", request_.file, render_->samples(), request_.samples);
+    ws_.exporting = fmt::format("exporting {}: {} of {} samples", request_.file, render_->samples(),
+                                request_.picture.samples);
     if (const auto error = render_->monitor().error())
         ws_.exporting += fmt::format(", error {:.2g} %", 100.0 * *error);
     if (done > 0.0 && spent > 1.0)
@@ -118,10 +111,10 @@ void ExportPicture::report() {
 }
 
 Changes ExportPicture::update(double /*seconds*/) {
-    if (writing_ && writing_->wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
+    if (writing_.valid() && is_done(writing_)) {
         try {
-            std::exchange(writing_, std::nullopt)->get();
-            end(fmt::format("Wrote {}: {} pixels.", request_.file, settings::text_of(request_.size)));
+            std::exchange(writing_, {}).get();
+            end(fmt::format("Wrote {}: {} pixels.", request_.file, settings::text_of(request_.picture.size)));
         } catch (const Error& error) {
             fail(error.what());
         }
@@ -141,18 +134,10 @@ Changes ExportPicture::update(double /*seconds*/) {
 
 /// Writes on a thread: a large picture takes seconds.
 void ExportPicture::write() {
-    const render::StopMonitor& monitor = render_->monitor();
-    PictureFile picture = picture_file(ws_, render_->read_film(),
-                                       {.rule = monitor.rule(),
-                                        .samples = render_->samples(),
-                                        .error = monitor.error(),
-                                        .stopped_by = monitor.stopped_by(),
-                                        .light_choices = render_->light_choices(),
-                                        .camera = camera_},
-                                       request_.file);
+    PictureFile picture = picture_file(ws_, *render_, camera_, request_.file);
     render_.reset();
     ws_.exporting = fmt::format("writing {}", request_.file);
-    writing_ = std::async(std::launch::async, [picture = std::move(picture)] { picture.write(); });
+    writing_ = started([picture = std::move(picture)] { picture.write(); });
 }
 
 void ExportPicture::end(const std::string& message) {
@@ -169,9 +154,8 @@ void ExportPicture::fail(const std::string& problem) {
 
 /// A picture is of one scene.
 void ExportPicture::notice(Changes changes) {
-    const bool is_other = changes.has(Change::lights) || changes.has(Change::shadows)
-                          || changes.has(Change::materials) || changes == everything;
-    if (is_other && render_) end("The export has ended, because the scene or the view of it has changed.");
+    if (render_ && is_of_scene(changes))
+        end("The export has ended, because the scene or the view of it has changed.");
     if (changes == everything) dialog_.close();
 }
 

@@ -60,7 +60,11 @@ std::optional<Changes> Files::handle(const Event& event) {
     case Command::screenshot_png: return shoot(".png");
     case Command::screenshot_exr: return shoot(".exr");
     case Command::screenshot_seen:
-        ws_.seen_file = free_name(ws_.scene->loaded().file, ".png");
+        ws_.takes_seen = [this,
+                          file = free_name(ws_.scene->loaded().file, ".png")](const image::Image& picture) {
+            image::write(picture, file, image::SampleType::integer8);
+            ws_.messages.notify(fmt::format("Wrote {}.", file));
+        };
         return Change::redraw;
     case Command::cancel:
         if (!dialog_.is_open() && awaited_.empty()) return std::nullopt;

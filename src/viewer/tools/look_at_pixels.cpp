@@ -35,6 +35,7 @@ private:
     Changes pin();
     std::optional<glm::ivec2> pixel_at(vec2 at) const;
     void read_film();
+    std::string source() const;
     bool is_zoomed() const { return ws_.display.zoom.factor > 1; }
 
     bool is_open_ = false; // the panel
@@ -46,9 +47,10 @@ private:
     glm::ivec2 first_{0};      // corner of the rectangle
     std::optional<PixelRectangle> rectangle_;
     std::vector<glm::ivec2> pinned_;
-    image::Image numbers_; // of the render, as they were read last
+    image::Image numbers_; // of the picture that is shown, as they were read last
     PixelStatistics statistics_;
-    int samples_ = -1; // of `numbers_`; negative: they are out of date
+    char letter_ = 0;  // of the kept picture that they are of; 0: the render
+    int samples_ = -1; // of the render at that time; negative: they are out of date
 };
 
 std::optional<Changes> LookAtPixels::handle(const Event& event) {
@@ -175,35 +177,51 @@ void LookAtPixels::notice(Changes changes) {
     if (is_zoomed()) set_from(vec2(ws_.display.zoom.from)); // the window may have another size
 }
 
-/// Reads the film if it has other samples than before.
+/// Reads the film that is shown if it is another one, or has other samples, than before.
 void LookAtPixels::read_film() {
     const ProgressiveRender& render = ws_.scene->render();
-    const bool has_size = numbers_.width == ws_.width && numbers_.height == ws_.height;
-    if (render.sample_count() == samples_ && has_size) return;
+    const KeptPicture* const kept = ws_.shown_picture();
+    const char letter = kept ? kept->letter : '\0';
+    const bool has_size = kept || (numbers_.width == ws_.width && numbers_.height == ws_.height);
+    if (render.sample_count() == samples_ && letter == letter_ && has_size) return;
     samples_ = render.sample_count();
+    letter_ = letter;
     const output::Variable* const view = ws_.display.view;
-    numbers_ = view ? output::numbers_of(*view, render.read_film()) : render.read_film();
+    numbers_ = kept ? kept->picture.film() : render.read_film();
+    if (view && !(kept && kept->picture.is_display_referred()))
+        numbers_ = output::numbers_of(*view, numbers_);
     const glm::ivec2 size(numbers_.width, numbers_.height);
     if (rectangle_ && (rectangle_->end.x > size.x || rectangle_->end.y > size.y)) rectangle_.reset();
     const PixelRectangle all{glm::ivec2(0), size};
     const auto& [from, end] = rectangle_ ? *rectangle_ : all;
     statistics_ = statistics_of(numbers_, {from, end});
-    ws_.messages.log(fmt::format("Statistics of {}x{}+{}+{}: mean {:.6g}, at most {:.6g}.", end.x - from.x,
-                                 end.y - from.y, from.x, from.y, statistics_.mean.w, statistics_.max.w));
+    ws_.messages.log(fmt::format("Statistics of {}, {}x{}+{}+{}: mean {:.6g}, at most {:.6g}.", source(),
+                                 end.x - from.x, end.y - from.y, from.x, from.y, statistics_.mean.w,
+                                 statistics_.max.w));
+}
+
+/// The picture whose numbers they are.
+std::string LookAtPixels::source() const {
+    return letter_ ? fmt::format("picture {}", letter_) : "the render";
 }
 
 Changes LookAtPixels::draw(const Overlay& overlay) {
     const ProgressiveRender& render = ws_.scene->render();
     const bool has_numbers = is_zoomed() || is_open_;
     const PanelPlace place = is_open_ ? ws_.layout.take_side(side::pixels) : PanelPlace{false};
-    const bool is_coarse = render.is_interactive() || render.sample_count() == 0 || ws_.is_mixing;
+    const KeptPicture* const kept = ws_.shown_picture();
+    const bool is_coarse = !kept && (render.is_interactive() || render.sample_count() == 0 || ws_.is_mixing);
     if (!has_numbers || (is_coarse && numbers_.width == 0)) return {};
     if (is_coarse)
         samples_ = -1; // another picture follows
     else
         read_film();
-    const auto unit = with_superscripts(output::unit_of(ws_.display.view, ws_.scene->stage().scene.units));
-    const ShownFilm film{numbers_, unit, ws_.display, ws_.shown_area(), ws_.picture(), overlay.scale};
+    const auto unit =
+        kept && kept->picture.is_display_referred()
+            ? "linear light of a screen, 0 to 1"
+            : with_superscripts(output::unit_of(ws_.display.view, ws_.scene->stage().scene.units));
+    const ShownFilm film{numbers_,         source(),      unit,         ws_.display,
+                         ws_.shown_area(), ws_.picture(), overlay.scale};
     if (!is_coarse) draw_pixel_numbers(film);
     draw_pixel_marks(film, rectangle_, pinned_);
     if (!place.is_shown) return {};

@@ -2,14 +2,20 @@
 #include "viewer/fields.hpp"
 
 #include "core/error.hpp"
+#include "settings/options.hpp"
+#include "viewer/config.hpp"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <imgui.h>
+#include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 namespace sr::viewer {
 namespace {
@@ -190,24 +196,44 @@ Changes Navigate::next_camera() {
 }
 
 /// Copies the arguments of `steradian render` that make this picture.
+/// What is seen and no argument of `render` says, with what to do; empty if there is nothing.
+std::string Navigate::left_out() const {
+    std::vector<std::string> parts;
+    if (ws_.scene->lights().is_unsaved())
+        parts.push_back(ws_.keys.hint("unsaved edits: save them first", Command::save_as));
+    if (!ws_.scene->loaded().hidden.empty()) parts.emplace_back("hidden objects");
+    if (ws_.scene->alone()) parts.emplace_back("that one light is alone");
+    if (ws_.is_term_left_out) parts.emplace_back("the term that is left out");
+    if (ws_.shown_picture()) parts.emplace_back("the kept picture");
+    const bool has_softboxes =
+        std::ranges::any_of(ws_.scene->lights().entries(),
+                            [](const LightEntry& entry) { return entry.kind == LightEdit::Kind::softbox; });
+    if (has_softboxes) parts.emplace_back("softboxes, which render places for this camera");
+    return parts.empty() ? "" : fmt::format(" Not in it: {}.", fmt::join(parts, "; "));
+}
+
+/// Copies the command that makes the picture which is seen. Edits that were saved are in their file.
 Changes Navigate::copy_view() {
-    const render::StopRule& stop = ws_.options.stop;
-    std::string text = fmt::format("--camera '{}' --size {}x{} --samples {}", ws_.camera->argument(),
-                                   ws_.width, ws_.height, stop.samples);
-    const output::Variable* const view = ws_.display.view;
-    if (view) text += fmt::format(" --view {}", view->name);
-    if (stop.error && !view) text += fmt::format(" --error {}%", static_cast<float>(100.0 * *stop.error));
-    if (const vec3 L = ws_.options.rendering.background; L != vec3(0.0f))
-        text += fmt::format(" --background {:.6g},{:.6g},{:.6g}", L.r, L.g, L.b);
-    text += ws_.time_arguments();
+    settings::RenderSettings seen = ws_.seen_settings();
+    if (!ws_.written.empty() && !ws_.scene->lights().is_unsaved()) {
+        seen.scene = ws_.written.back().file;
+        seen.camera = ws_.camera->look_at_text(); // numbers of cameras may be others in it
+    }
+    // A view has no error of its own: it has as many samples as are seen.
+    if (seen.view && seen.stop.asks_for_error()) seen.stop = {ws_.scene->render().sample_count(), {}, {}};
+    const std::string text = fmt::format("steradian render {} -o {}{}", settings::shell_word(seen.scene),
+                                         settings::shell_word(free_name(ws_.scene->loaded().file, ".png")),
+                                         settings::render_arguments(seen));
     ws_.input.set_clipboard(text);
-    ws_.messages.notify("Copied: " + text);
+    ws_.messages.notify(fmt::format("Copied: {}{}", text, left_out()));
     return Change::redraw;
 }
 
-/// Takes the view from the clipboard: a look-at description, alone or among the arguments of copy_view().
+/// Takes the view from the clipboard: a look-at description, alone or in a command that was copied.
 Changes Navigate::paste_view() {
+    constexpr std::string_view flag = "--camera ";
     std::string text = ws_.input.clipboard();
+    if (const auto at = text.find(flag); at != std::string::npos) text.erase(0, at + flag.size());
     if (const auto quote = text.find('\''); quote != std::string::npos)
         text = text.substr(quote + 1, text.find('\'', quote + 1) - quote - 1);
     try {

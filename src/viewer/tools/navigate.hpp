@@ -70,6 +70,7 @@ public:
 private:
     std::optional<Changes> execute(Command command);
     Changes next_camera();
+    std::string left_out() const;
     Changes copy_view();
     Changes paste_view();
     scene::Bounds selection() const;

@@ -70,6 +70,12 @@ Changes Probe::request(vec2 at) {
         ws_.messages.notify("Point at the picture to probe a pixel.");
         return Change::redraw;
     }
+    if (const KeptPicture* const shown = ws_.shown_picture()) {
+        ws_.messages.notify(
+            fmt::format("Picture {} is shown, and a probe is of the render. {} goes back to it.",
+                        shown->letter, ws_.keys.text(Command::cancel)));
+        return Change::redraw;
+    }
     ws_.show_panels(); // for the table
     const vec2 place = ws_.place_in_picture(at);
     const auto pixel = [](float part, int size) {

@@ -11,6 +11,7 @@
 #include <string>
 #include <unistd.h>
 #include <utility>
+#include <vector>
 
 namespace sr::viewer {
 namespace {
@@ -33,13 +34,23 @@ std::optional<double> resident_memory() {
 
 using SampleTimes = ProgressiveRender::SampleTimes;
 
-/// The mean of the samples.
-std::array<Part, 2> parts_of_sample(const SampleTimes& times) {
+/// The mean of the samples: by pass, if the passes were measured.
+std::vector<Part> parts_of_sample(const SampleTimes& times) {
     const double samples = std::max(1, times.samples);
     const double rays = times.rays ? times.rays->seconds : 0.0;
-    return {{{"surfaces", (times.seconds - rays) / samples,
-              "depth, shading and adding to the film; with shadow rays that the GPU traces"},
-             {"shadow rays", rays / samples, "that the CPU traced"}}};
+    const Part traced{"shadow rays", rays / samples, "that the CPU traced"};
+    if (!times.passes)
+        return {{"surfaces", (times.seconds - rays) / samples,
+                 "depth, shading and adding to the film; with shadow rays that the GPU traces"},
+                traced};
+    const auto& [depth, shading, adding] = *times.passes;
+    return {{"depth", depth / samples, "of opaque surfaces, with depth maps and the background"},
+            {"shading", (shading - rays) / samples,
+             "of opaque and of blended surfaces; with shadow rays that the GPU traces"},
+            traced,
+            {"adding", adding / samples, "of the frame to the film"},
+            {"the rest", (times.seconds - depth - shading - adding) / samples,
+             "between the passes: memory that a film needs first, and the time that other programs took"}};
 }
 
 void draw_parts(const char* name, std::span<const Part> parts) {
@@ -87,6 +98,7 @@ std::optional<Changes> ShowTimes::handle(const Event& event) {
 }
 
 Changes ShowTimes::update(double /*seconds*/) {
+    ws_.scene->render().measure_passes(is_open_); // a scene that was loaded has another render
     if (!is_open_) return {};
     const ProgressiveRender& render = ws_.scene->render();
     if (render.is_converged() && !std::exchange(was_converged_, true)) report();
@@ -107,6 +119,7 @@ void ShowTimes::draw_contents() {
     ImGui::TextWrapped("%s", progress_of(render).c_str());
     ImGui::Separator();
     draw_parts("a sample", parts_of_sample(times));
+    if (!times.passes) ImGui::TextDisabled("the next picture is measured by pass");
     ImGui::TextDisabled("mean of %d samples of %d x %d pixels", times.samples, ws_.width, ws_.height);
     if (times.rays && times.rays->seconds > 0.0)
         ImGui::TextDisabled("%.3g million rays a second",

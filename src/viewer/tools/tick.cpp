@@ -4,11 +4,11 @@
 #include "assignment/submission.hpp"
 #include "core/error.hpp"
 #include "core/file.hpp"
+#include "core/parallel.hpp"
 #include "image/whole_file.hpp"
 #include "viewer/tools/tool.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <fmt/format.h>
 #include <future>
@@ -90,7 +90,7 @@ Tick::Tick(Workspace& workspace) : Tool(workspace) {
     const std::filesystem::path submission = ws_.options.submission;
     options.grading->assignment =
         std::filesystem::absolute(assignment::assignment_of(assignment::label_of(submission)));
-    making_ = std::async(std::launch::async, [submission, options]() -> TickQuestion {
+    making_ = started([submission, options]() -> TickQuestion {
         try {
             if (auto examination = assignment::examine(submission, options, ""))
                 return *std::move(examination);
@@ -107,7 +107,7 @@ Tick::~Tick() {
 }
 
 Changes Tick::update(double /*seconds*/) {
-    if (!making_.valid() || making_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return {};
+    if (!making_.valid() || !is_done(making_)) return {};
     const TickQuestion examination = making_.get();
     questions_ = examination["questions"].get<std::vector<TickQuestion>>();
     missing_ = examination["missing"].get<std::vector<std::string>>();

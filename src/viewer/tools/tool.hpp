@@ -72,6 +72,7 @@ std::unique_ptr<Tool> make_adjust_display(Workspace& workspace);
 std::unique_ptr<Tool> make_animate(Workspace& workspace);
 std::unique_ptr<Tool> make_assignment(Workspace& workspace); // null without an assignment
 std::unique_ptr<Tool> make_compare(Workspace& workspace);
+std::unique_ptr<Tool> make_copy_picture(Workspace& workspace);
 std::unique_ptr<Tool> make_edit_lights(Workspace& workspace);
 std::unique_ptr<Tool> make_explain(Workspace& workspace);
 std::unique_ptr<Tool> make_export_picture(Workspace& workspace);

@@ -1,88 +1,235 @@
-// Turntable tool: writes a PNG of the converged render at each step of a turn around the pivot.
+// Turntable tool: pictures of a full turn around the pivot, as PNGs or a video, beside the window's render.
 #include "core/error.hpp"
-#include "image/file.hpp"
+#include "core/parallel.hpp"
+#include "image/video.hpp"
+#include "picture/open_scene.hpp"
 #include "viewer/config.hpp"
+#include "viewer/panels/turntable_dialog.hpp"
+#include "viewer/picture_file.hpp"
 #include "viewer/tools/tool.hpp"
 
-#define GLFW_INCLUDE_NONE
-#include <GLFW/glfw3.h>
+#include <chrono>
 #include <filesystem>
 #include <fmt/format.h>
+#include <future>
+#include <memory>
+#include <optional>
+#include <stop_token>
+#include <string>
 #include <utility>
 
 namespace sr::viewer {
+namespace {
+
+/// ".mp4" or ".webm"; empty for a folder.
+std::string extension_of(const std::string& target) {
+    const std::filesystem::path file(target);
+    return image::is_video(file) ? file.extension().string() : "";
+}
+
+} // namespace
 
 class Turntable : public Tool {
 public:
     using Tool::Tool;
+    ~Turntable() override { stop(); }
 
     std::optional<Changes> handle(const Event& event) override;
     Changes update(double seconds) override;
-    Activity activity() const override { return folder_.empty() ? Activity::idle : Activity::active; }
+    void notice(Changes changes) override;
+    Changes draw(const Overlay& overlay) override;
+    bool holds_keyboard() const override { return dialog_.is_open() && !ws_.question; }
+    Activity activity() const override {
+        if (!turning_) return Activity::idle;
+        return turning_->writing.valid() ? Activity::waiting : Activity::active;
+    }
 
 private:
-    void ask();
-    void begin(int steps);
+    /// A turn that is being written.
+    struct Turning {
+        TurntableRequest request;
+        picture::Turn turn;
+        std::unique_ptr<PictureRender> render;     // of the picture at hand
+        std::shared_ptr<image::VideoFile> video{}; // null: PNGs
+        int step = 0;                              // pictures that were taken
+        bool is_ending = false;                    // the video is
+        std::future<void> writing{};               // of the last picture, or of the end of the video
+        std::stop_source stop{};
+        std::chrono::steady_clock::time_point begin = std::chrono::steady_clock::now();
 
-    std::string folder_; // that is written to; empty: none
-    int step_ = 0;
-    int steps_ = 0; // of the full turn
+        std::string file_of_step() const { return fmt::format("{}/{:04}.png", request.target, step); }
+    };
+
+    void show();
+    void take(const TurntableRequest& wanted);
+    void begin(const TurntableRequest& wanted);
+    Turning turning_for(const TurntableRequest& wanted) const;
+    void advance();
+    void take_picture();
+    void report();
+    void stop();
+    void end(const std::string& message);
+
+    TurntableDialog dialog_;
+    TurntableRequest request_; // that was taken last
+    std::optional<Turning> turning_;
 };
 
 std::optional<Changes> Turntable::handle(const Event& event) {
     const auto command = command_in(event);
     if (command == Command::turntable) {
-        ask();
+        show();
         return Change::redraw;
     }
-    if (command != Command::cancel || folder_.empty()) return std::nullopt;
-    folder_.clear();
-    ws_.messages.notify("Turntable cancelled.");
+    if (command != Command::cancel || !(dialog_.is_open() || turning_)) return std::nullopt;
+    if (dialog_.is_open())
+        dialog_.close();
+    else
+        end(turning_->video ? "Turntable cancelled: no video is written."
+                            : fmt::format("Turntable cancelled after {} pictures.", turning_->step));
     return Change::redraw;
 }
 
-void Turntable::ask() {
-    if (!folder_.empty()) return ws_.messages.notify("A turntable is being written. Esc cancels it.");
-    const auto begin_with = [this](int steps) { return [this, steps] { begin(steps); }; };
-    ws_.ask({"A turntable is a full turn around the pivot. How many pictures?",
-             {{GLFW_KEY_3, "36, every 10°", begin_with(36)},
-              {GLFW_KEY_1, "12, every 30°", begin_with(12)},
-              {GLFW_KEY_7, "72, every 5°", begin_with(72)},
-              {GLFW_KEY_9, "360, every 1°", begin_with(360)},
-              {0, "Cancel"}}});
+void Turntable::show() {
+    if (ws_.is_exporting()) return;
+    ws_.show_panels();
+    TurntableRequest proposed = request_;
+    if (proposed.target.empty())
+        proposed.picture = {{ws_.width, ws_.height}, ws_.options.stop.samples, ws_.options.stop.error};
+    proposed.target = free_name(ws_.scene->loaded().file, "-turntable" + extension_of(request_.target));
+    dialog_.show(proposed, {ws_.width, ws_.height});
 }
 
-void Turntable::begin(int steps) {
-    ws_.playback.is_playing = false;
-    const std::string folder = free_name(ws_.scene->loaded().file, "-turntable");
+/// Asks before a video is replaced.
+void Turntable::take(const TurntableRequest& wanted) {
+    std::error_code ignored;
+    if (!std::filesystem::exists(wanted.target, ignored)) return begin(wanted);
+    const std::string free = free_name(ws_.scene->loaded().file, "-turntable" + extension_of(wanted.target));
+    ws_.ask_to_replace(wanted.target, free, [this, wanted](const std::string& target) {
+        TurntableRequest request = wanted;
+        request.target = target;
+        begin(request);
+    });
+}
+
+Turntable::Turning Turntable::turning_for(const TurntableRequest& wanted) const {
+    const std::string& argument = ws_.camera->argument();
+    const bool is_free = argument == "auto" || scene::is_look_at(argument);
+    const scene::Camera camera = camera_for(ws_, wanted.picture.size);
+    // A camera that frames the scene goes around its middle, as that of `render --turntable` does.
+    const vec3 around = argument == "auto" ? ws_.camera->bounds().center() : ws_.camera->view().pivot;
+    Turning turning{.request = wanted,
+                    .turn = {camera, ws_.camera->bounds(), around, wanted.pictures, wanted.axis, is_free},
+                    .render = begin_picture(ws_, wanted.picture, camera)};
+    if (image::is_video(wanted.target)) {
+        turning.video = std::make_shared<image::VideoFile>(wanted.target, wanted.rate);
+        return turning;
+    }
     std::error_code failure;
-    std::filesystem::create_directory(folder, failure);
-    if (failure) return ws_.messages.fail("Cannot write a turntable.", folder + ": " + failure.message());
-    folder_ = folder;
-    step_ = 0;
-    steps_ = steps;
-    if (ws_.exposure.is_automatic()) ws_.exposure.fix(ws_.exposure.ev100()); // the same for all steps
-    ws_.messages.notify("Writing a turntable. Esc cancels.");
+    std::filesystem::create_directory(wanted.target, failure);
+    if (failure)
+        throw Error({wanted.target}, fmt::format("cannot be made ({})", failure.message()),
+                    "choose a folder of yours");
+    return turning;
+}
+
+void Turntable::begin(const TurntableRequest& wanted) {
+    request_ = wanted;
+    try {
+        turning_.emplace(turning_for(wanted));
+    } catch (const Error& error) {
+        return dialog_.refuse(error.what());
+    }
+    dialog_.close();
+    ws_.playback.is_playing = false;
+    report();
+    ws_.messages.notify(
+        fmt::format("Writing {}. {} cancels.", wanted.target, ws_.keys.text(Command::cancel)));
+}
+
+/// Says how far it is, where the message area has the progress of the window's render.
+void Turntable::report() {
+    const int count = turning_->request.pictures;
+    const double spent =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - turning_->begin).count();
+    ws_.exporting = fmt::format("turntable: {} of {} pictures", turning_->step, count);
+    if (turning_->step > 0)
+        ws_.exporting += fmt::format(", {:.0f} s left", spent * (count - turning_->step) / turning_->step);
+}
+
+/// The next picture is rendered while this one is written on a thread.
+void Turntable::take_picture() {
+    Turning& turning = *turning_;
+    const std::string file = turning.video ? turning.request.target : turning.file_of_step();
+    const auto picture =
+        std::make_shared<PictureFile>(picture_file(ws_, *turning.render, ws_.camera->argument(), file));
+    turning.writing = started([picture, video = turning.video, stop = turning.stop.get_token()] {
+        if (video)
+            video->add(output::shown(picture->film, picture->settings).picture, stop);
+        else
+            picture->write();
+    });
+    if (++turning.step < turning.request.pictures)
+        turning.render->look_from(turning.turn.camera(turning.step));
+    report();
+}
+
+void Turntable::advance() {
+    Turning& turning = *turning_;
+    const bool is_whole = turning.step == turning.request.pictures;
+    const bool is_writing = turning.writing.valid() && !is_done(turning.writing);
+    if (!is_writing && turning.writing.valid()) std::exchange(turning.writing, {}).get();
+    if (!is_whole && !turning.render->is_done()) return turning.render->advance();
+    if (is_writing) return;
+    if (!is_whole) return take_picture();
+    if (turning.is_ending || !turning.video)
+        return end(fmt::format("Wrote {}: {} pictures.", turning.request.target, turning.step));
+    turning.is_ending = true;
+    ws_.exporting = fmt::format("encoding {}", turning.request.target);
+    turning.writing =
+        started([video = turning.video, stop = turning.stop.get_token()] { video->put_in_place(stop); });
 }
 
 Changes Turntable::update(double /*seconds*/) {
-    if (folder_.empty() || !ws_.scene->render().is_converged()) return {};
-    const image::Image picture =
-        image::displayed(ws_.scene->render().read_film(), ws_.exposure.ev100(), *ws_.display.curve);
+    // A view that moves has all of the time.
+    if (!turning_ || (ws_.scene->render().is_interactive() && !ws_.scene->render().is_converged())) return {};
     try {
-        image::write(picture, fmt::format("{}/{:03}.png", folder_, step_), image::SampleType::integer8);
+        advance();
     } catch (const Error& error) {
-        folder_.clear();
-        ws_.messages.fail("The turntable is incomplete.", error.what());
-        return Change::redraw;
+        const std::string problem = error.what();
+        end("The turntable has ended.");
+        ws_.messages.fail("The turntable is incomplete.", problem);
     }
-    Viewpoint view = ws_.camera->view();
-    orbit(view, {2.0f * pi / static_cast<float>(steps_), 0.0f});
-    ws_.camera->move_to(view);
-    const bool is_last = ++step_ == steps_;
-    ws_.messages.notify(is_last ? fmt::format("Wrote {}: {} pictures.", std::exchange(folder_, {}), steps_)
-                                : fmt::format("Turntable: {} of {}. Esc cancels.", step_, steps_));
-    return Change::camera;
+    return Change::redraw;
+}
+
+/// Ends the encoder, and waits for its thread.
+void Turntable::stop() {
+    if (!turning_) return;
+    turning_->stop.request_stop();
+    if (turning_->writing.valid()) turning_->writing.wait();
+}
+
+void Turntable::end(const std::string& message) {
+    stop();
+    turning_.reset();
+    ws_.exporting.clear();
+    ws_.messages.notify(message);
+}
+
+/// A turn is of one scene.
+void Turntable::notice(Changes changes) {
+    if (changes == everything) dialog_.close();
+    if (turning_ && is_of_scene(changes))
+        end("The turntable has ended, because the scene or the view of it has changed.");
+}
+
+Changes Turntable::draw(const Overlay& /*overlay*/) {
+    const auto wanted = dialog_.draw();
+    if (const std::string field = dialog_.take_focused(); !field.empty())
+        ws_.messages.log("Field of the turntable: " + field);
+    if (wanted) take(*wanted);
+    return wanted || dialog_.wants_focus() ? Changes(Change::redraw) : Changes();
 }
 
 std::unique_ptr<Tool> make_turntable(Workspace& workspace) { return std::make_unique<Turntable>(workspace); }

@@ -13,6 +13,13 @@ PictureRender::PictureRender(const render::GpuScene& scene, const scene::Camera&
     renderer_.compile();
 }
 
+void PictureRender::look_from(const scene::Camera& camera) {
+    renderer_.look_from(camera);
+    monitor_.restart();
+    spent_ = 0.0;
+    rows_ = 0;
+}
+
 void PictureRender::advance() {
     using Clock = std::chrono::steady_clock;
     const int height = renderer_.height();

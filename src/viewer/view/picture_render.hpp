@@ -14,6 +14,8 @@ public:
     PictureRender(const render::GpuScene& scene, const scene::Camera& camera,
                   const render::RenderOptions& options, const render::StopRule& rule, double guess);
 
+    /// Begins another picture of the same scene and size.
+    void look_from(const scene::Camera& camera);
     /// Works for a short while, or for a tenth of a sample where that takes longer. @throws Error
     void advance();
     bool is_done() const { return monitor_.stopped_by().has_value(); }

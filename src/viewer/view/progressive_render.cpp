@@ -130,11 +130,21 @@ void ProgressiveRender::begin_converging() {
     renderer_.look_from(camera_);
     sampled_ = 0.0;
     rays_ = no_rays_ = renderer_.traced_rays();
+    passes_ = {};
+    whole_passes_.reset();
+    if (measures_passes_) whole_passes_.emplace();
+}
+
+void ProgressiveRender::measure_passes(bool measures) {
+    if (measures == measures_passes_) return;
+    measures_passes_ = measures;
+    renderer_.measure_passes(measures ? &passes_ : nullptr);
+    whole_passes_.reset(); // they would lack the samples so far, or those that follow
 }
 
 ProgressiveRender::SampleTimes ProgressiveRender::sample_times() const {
     if (is_interactive_) return {};
-    SampleTimes times{renderer_.sample_count(), sampled_, rays_};
+    SampleTimes times{renderer_.sample_count(), sampled_, rays_, whole_passes_};
     if (times.rays && no_rays_) {
         times.rays->count -= no_rays_->count;
         times.rays->seconds -= no_rays_->seconds;
@@ -249,6 +259,7 @@ void ProgressiveRender::advance_converging() {
         seconds_ = spent_;
         sampled_ += spent_;
         rays_ = renderer_.traced_rays();
+        if (whole_passes_) whole_passes_ = passes_;
         spent_ = 0.0;
         is_kept_shown_ = false;
         if (monitor_.took_sample(renderer_, seconds_)) update_frozen_weights();

@@ -72,8 +72,11 @@ public:
     struct SampleTimes {
         int samples = 0;
         double seconds = 0.0;
-        std::optional<render::TracedRays> rays; // absent where the CPU traces none
+        std::optional<render::TracedRays> rays;  // absent where the CPU traces none
+        std::optional<render::PassTimes> passes; // absent unless they were measured from the first sample on
     };
+    /// Measures the parts of samples, for which the GPU is waited for after each, or measures them no more.
+    void measure_passes(bool measures);
     SampleTimes sample_times() const;
 
     /// The complete samples. A converging render without any shows the interactive one.
@@ -108,6 +111,9 @@ private:
     double sampled_ = 0.0;                      // time of the complete samples of the converging render [s]
     std::optional<render::TracedRays> rays_;    // after the last complete sample
     std::optional<render::TracedRays> no_rays_; // before the first one
+    bool measures_passes_ = false;
+    render::PassTimes passes_;                      // of the samples so far, the one at hand included
+    std::optional<render::PassTimes> whole_passes_; // after the last complete sample
     /// Copy of the film before a sample that takes several calls, or before the render became a converging
     /// one.
     std::optional<render::RenderTarget> kept_;

@@ -4,10 +4,13 @@
 usage: motion_test.py STERADIAN SCENES_FOLDER TEST_NAME     (TEST_NAME is a method of Motion below)
 """
 import json
+import os
+import shutil
 import signal
 import subprocess
 import sys
 import time
+import unittest
 from pathlib import Path
 
 import cli_test
@@ -74,6 +77,76 @@ class Motion(cli_test.CommandLine):
         (self.folder / "t.3.exr").unlink()
         self.assertEqual(self.render("t.#.exr", "--turntable", "4", "--frames", "3:", "--camera", "eye=0,1,4;target=0,1,0;near=0.1;far=20").returncode, 0)
         self.assertEqual((self.folder / "t.3.exr").read_bytes(), whole)
+
+    def test_a_turntable_goes_around_other_axes(self):
+        camera = "near=0.1;far=20;eye=0,1,4;target=0,1,0"
+        turn = "--turntable", "4", "--frames", "1:1", "--camera", camera, "--turn-axis"
+        bounds = json.loads(cli_test.run("info", SCENE, "--json").stdout)["bounds [m]"]
+        x, y, z = (0.5 * (bounds["min"][axis] + bounds["max"][axis]) for axis in range(3))
+        eye, target = (f"{p[0]},{y - (p[2] - z)},{z + (p[1] - y)}" for p in ((0, 1, 4), (0, 1, 0)))  # by 90 degrees around x
+        self.assertEqual(self.render("still.exr", "--camera", f"near=0.1;far=20;eye={eye};target={target};up=0,0,1").returncode, 0)
+        for axis in "x", "y", "z", "camera":
+            result = self.render(f"{axis}.#.exr", *turn, axis)
+            self.assertEqual((result.returncode, result.stderr), (0, ""))
+        self.assertLess(self.difference(self.folder / "still.exr", self.folder / "x.1.exr"), 0.01)
+        self.assertLess(self.difference(self.folder / "y.1.exr", self.folder / "camera.1.exr"), 0.01)  # it stands upright
+        for one, other in ("x", "y"), ("x", "z"), ("y", "z"):
+            self.assertGreater(self.difference(self.folder / f"{one}.1.exr", self.folder / f"{other}.1.exr"), 0.1)
+        self.assertEqual(self.render("a.png", "--turn-axis", "x").returncode, 2)
+
+    @unittest.skipUnless(shutil.which("ffmpeg"), "ffmpeg is missing: tools/setup")
+    def test_a_video_has_the_pictures_of_its_frames(self):
+        result = cli_test.run("render", SCENE, *(word for name in ("v.mp4", "v.webm", "v.#.png") for word in ("-o", self.folder / name)),
+                              "--turntable", "3", "--fps", "5", "--size", "95x63", "--samples", "2", "--tone-curve", "agx", "--json")
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        names = ["v.0.png", "v.1.png", "v.2.png", "v.mp4", "v.webm"]
+        self.assertEqual([Path(name).name for name in json.loads(result.stdout)["outputs"]], names)
+        self.assertEqual(sorted(path.name for path in self.folder.iterdir()), names)
+        self.assertGreater(self.difference(self.folder / "v.0.png", self.folder / "v.1.png"), 0.1)
+        for kind in "mp4", "webm":
+            subprocess.run(["ffmpeg", "-v", "error", "-i", self.folder / f"v.{kind}", "-vf", "scale=in_color_matrix=bt709:in_range=tv,format=rgb24,crop=95:63:0:0",
+                            "-start_number", "0", self.folder / f"{kind}.%d.png"], check=True)
+            self.assertEqual(len(list(self.folder.glob(f"{kind}.*.png"))), 3)
+            for number in range(3):  # agx against aces is 0.024; the pictures of two frames differ by 0.17
+                compared = cli_test.run("compare", self.folder / f"v.{number}.png", self.folder / f"{kind}.{number}.png", "--json")
+                self.assertLess(json.loads(compared.stdout)["metrics"]["mean_abs"], 0.014, (kind, number))
+
+    def test_a_video_without_its_encoder_is_one_line(self):
+        video = "render", SCENE, "-o", self.folder / "v.mp4", "--turntable", "3"
+        self.assert_refused(cli_test.run(*video, env={**os.environ, "PATH": str(self.folder)}), "v.mp4", "ffmpeg", "apt-get install")
+        self.assertEqual(list(self.folder.iterdir()), [])
+
+    def encoder(self, body):
+        """The environment of a shell script in place of ffmpeg."""
+        program = self.folder / "bin" / "ffmpeg"
+        program.parent.mkdir(exist_ok=True)
+        program.write_text(f"#!/bin/sh\n{body}\n")
+        program.chmod(0o755)
+        return {**os.environ, "PATH": f"{program.parent}:{os.environ['PATH']}"}
+
+    def test_an_encoder_that_fails_leaves_no_video(self):
+        video = "render", SCENE, "-o", self.folder / "v.mp4", "--turntable", "3", "--size", "48x32", "--samples", "1"
+        result = cli_test.run(*video, env=self.encoder("echo 'Unknown encoder' >&2; exit 1"))
+        self.assert_refused(result, "v.mp4", "Unknown encoder")
+        self.assertEqual([path.name for path in self.folder.iterdir()], ["bin"])
+        single = cli_test.run("render", SCENE, "-o", self.folder / "v.webm", env=self.encoder("exit 0"))
+        self.assertEqual(single.returncode, 2)
+        self.assertIn("--turntable", single.stderr)
+
+    def test_an_interrupted_video_is_not_written(self):
+        """The encoder never ends: the render waits for it, and Ctrl-C ends both."""
+        environment = self.encoder(f"echo $$ > {self.folder}/pid; exec sleep 100")
+        process = subprocess.Popen([cli_test.STERADIAN, "render", SCENE, "-o", self.folder / "v.mp4", "--turntable", "2", "--size", "48x32",
+                                    "--samples", "1"], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=environment)
+        deadline = time.monotonic() + 60.0
+        while not (self.folder / "pid").exists() and time.monotonic() < deadline:
+            time.sleep(0.05)
+        process.send_signal(signal.SIGINT)
+        _, stderr = process.communicate(timeout=60)
+        self.assertEqual(process.returncode, 130, stderr)
+        self.assertIn("no video is written", stderr)
+        self.assertEqual(sorted(path.name for path in self.folder.iterdir()), ["bin", "pid"])
+        self.assertFalse(Path("/proc", (self.folder / "pid").read_text().strip()).exists(), "the encoder still runs")
 
     def test_a_turning_camera_cuts_nothing_off(self):
         """The zoo is a long row, which is farther off from its front than from its ends."""

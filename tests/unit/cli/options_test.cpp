@@ -53,6 +53,28 @@ const Test survives("unit.cli.options.a_value_survives_as_text", [] {
         }
 });
 
+const Test arguments("unit.cli.options.those_that_are_set_become_arguments_again", [] {
+    EXPECT_EQ(settings::render_arguments({}), "");
+    for (const Option& option : settings::all_options())
+        for (const std::string& text : examples_of(option)) {
+            settings::RenderSettings settings;
+            option.value.read(option.value, settings, text);
+            const bool is_said = (option.takers & settings::by_render)
+                                 && option.key != std::string("gl_debug")
+                                 && text != settings::default_of(option);
+            const std::string value =
+                option.value.kind == Value::Kind::flag ? "" : " " + settings::shell_word(text);
+            EXPECT_EQ(settings::render_arguments(settings), is_said ? " " + option.flag() + value : "");
+        }
+    settings::RenderSettings settings;
+    settings.shaders = {"a b", "c"};
+    settings.camera = "eye=0,1,4;target=0,1,0";
+    EXPECT_EQ(settings::render_arguments(settings),
+              " --camera 'eye=0,1,4;target=0,1,0' --shaders 'a b' --shaders c");
+    EXPECT_EQ(settings::shell_word("it's"), "'it'\\''s'");
+    EXPECT_EQ(settings::shell_word(""), "''");
+});
+
 const Test refuses("unit.cli.options.refuse_what_they_do_not_allow", [] {
     settings::RenderSettings settings;
     for (const Option& option : settings::all_options()) {

@@ -204,6 +204,12 @@ def test_a_turntable_goes_once_around():
     middle = [(a + b) / 2 for a, b in zip(low, high)]
     apart = next(p for n, p in scene.turntable(4, around=middle, size=(16, 16), samples=2) if n == 1)
     assert np.isclose(apart.image, pictures[1][1].image, rtol=1e-3, atol=1e-3).mean() > 0.9
+    tipped = {axis: next(p for n, p in scene.turntable(4, around=around, axis=axis, size=(16, 16), samples=2) if n == 1).image
+              for axis, around in (("x", None), ("camera", middle))}
+    apart = next(p for n, p in scene.turntable(4, around=middle, axis="x", size=(16, 16), samples=2) if n == 1)
+    assert np.isclose(apart.image, tipped["x"], rtol=1e-3, atol=1e-3).mean() > 0.9
+    assert not np.isclose(apart.image, pictures[1][1].image, rtol=1e-3, atol=1e-3).mean() > 0.9
+    assert np.isclose(tipped["camera"], pictures[1][1].image, rtol=1e-3, atol=1e-3).mean() > 0.9  # it stands upright
     camera = scene.camera("auto")
     around = camera.turned(360, (0, 0, 0))
     assert np.allclose(around.eye, camera.eye) and np.allclose(around.target, camera.target)
@@ -211,6 +217,7 @@ def test_a_turntable_goes_once_around():
     refused(ValueError, lambda: next(scene.turntable(0)), "count")
     refused(ValueError, lambda: next(scene.turntable(3, around=(0, 0))), "around")
     refused(ValueError, lambda: next(scene.turntable(3, size=16)), "size", "(width, height)")
+    refused(ValueError, lambda: next(scene.turntable(3, axis="up")), "axis", "camera")
 
 
 def test_a_probe_is_a_table():

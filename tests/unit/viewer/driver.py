@@ -171,6 +171,18 @@ class Viewer:
         self.display.do("type", "--delay", "20", text)
         self.key("Return")
 
+    def fill(self, key: str, form: str, fields: dict[str, str | None]):
+        """Opens a form by a key, types into its fields one after the other (None: leaves what is there), and presses Enter."""
+        for name, text in fields.items():
+            said = f"Field of the {form}: {name}\n"
+            count = self.errors().count(said)
+            self.key(key)
+            self.said(said, count + 1)
+            if text is not None:
+                self.display.do("type", "--delay", "20", text)
+            key = "Tab"
+        self.key("Return")
+
     def count(self, color: tuple[int, int, int]) -> int:
         """How many pixels of the screen have just this colour now."""
         pixels = self.display.words()

@@ -70,6 +70,9 @@ def asking(display: Display, viewer: Viewer, other: Path):
     close(display, viewer)
     viewer.said("unsaved edits. Quit?", 2)
     viewer.key("Escape", "ctrl+o")
+    viewer.type(f"{other}x")
+    viewer.said("veach.gltfx: ")  # which is not there: nothing is asked
+    assert "Open veach.gltfx?" not in viewer.errors()
     viewer.type(str(other))
     viewer.said("unsaved edits. Open veach.gltf?")
     viewer.key("Escape", "Escape")

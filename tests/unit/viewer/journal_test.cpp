@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <glm/gtc/matrix_transform.hpp>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <unistd.h>
 #include <vector>
@@ -209,6 +210,33 @@ const Test renumbered("unit.viewer.journal.a_file_that_has_changed_gets_edits_by
     const auto found = std::ranges::find(lost.edits, name, &LightEdit::name);
     ASSERT_NE(found, lost.edits.end());
     EXPECT_LT(glm::distance(quantity_of(found->light), quantity), 1e-4f * glm::length(quantity));
+});
+
+const Test older("unit.viewer.journal.one_of_an_older_run_is_read", [] {
+    const Place place("cornell.gltf");
+    const LoadedScene loaded = loaded_with(place.file);
+    LightEditor edited(loaded, false);
+    const LightEditor fresh(loaded, false);
+    edited.enable(0, false);
+    Journal(place.file).write(edited, same_file);
+    const fs::path journal = fs::directory_iterator(place.folder / "steradian")->path();
+    std::ifstream in(journal);
+    auto root = nlohmann::json::parse(in);
+    root.erase("json_hash"); // older journals had time and size of the file, and lights by their numbers
+    for (auto& entry : root["edits"])
+        for (const char* key : {"in_file", "node", "shape", "is_only_name"}) entry.erase(key);
+    const auto time = fs::last_write_time(place.file).time_since_epoch().count();
+    for (const bool is_same : {true, false}) {
+        root["stamp"] = std::to_string(time) + " " + std::to_string(fs::file_size(place.file) + !is_same);
+        std::ofstream(journal) << root;
+        const FoundJournals found = Journal(place.file).find(fresh.edits(), other_file);
+        EXPECT_TRUE(found.problems.empty());
+        ASSERT_TRUE(found.newest.has_value());
+        EXPECT_EQ(found.newest->has_file_changed, !is_same);
+        LightEditor recovered(loaded, false);
+        recovered.recover(found.newest->edits);
+        expect_same_edits(recovered, edited);
+    }
 });
 
 const Test damaged("unit.viewer.journal.a_damaged_one_is_moved_aside_and_said_once", [] {

@@ -30,7 +30,7 @@ def camera_of(viewer: Viewer) -> str:
 def azerty(viewer: Viewer):
     """A is where Q is on a US keyboard. Ctrl A does not quit, A frames all; Z flies, because it is where W is."""
     viewer.key("h", "ctrl+a", "t")  # T copies the view, as the file of keys says
-    viewer.said("Copied: --camera")
+    viewer.said("Copied: steradian render ")
     viewer.changed_by(lambda: viewer.key("a"))
     assert viewer.process.poll() is None and "eye=" in camera_of(viewer), camera_of(viewer)
     framed = camera_of(viewer)
@@ -116,7 +116,7 @@ def finding(viewer: Viewer):
 
     viewer.key("Escape", "Escape")
     look_for("cop", "Return")
-    viewer.said("Copied: --camera", 2)
+    viewer.said("Copied: steradian render ", 2)
     viewer.changed_by(lambda: look_for("view from", "Down", "Down", "Return"))  # front, back, right
     eye, target = ([float(x) for x in re.search(rf"{name}=([^;']*)", camera_of(viewer))[1].split(",")] for name in ("eye", "target"))
     assert eye[0] > target[0] and abs(eye[2] - target[2]) < 1e-3, camera_of(viewer)
@@ -130,22 +130,30 @@ def followed(viewer: Viewer, keys: Path):
     viewer.write(keys, '{"Copy the view": "F8"}')
     viewer.said(f"The keys are those of {keys} now.")
     viewer.key("F8")
-    viewer.said("Copied: --camera", 2)
+    viewer.said("Copied: steradian render ", 2)
     viewer.pause()
     without_error = viewer.screen(200, 30)
     viewer.write(keys, '{"Copy the vew": "F9"}')
     viewer.said(f'{keys}:1:2: there is no command "Copy the vew"')
     viewer.wait(lambda: viewer.screen(200, 30) != without_error, "the error over the picture")
     viewer.key("F9", "F8")
-    viewer.said("Copied: --camera", 3)
+    viewer.said("Copied: steradian render ", 3)
     viewer.write(keys, '{"Copy the view": "F9"}')
     viewer.wait(lambda: viewer.screen(200, 30) == without_error, "the picture without the error")
     viewer.key("F8", "F9")
-    viewer.said("Copied: --camera", 4)
+    viewer.said("Copied: steradian render ", 4)
     keys.unlink()
     viewer.said("Your file of keys is gone: the built-in keys are in use.")
     viewer.key("F9", "ctrl+c")
-    viewer.said("Copied: --camera", 5)
+    viewer.said("Copied: steradian render ", 5)
+    keys.mkdir()
+    viewer.said(f"{keys}: this is a folder")
+    keys.rmdir()
+    viewer.said("Your file of keys is gone: the built-in keys are in use.", 2)
+    keys.symlink_to(keys)
+    viewer.said(f"{keys}: the file cannot be opened (Too many levels of symbolic links)")
+    keys.unlink()
+    viewer.said("Your file of keys is gone: the built-in keys are in use.", 3)
 
 
 def remapped(display: Display):
@@ -164,7 +172,7 @@ def remapped(display: Display):
     viewer.key("Escape")
     viewer.wait(lambda: viewer.screen(200, 30) != with_error, "the picture without the error")
     viewer.key("ctrl+c")
-    viewer.said("Copied: --camera")
+    viewer.said("Copied: steradian render ")
     followed(viewer, folder / "keys.json")
     viewer.close()
     (folder / "keys.json").write_text('{"Next tone curve": "F8",\n "Copy the view": "T"}')

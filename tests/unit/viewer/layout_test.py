@@ -187,6 +187,18 @@ def probing(viewer: Viewer):
     assert viewer.converged() == before
 
 
+def explaining(viewer: Viewer):
+    """Between panels on both sides, too, an explained pixel shows what each light adds to it."""
+    viewer.changed_by(lambda: viewer.resize(930, 520))
+    viewer.changed_by(lambda: viewer.key("w"))
+    x, y, width, height = picture_of(viewer)
+    viewer.move(x + width // 2, y + height // 2)
+    viewer.key("e")
+    viewer.said("Explained: ")
+    viewer.wait(lambda: viewer.count((44, 69, 86)) + viewer.count((54, 79, 95)) > 50, "a bar of L_r")
+    viewer.key("Escape")
+
+
 def viewing(viewer: Viewer):
     """A view has a legend over the picture. Shift Y gives the false colours the range of the picture. A click on a menu runs its row."""
     lowest, highest = (68, 1, 84), (253, 231, 37)  # the ends of the colour map
@@ -214,6 +226,7 @@ def main() -> int:
         for size in (1280, 720), (2560, 1440), (640, 400):
             docking(viewer, *size)
         sharing(viewer)
+        explaining(viewer)
         viewer.close()
     with Display(SCRATCH / "display_2", 1280, 800) as display:
         resources(display, f"Xft.dpi:\t{96 * 2}\n")

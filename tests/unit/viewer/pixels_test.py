@@ -19,7 +19,7 @@ OPTIONS = "--size", "1200x500", "--samples", "1", "--visibility", "none", "--exp
 
 def statistics_of(viewer: Viewer) -> tuple[str, float, float]:
     """Rectangle, mean and maximum of luminance, as the viewer said last."""
-    found = re.findall(r"Statistics of (\S+): mean (\S+), at most (\S+)\.", viewer.errors())[-1]
+    found = re.findall(r"Statistics of the render, (\S+): mean (\S+), at most (\S+)\.", viewer.errors())[-1]
     return found[0], float(found[1]), float(found[2])
 
 
@@ -94,6 +94,29 @@ def enlarging(viewer: Viewer, film: Path):
     assert same(viewer.shot(), film)
 
 
+def keeping(viewer: Viewer):
+    """While a kept picture is shown, the panel has its numbers and says so; a probe, which is of the render, says why it does not probe."""
+    viewer.key("ctrl+k")
+    viewer.said("It is picture A.")
+    _, mean, most = statistics_of(viewer)
+    viewer.key("b", "b", "b")  # difference, FLIP map, the picture alone
+    viewer.said("Comparison: render alone.")
+    viewer.changed_by(lambda: viewer.key("Tab", "ctrl+period"))
+    viewer.wait(lambda: statistics_of(viewer)[1] > 1.02 * mean, "statistics of the brighter render")
+    viewer.key("shift+k")
+    viewer.said("Statistics of picture A, ")
+    kept = re.findall(r"Statistics of picture A, \S+ mean (\S+), at most (\S+)\.", viewer.errors())[-1]
+    assert close_to(float(kept[0]), mean) and close_to(float(kept[1]), most), (kept, mean, most)
+    x, y, *_ = picture_of(viewer)
+    viewer.move(x + 50, y + 70)
+    viewer.key("p")
+    viewer.said("Picture A is shown, and a probe is of the render. Esc goes back to it.")
+    said = viewer.errors().count("Statistics of the render")
+    viewer.key("Escape")
+    viewer.said("Statistics of the render", said + 1)
+    viewer.key("ctrl+z")
+
+
 def main() -> int:
     skip_without("oiiotool", modules=("Xlib",))
     shutil.rmtree(SCRATCH, ignore_errors=True)
@@ -102,6 +125,7 @@ def main() -> int:
         viewer = Viewer(display, STERADIAN, SCRATCH / "run", SCENES / "cornell.gltf", *OPTIONS)
         viewer.done()
         enlarging(viewer, measuring(viewer))
+        keeping(viewer)
         viewer.close()
     return 0
 

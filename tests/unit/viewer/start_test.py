@@ -4,15 +4,18 @@ xdotool.
 
 usage: start_test.py STERADIAN SCENES_FOLDER SCRATCH_FOLDER
 """
+import json
 import re
+import shlex
 import shutil
+import subprocess
 import sys
 from pathlib import Path
 
 from driver import Display, Viewer, skip_without
 
 STERADIAN, SCENES, SCRATCH = (Path(argument).resolve() for argument in sys.argv[1:])
-OPTIONS = "--size", "640x400", "--samples", "1", "--visibility", "none", "--exposure", "8", "--gl-debug"
+OPTIONS = "--size", "640x400", "--samples", "1", "--visibility", "none", "--exposure", "8", "--seed", "3", "--gl-debug"
 
 
 def camera_of(viewer: Viewer) -> dict[str, list[float]]:
@@ -94,36 +97,92 @@ def history(viewer: Viewer):
 
 
 def turning(viewer: Viewer):
-    """A turntable asks how many pictures a full turn has, and ends where it began."""
+    """A turntable has the pictures of `render --turntable`, and leaves the view alone. Edits wait until it has ended or is cancelled."""
+    viewer.changed_by(lambda: viewer.key("a"))
+    camera, converged = camera_of(viewer), viewer.converged()
     viewer.key("ctrl+F12")
-    viewer.said("Asked: A turntable")
-    viewer.key("Escape", "ctrl+F12")
-    viewer.said("Asked: A turntable", 2)
-    before = camera_of(viewer)
-    viewer.key("1")
-    viewer.said("-turntable: 12 pictures.")
+    viewer.said("Field of the turntable: pictures\n")
+    viewer.key("Escape")
+    viewer.pause()
+    fields = {"pictures": "3", "to": None, "rate": None, "size": "96x64", "samples": "2", "error": ""}
+    viewer.fill("ctrl+F12", "turntable", fields)
+    viewer.said("-turntable: 3 pictures.")
     folder, = viewer.folder.glob("*-turntable")
-    pictures = [file.read_bytes() for file in sorted(folder.iterdir())]
-    assert len(pictures) == 12 and len(set(pictures)) == 12, [file.name for file in folder.iterdir()]
-    copied = viewer.errors().count("Copied: ")
+    render_copied(viewer, SCRATCH / "turn.####.png", turntable="3", size="96x64", samples="2")
+    for number in range(3):
+        compared = subprocess.run([STERADIAN, "compare", folder / f"{number:04}.png", SCRATCH / f"turn.{number:04}.png", "--json"], capture_output=True)
+        assert json.loads(compared.stdout)["metrics"]["mean_abs"] < 0.002, (number, compared.stdout)
+    assert len(list(folder.iterdir())) == 3 and camera_of(viewer) == camera and viewer.converged() == converged
+    viewer.fill("ctrl+F12", "turntable", {**fields, "pictures": "360", "size": "640x400", "samples": "64"})
+    viewer.said("-turntable. Esc cancels.", 2)
+    for key, name in ("ctrl+period", "Brighten the light"), ("v", "Next view"):
+        viewer.key(key)
+        viewer.said(f"{name} would change what is exported. Now: turntable: ")
+    viewer.changed_by(lambda: viewer.key("Left"))  # the view is free
+    viewer.key("Escape")
+    viewer.said("Turntable cancelled after ")
+    video = viewer.folder / "turn.mp4"
+    if not shutil.which("ffmpeg"):
+        return print("without ffmpeg: no video is tried (tools/setup)")
+    viewer.fill("ctrl+F12", "turntable", {**fields, "to": video.name, "rate": "5"})
+    viewer.said("Wrote turn.mp4: 3 pictures.")
+    subprocess.run(["ffmpeg", "-v", "error", "-i", video, viewer.folder / "of_video.%d.png"], check=True)
+    assert len(list(viewer.folder.glob("of_video.*.png"))) == 3
+    viewer.fill("ctrl+F12", "turntable", {**fields, "to": video.name})
+    viewer.said("Asked: turn.mp4 exists already. Replace it?")
+    viewer.key("r")
+    viewer.said("Wrote turn.mp4: 3 pictures.", 2)
+    assert not list(viewer.folder.glob(".steradian*")), "a temporary file is left"
+
+
+def render_copied(viewer: Viewer, output: Path, **changed: str) -> list[str]:
+    """Runs the command that Ctrl C copies, with other values of some options, and returns its words."""
+    count = viewer.errors().count("Copied: ")
     viewer.key("ctrl+c")
-    viewer.said("Copied: ", copied + 1)
-    after = camera_of(viewer)
-    assert all(abs(a - b) < 1e-3 for key in ("eye", "target") for a, b in zip(before[key], after[key])), (before, after)
+    viewer.said("Copied: ", count + 1)
+    words = shlex.split(re.findall(r"Copied: (steradian render .*)", viewer.errors())[-1])
+    words[words.index("-o") + 1] = str(output)
+    for key, value in changed.items():
+        if f"--{key}" in words:
+            words[words.index(f"--{key}") + 1] = value
+        else:
+            words += [f"--{key}", value]
+    subprocess.run([STERADIAN, *words[1:]], cwd=viewer.folder, check=True, capture_output=True)
+    return words
 
 
 def background(viewer: Viewer):
-    """Alt B shows another background, which a copied view has, too."""
+    """Alt B shows another background. The command that Ctrl C copies makes the picture that is seen."""
     viewer.changed_by(lambda: viewer.key("alt+b"))
     viewer.said("Background: grey, ")
     viewer.key("ctrl+c")
     viewer.wait(lambda: re.search(r"Copied: .*--background \d", viewer.errors()), "the background in the copied view")
+    viewer.key("t", "comma")  # the next tone curve, a darker picture
+    shot = viewer.shot(exr=False)
+    words = render_copied(viewer, SCRATCH / "copied.png")
+    assert {"--visibility", "--exposure", "--tone-curve", "--background", "--seed"} <= set(words), words
+    compared = subprocess.run([STERADIAN, "compare", SCRATCH / "copied.png", shot, "--json"], capture_output=True)
+    assert json.loads(compared.stdout)["metrics"]["max_abs"] == 0, compared.stdout
     viewer.changed_by(lambda: viewer.key("alt+b"))
     viewer.said("Background: white, ")
     viewer.wait(lambda: min(viewer.screen(*CORNER)) > 200, "a white background")
     viewer.changed_by(lambda: viewer.key("alt+b"))
     viewer.said("Background: black, ")
     viewer.wait(lambda: max(viewer.screen(*CORNER)) < 50, "a black background")
+
+
+def copying(viewer: Viewer, clipboard: Path):
+    """Ctrl Shift C gives the picture that is seen to a program of the system; one that fails is a line."""
+    viewer.key("alt+F12")
+    written = viewer.wait(lambda: re.findall(r"Wrote (\S+\.png)\.", viewer.errors()), "a picture")[-1]
+    viewer.key("ctrl+shift+c")
+    viewer.said("Copied the picture: ")
+    assert (clipboard / "args").read_text().split() == ["-selection", "clipboard", "-target", "image/png", "-in"]
+    assert (clipboard / "copied.png").read_bytes() == (viewer.folder / written).read_bytes()
+    (clipboard / "xclip").write_text("#!/bin/sh\necho no display >&2\nexit 1\n")
+    viewer.key("ctrl+shift+c")
+    viewer.said("xclip: no display: ")
+    viewer.key("Escape")
 
 
 def grid(viewer: Viewer):
@@ -176,7 +235,12 @@ def main() -> int:
         (folder / f"{name}.gltf").write_text((SCENES / "cornell.gltf").read_text())
     for buffer in SCENES.glob("cornell*.bin"):
         shutil.copy(buffer, folder)
+    clipboard = SCRATCH / "clipboard"
+    clipboard.mkdir()
+    (clipboard / "xclip").write_text(f"#!/bin/sh\necho $* > {clipboard}/args\nexec cat > {clipboard}/copied.png\n")
+    (clipboard / "xclip").chmod(0o755)
     with Display(SCRATCH / "display", 640, 400) as display:
+        display.environment["PATH"] = f"{clipboard}:{display.environment['PATH']}"
         viewer = Viewer(display, STERADIAN, SCRATCH / "run", *OPTIONS)
         first_page(viewer, folder)
         neighbours(viewer)
@@ -185,6 +249,7 @@ def main() -> int:
         history(viewer)
         grid(viewer)
         background(viewer)
+        copying(viewer, clipboard)
         turning(viewer)
         viewer.close()
         broken(display, folder)

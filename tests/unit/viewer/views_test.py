@@ -81,16 +81,10 @@ def lights(viewer: Viewer):
 
 
 def exporting(viewer: Viewer):
-    """A picture of another size and shape than the window's is that of render. Esc cancels one, and nothing is written."""
+    """A picture of another size and shape than the window's is that of render. Esc cancels one, and nothing is written. What would change the
+    picture meanwhile says why it does not."""
     def fill(size: str, samples: str, target: Path):
-        key = "ctrl+e"
-        for name, text in ("size", size), ("samples", samples), ("error", ""), ("file", str(target)):
-            count = viewer.errors().count(f"Field of the export: {name}")
-            viewer.key(key)
-            viewer.said(f"Field of the export: {name}", count + 1)
-            viewer.display.do("type", "--delay", "20", text)
-            key = "Tab"
-        viewer.key("Return")
+        viewer.fill("ctrl+e", "export", {"size": size, "samples": samples, "error": "", "file": str(target)})
 
     target, file = SCRATCH / "exported.exr", SCRATCH / "exported_by_render.exr"
     converged = viewer.converged()
@@ -107,6 +101,17 @@ def exporting(viewer: Viewer):
     viewer.key("Escape")  # in the frame after Enter, in which the field still had the keyboard
     viewer.said("Export cancelled: no file is written.")
     assert not never.exists()
+    converged = viewer.converged()
+    fill("1500x1200", "65536", never)
+    viewer.said(f"Exporting {never} at 1500x1200.", 2)
+    for key, name in ("v", "Next view"), ("ctrl+period", "Brighten the light"), ("ctrl+F12", ""):
+        viewer.key(key)
+        viewer.said(f"{name} would change what is exported. Now: exporting" if name else "Now: exporting", 1 if name else 3)
+    click_view(viewer, "radiance")
+    viewer.said("Next view would change what is exported.", 2)
+    viewer.key("Escape")
+    viewer.said("Export cancelled: no file is written.", 2)
+    assert viewer.converged() == converged and not viewer.title().startswith("*"), "what was refused has changed the picture"
 
 
 def keeping(viewer: Viewer):
@@ -149,11 +154,20 @@ def timing(viewer: Viewer):
     """Shift T shows the time of a sample by parts: their sum is the time that the message area has."""
     viewer.key("shift+t")
     viewer.said("A sample: ")
-    parts = re.findall(r"([a-z ]+) (-?[0-9.]+) ms", re.findall(r"A sample: (.*)", viewer.errors())[-1])
-    assert [name.strip() for name, _ in parts] == ["surfaces", "shadow rays"], parts
-    values = [float(value) for _, value in parts]
-    sample = float(re.findall(r"converged: .*, (\S+) ms each", viewer.errors())[-1])
-    assert min(values) >= 0 and abs(sum(values) - sample) < 0.1, (values, sample)
+
+    def parts() -> dict[str, float]:
+        found = re.findall(r"([a-z ]+) (-?[0-9.]+) ms", re.findall(r"A sample: (.*)", viewer.errors())[-1])
+        values = {name.strip(): float(value) for name, value in found}
+        sample = float(re.findall(r"converged: .*, (\S+) ms each", viewer.errors())[-1])
+        assert min(values.values()) >= 0 and abs(sum(values.values()) - sample) < 0.1, (values, sample)
+        return values
+
+    assert [*parts()] == ["surfaces", "shadow rays"], parts()
+    viewer.changed_by(lambda: viewer.key("Left"))  # from its first sample on, a picture is measured by pass
+    viewer.said("A sample: ", 2)
+    passes = parts()
+    assert [*passes] == ["depth", "shading", "shadow rays", "adding", "the rest"], passes
+    assert passes["shading"] > passes["the rest"] and passes["depth"] > 0 and passes["adding"] > 0, passes
     viewer.key("shift+t")
 
 

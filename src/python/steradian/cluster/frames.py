@@ -34,6 +34,8 @@ def frames_of(arguments: argparse.Namespace) -> range:
 
 def require_outputs(outputs: list[Path]) -> None:
     for output in outputs:
+        if output.suffix.lower() in (".mp4", ".webm"):
+            raise Failure(f"{output}: workers make pictures: write frames, as in {output.stem}.####.png, and encode them with ffmpeg, or use steradian render")
         if frame_name(output.name, 0) == output.name:
             raise Failure(f"{output}: all frames would have this name: write #### where the number belongs")
         if not output.parent.is_dir():
