@@ -282,6 +282,7 @@ bool Renderer::shows_environment() const {
 }
 
 void Renderer::accumulate() {
+    is_film_whole_ = false;
     glBindVertexArray(no_vertices_.id());
     const bool has_closed = converged_.any(sample_count_);
     accumulate_pass(film_, frame_, *shaders_, has_closed);
@@ -331,8 +332,7 @@ void Renderer::shade_opaque(const PixelRect& window) {
     if (deferred_ && first_light_ != end_light_) {
         PixelSums& sums = sums_of_sample();
         deferred_->shade(frame_, window, first_light_, end_light_, frame_data_, *shaders_, sums);
-        is_film_whole_ = false;
-        if (scene_.blended_draws().empty()) return;
+        if (keeps_sums()) return;
         glBindVertexArray(no_vertices_.id()); // what is blended over the frame covers L_r, too
         sums.draw_into(frame_, window, *shaders_, converged_.any(sample_count_));
         return sums.clear(window);
@@ -352,6 +352,8 @@ void Renderer::shade_opaque(const PixelRect& window) {
     glDisable(GL_SCISSOR_TEST);
 }
 
+bool Renderer::keeps_sums() const { return deferred_ && scene_.blended_draws().empty(); }
+
 PixelSums& Renderer::sums_of_sample() {
     auto& sums = sums_[first_half_ ? static_cast<std::size_t>(half_of(sample_count_)) : 0];
     if (!sums) sums.emplace(options_.width, options_.height);
@@ -359,7 +361,7 @@ PixelSums& Renderer::sums_of_sample() {
 }
 
 const gl::Texture& Renderer::film_sum() const {
-    if (std::ranges::none_of(sums_, [](const auto& sums) { return sums.has_value(); })) return film_.color();
+    if (!keeps_sums()) return film_.color();
     if (!whole_film_) whole_film_.emplace("whole film", options_.width, options_.height, false);
     if (std::exchange(is_film_whole_, true)) return whole_film_->color();
     const KeptTarget kept;

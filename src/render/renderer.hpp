@@ -171,6 +171,7 @@ private:
     ProgramTerms opaque_terms() const;
     ProgramTerms blended_terms() const;
     void shade_opaque(const PixelRect& window);
+    bool keeps_sums() const; // of L_r apart from the films, until these are read
     PixelSums& sums_of_sample();
     bool shows_environment() const; // behind everything; terms of the equation have no background
     void accumulate();

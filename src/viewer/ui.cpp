@@ -145,6 +145,12 @@ bool Ui::needs_frame() {
 #endif
 }
 
+bool Ui::changed_field() {
+    if (!has_keyboard()) return false;
+    const unsigned before = std::exchange(field_, ImGui::GetActiveID());
+    return before != 0 && before != field_;
+}
+
 bool Ui::took_keyboard() { return !std::exchange(had_keyboard_, has_keyboard()) && had_keyboard_; }
 
 void tooltip(const std::string& text) {

@@ -70,6 +70,8 @@ public:
     bool needs_frame();
     /// True once after a text field took the keyboard.
     bool took_keyboard();
+    /// True once after another text field than the last one took it.
+    bool changed_field();
     float scale() const { return scale_; } // of a HiDPI screen
     const Fonts& fonts() const { return fonts_; }
 
@@ -82,6 +84,7 @@ private:
     Fonts fonts_;
     bool had_active_item_ = false;
     bool had_keyboard_ = false;
+    unsigned field_ = 0; // that had the keyboard last; Dear ImGui's number
     std::string layout_file_;
 };
 

@@ -114,11 +114,14 @@ def editing_lights(viewer: Viewer, scene: Path, first: Path):
     viewer.key("Escape", "h")
 
 
-def probing_and_comparing(viewer: Viewer):
+SIDE = WIDTH // 4, HEIGHT // 2  # a pixel that panels cover in a window so small
+
+
+def probing_and_comparing(viewer: Viewer, without: tuple[int, int, int]):
     """A probe answers, and brings back the hidden panels (layout_test.py looks at its lobe); a wipe shows the reference beside the new
-    picture."""
-    side = (WIDTH // 4, HEIGHT // 2)
-    without = viewer.screen(*side)
+    picture. `without`: the colour at SIDE without panels."""
+    side = SIDE
+    viewer.wait(lambda: viewer.screen(*side) == without, "a picture without panels")
     viewer.click(WIDTH // 2, HEIGHT - 40)
     viewer.wait(lambda: f"Probed pixel {WIDTH // 2},{HEIGHT - 40}." in viewer.errors(), "an answer")
     viewer.wait(lambda: viewer.screen(*side) != without, "the panels, over a window so small")
@@ -268,8 +271,9 @@ def main() -> int:
         viewer.key("h")  # the picture alone
         first = viewer.shot()
         looking_around(viewer, scene, first)
+        without = viewer.screen(*SIDE)
         editing_lights(viewer, scene, first)
-        probing_and_comparing(viewer)
+        probing_and_comparing(viewer, without)
         reloading(viewer, shader, scene, first)
         opening(viewer)
         gripping(viewer, SCRATCH)
