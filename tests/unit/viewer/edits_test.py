@@ -181,7 +181,7 @@ def typing_ahead(viewer: Viewer, target: Path):
     viewer.said(f"Saved {by_name}.")
     viewer.pause()
     viewer.key("ctrl+s")
-    viewer.wait(lambda: viewer.errors().rstrip().endswith("text field focused"), "the field")
+    viewer.wait(lambda: viewer.errors().rstrip().endswith("text field focused"), "the field", interval=0.001)  # in the frame after it
     viewer.process.send_signal(signal.SIGSTOP)  # Ctrl A and what replaces the name come in one frame
     viewer.display.do("key", "--delay", "1", "ctrl+a", "type", "--delay", "1", "--args", "1", str(in_field), "key", "Return")
     viewer.process.send_signal(signal.SIGCONT)
