@@ -201,7 +201,7 @@ void App::hand_on_typed() {
     const std::vector<TypedEvent> typed = input_.release();
     const bool runs_command =
         std::ranges::any_of(typed, [&](const TypedEvent& event) { return panels_.runs_command(event.key); });
-    // The command may open a field; and if nothing is kept, the next key begins anew.
+    // The command may open a field; and if nothing is kept, the next key waits again.
     frames_kept_ = runs_command || !input_.is_keeping() ? 0 : longest;
     ui_.replay(typed);
     frames_to_draw_ = std::max(frames_to_draw_, frames_after_change);

@@ -279,7 +279,8 @@ int GpuScene::most_rays(int lights) const {
     int most = 0, sum = 0;
     for (std::size_t k = 0; k < rays_to_light_.size(); ++k) {
         sum += rays_to_light_[k];
-        if (k >= static_cast<std::size_t>(lights)) sum -= rays_to_light_[k - static_cast<std::size_t>(lights)];
+        if (k >= static_cast<std::size_t>(lights))
+            sum -= rays_to_light_[k - static_cast<std::size_t>(lights)];
         most = std::max(most, sum);
     }
     return most;

@@ -25,8 +25,8 @@ constexpr float max_radiance = 1e30f; // [cd/m²]; keep in sync with shaders/int
 
 constexpr int most_lights_at_once = 16; // more of them shade the surfaces again
 
-// Bytes of the samples of a band. Each band draws the scene again: eight take 1.5 % more of DamagedHelmet's time
-// than four.
+// Bytes of the samples of a band. Each band draws the scene again: eight take 1.5 % more of DamagedHelmet's
+// time than four.
 constexpr std::size_t fewest_bytes = std::size_t{16} << 20, most_bytes = std::size_t{128} << 20;
 
 /// The words of a band, if those of a frame are so many.
@@ -44,8 +44,8 @@ vec3 floats(const std::int32_t* words) {
 /// Samples that wait for their V, as many as are traced at once.
 struct Waiting {
     std::array<shadow::Query, shadow::Occlusion::packet> queries;
-    std::array<vec3, shadow::Occlusion::packet> L;          // of each query: the sample without V
-    std::array<float*, shadow::Occlusion::packet> L_r;      // the sum of its pixel
+    std::array<vec3, shadow::Occlusion::packet> L;     // of each query: the sample without V
+    std::array<float*, shadow::Occlusion::packet> L_r; // the sum of its pixel
     std::size_t count = 0;
 
     void add_seen(const shadow::Occlusion& occlusion) {

@@ -29,7 +29,8 @@ std::span<const float> PixelSums::row(int row) const {
 
 void PixelSums::clear(const PixelRect& part) {
     for (int y = part.row; y < part.row + part.height; ++y) {
-        const auto from = static_cast<std::size_t>(part.column), pixels = static_cast<std::size_t>(part.width);
+        const auto from = static_cast<std::size_t>(part.column),
+                   pixels = static_cast<std::size_t>(part.width);
         std::ranges::fill(row(height_ - 1 - y).subspan(3 * from, 3 * pixels), 0.0f);
     }
 }
