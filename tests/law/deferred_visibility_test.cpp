@@ -17,7 +17,7 @@ scene::Material of(vec3 rho, void (*change)(scene::Material&)) {
     return material;
 }
 
-/// Boxes of several materials on a plane, one of them under a sheet of red glass.
+/// Boxes of several materials on a plane.
 scene::Scene boxes() {
     auto scene = lambert_plane(3.0f, vec3(0.7f, 0.6f, 0.5f));
     add_box(scene, {-0.9f, 0.3f, 0.2f}, mat3(0.3f), 1, lambert(vec3(0.2f, 0.8f, 0.3f)));
@@ -30,6 +30,13 @@ scene::Scene boxes() {
                 m.roughness = 0.2f;
                 m.emission = vec3(0.3f, 0.2f, 0.1f);
             }));
+    return scene;
+}
+
+/// The same, one of them under a sheet of red glass. A frame then takes the sums before the sheet covers
+/// them; without it they stay apart.
+scene::Scene boxes_and_sheet() {
+    auto scene = boxes();
     add_quad(scene, {0.9f, 0.9f, 0.6f}, {0.5f, 0, 0}, {0, 0, -0.5f},
              of(vec3(0.9f, 0.2f, 0.2f), [](scene::Material& m) {
                  m.alpha_mode = scene::AlphaMode::blend;
@@ -77,11 +84,27 @@ image::Image film_of(const scene::Scene& scene, std::span<const scene::Light> li
     return renderer.read_film();
 }
 
-void expect_equal(const scene::Scene& scene, std::span<const scene::Light> lights,
-                  const render::RenderOptions& options) {
-    const auto once = film_of(scene, lights, options, false), twice = film_of(scene, lights, options, true);
-    EXPECT_LT(max_relative_difference(once, twice, 1e-3f), 1e-5f) << "sums of floats in another order";
-    for (std::size_t i = 3; i < once.pixels.size(); i += 4) EXPECT_EQ(once.pixels[i], twice.pixels[i]);
+void expect_equal(std::span<const scene::Light> lights, const render::RenderOptions& options) {
+    for (const scene::Scene& scene : {boxes(), boxes_and_sheet()}) {
+        const auto once = film_of(scene, lights, options, false),
+                   twice = film_of(scene, lights, options, true);
+        EXPECT_LT(max_relative_difference(once, twice, 1e-3f), 1e-5f) << "sums of floats in another order";
+        for (std::size_t i = 3; i < once.pixels.size(); i += 4) EXPECT_EQ(once.pixels[i], twice.pixels[i]);
+    }
+}
+
+/// The film's mean as shaders can read it, the first row on top.
+image::Image shown(const render::Renderer& renderer) {
+    image::Image film(size, size, 4);
+    std::vector<float> sums(film.pixels.size());
+    renderer.film_sum().bind(0);
+    glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_FLOAT, sums.data());
+    const std::vector<int> samples = renderer.pixel_samples();
+    constexpr std::size_t row = std::size_t{4} * size;
+    for (std::size_t i = 0; i < sums.size(); ++i)
+        film.pixels[i] =
+            sums[sums.size() - row - i / row * row + i % row] / static_cast<float>(samples[i / 4]);
+    return film;
 }
 
 /// Runs a test where the driver can shade once.
@@ -92,18 +115,16 @@ void where_offered(void (*check)()) {
     check();
 }
 
-const Test plain("law.shadow.once.equals_twice",
-                 [] { where_offered([] { expect_equal(boxes(), lights(4), {}); }); });
+const Test plain("law.shadow.once.equals_twice", [] { where_offered([] { expect_equal(lights(4), {}); }); });
 
 // More lights than one shading takes; their sums come together before the frame has them.
-const Test many("law.shadow.once.many_lights",
-                [] { where_offered([] { expect_equal(boxes(), lights(37), {}); }); });
+const Test many("law.shadow.once.many_lights", [] { where_offered([] { expect_equal(lights(37), {}); }); });
 
 const Test chosen("law.shadow.once.chosen_lights", [] {
     where_offered([] {
         render::RenderOptions options;
         options.lights = render::LightSampling::one;
-        expect_equal(boxes(), lights(37), options);
+        expect_equal(lights(37), options);
     });
 });
 
@@ -111,7 +132,42 @@ const Test analytic("law.shadow.once.analytic", [] {
     where_offered([] {
         render::RenderOptions options;
         options.estimator = render::Estimator::analytic;
-        expect_equal(boxes(), lights(6), options);
+        expect_equal(lights(6), options);
+    });
+});
+
+// A shader reads the film that is read back: after each sample, while some pixels rest, from the start again,
+// and under no light.
+const Test texture("law.shadow.once.shaders_read_the_same_film", [] {
+    where_offered([] {
+        for (const scene::Scene& scene : {boxes(), boxes_and_sheet()}) {
+            render::RenderOptions options;
+            options.width = options.height = size;
+            options.estimates_error = true;
+            const std::vector<scene::Light> lit = lights(4);
+            const render::GpuScene gpu_scene(scene, lit, Visibility::ray_on_cpu);
+            render::Renderer renderer(gpu_scene, camera_from_above(1.6f), options);
+            const auto expect_same = [&] {
+                const image::Image film = renderer.read_film();
+                EXPECT_LT(max_relative_difference(shown(renderer), film, 1e-3f), 1e-6f);
+                EXPECT_EQ(renderer.read_pixel(20, 30)[0], film.at(20, 30)[0]);
+            };
+            for (int i = 0; i < 3; ++i) {
+                renderer.add_sample();
+                expect_same();
+            }
+            render::PixelMask rest(std::size_t{size} * size, 0);
+            std::fill_n(rest.begin(), rest.size() / 3, std::uint8_t{1});
+            renderer.freeze(rest);
+            renderer.add_sample();
+            expect_same();
+            renderer.use_lights(0, 0);
+            renderer.add_sample();
+            expect_same();
+            renderer.clear();
+            renderer.add_sample();
+            expect_same();
+        }
     });
 });
 
@@ -120,7 +176,7 @@ const Test window("law.shadow.once.a_window", [] {
         render::RenderOptions options;
         options.window = render::PixelRect{5, 9, 31, 17};
         options.estimates_error = true;
-        expect_equal(boxes(), lights(4), options);
+        expect_equal(lights(4), options);
     });
 });
 

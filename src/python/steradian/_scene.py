@@ -55,8 +55,8 @@ class Camera:
         """
         around = self.target if around is None else around
         back = np.subtract(self.eye, self.target)
-        direction = _AXES[axis] if axis != "camera" else np.cross(back, np.cross(self.up, back))
-        k = np.asarray(direction, float) / np.linalg.norm(direction)
+        k = np.asarray(_AXES[axis] if axis != "camera" else np.cross(back, np.cross(self.up, back)), float)
+        k /= np.linalg.norm(k)
         angle = np.radians(degrees)
 
         def turn(v: Sequence[float], by: Sequence[float]) -> Vector:
