@@ -36,7 +36,7 @@ private:
     std::size_t pixel_words() const; // of its samples, in shaders/interface/deferred.glsl
     void add_seen(RowRange band, PixelSums& sums);
     std::size_t add_seen_of_row(std::int32_t* words, std::size_t first, std::size_t plane,
-                                std::span<float> L_r) const;
+                                std::span<float> sums) const;
 
     const GpuScene& scene_;
     int width_;

@@ -25,8 +25,8 @@ public:
     void clear(const PixelRect& part);
     /// Adds them to RGB of an image of this size, whose first row is on top.
     void add_to(image::Image& film) const;
-    /// Adds those of a pixel to its RGB; `row` counts from the picture's first row.
-    void add_to(std::array<float, 4>& texel, int column, int row) const;
+    /// Adds those of a pixel to its RGB.
+    void add_to(std::array<float, 4>& texel, int column, int row_from_top) const;
     /// Adds those of `part` to the target, by deferred_sum.frag under a vertex array without vertices.
     /// `has_closed`: add_pass().
     void draw_into(const RenderTarget& target, const PixelRect& part, ShaderLibrary& shaders,

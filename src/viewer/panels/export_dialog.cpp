@@ -3,9 +3,7 @@
 #include "core/error.hpp"
 #include "viewer/config.hpp"
 
-#include <algorithm>
 #include <array>
-#include <imgui.h>
 #include <string_view>
 
 namespace sr::viewer {
@@ -32,27 +30,12 @@ ExportRequest ExportDialog::request() const {
 
 std::optional<ExportRequest> ExportDialog::draw() {
     if (!is_open_) return std::nullopt;
-    const float width = std::min(30.0f * ImGui::GetFontSize(), 0.85f * ImGui::GetMainViewport()->Size.x);
-    ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Always, {0.5f, 0.5f});
-    ImGui::SetNextWindowSize({width, 0.0f});
-    ImGui::Begin("Export a picture", &is_open_, ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoResize);
-    ImGui::PushItemWidth(0.72f * ImGui::GetContentRegionAvail().x);
+    TextForm::begin_window("Export a picture", is_open_);
     bool is_entered = picture_.draw(form_, true);
     is_entered |= form_.field("file", file_, "in the working directory, or a path: .png, .jpg, .exr or .hdr");
-    ImGui::PopItemWidth();
-    ImGui::Spacing();
-    is_entered |= ImGui::Button("export");
-    tooltip("Enter does it, too; Esc closes this dialog, and later cancels the export");
-    form_.draw_problem();
-    ImGui::End();
-    if (!is_entered) return std::nullopt;
-    try {
-        form_.accept();
-        return request();
-    } catch (const Error& error) {
-        form_.refuse(error.what());
-        return std::nullopt;
-    }
+    is_entered |= form_.end_window(
+        "export", "Enter does it, too; Esc closes this dialog, and later cancels the export");
+    return is_entered ? form_.taken([this] { return request(); }) : std::nullopt;
 }
 
 } // namespace sr::viewer

@@ -31,11 +31,26 @@ bool TextForm::field(const char* label, Text& text, const char* tip, bool is_fir
     return is_entered;
 }
 
-void TextForm::draw_problem() const {
-    if (problem_.empty()) return;
-    ImGui::PushTextWrapPos();
-    ImGui::TextUnformatted(problem_.c_str());
-    ImGui::PopTextWrapPos();
+void TextForm::begin_window(const char* title, bool& is_open) {
+    const float width = std::min(30.0f * ImGui::GetFontSize(), 0.85f * ImGui::GetMainViewport()->Size.x);
+    ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Always, {0.5f, 0.5f});
+    ImGui::SetNextWindowSize({width, 0.0f});
+    ImGui::Begin(title, &is_open, ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoResize);
+    ImGui::PushItemWidth(0.72f * ImGui::GetContentRegionAvail().x);
+}
+
+bool TextForm::end_window(const char* button, const char* tip) const {
+    ImGui::PopItemWidth();
+    ImGui::Spacing();
+    const bool is_pressed = ImGui::Button(button);
+    tooltip(tip);
+    if (!problem_.empty()) {
+        ImGui::PushTextWrapPos();
+        ImGui::TextUnformatted(problem_.c_str());
+        ImGui::PopTextWrapPos();
+    }
+    ImGui::End();
+    return is_pressed;
 }
 
 } // namespace sr::viewer

@@ -4,7 +4,6 @@
 #include "image/video.hpp"
 #include "settings/render_settings.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
@@ -95,12 +94,7 @@ void TurntableDialog::draw_forms() {
 
 std::optional<TurntableRequest> TurntableDialog::draw() {
     if (!is_open_) return std::nullopt;
-    const float width = std::min(30.0f * ImGui::GetFontSize(), 0.85f * ImGui::GetMainViewport()->Size.x);
-    ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Always, {0.5f, 0.5f});
-    ImGui::SetNextWindowSize({width, 0.0f});
-    ImGui::Begin("A full turn around the pivot", &is_open_,
-                 ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoResize);
-    ImGui::PushItemWidth(0.72f * ImGui::GetContentRegionAvail().x);
+    TextForm::begin_window("A full turn around the pivot", is_open_);
     bool is_entered = form_.field("pictures", pictures_, "of a full turn, 2 to 10000", true);
     draw_counts();
     draw_axes();
@@ -108,20 +102,9 @@ std::optional<TurntableRequest> TurntableDialog::draw() {
     draw_forms();
     is_entered |= form_.field("rate", rate_, "of a video [pictures a second]");
     is_entered |= picture_.draw(form_, false);
-    ImGui::PopItemWidth();
-    ImGui::Spacing();
-    is_entered |= ImGui::Button("write");
-    tooltip("Enter does it, too; Esc closes this dialog, and later cancels the turn");
-    form_.draw_problem();
-    ImGui::End();
-    if (!is_entered) return std::nullopt;
-    try {
-        form_.accept();
-        return request();
-    } catch (const Error& error) {
-        form_.refuse(error.what());
-        return std::nullopt;
-    }
+    is_entered |=
+        form_.end_window("write", "Enter does it, too; Esc closes this dialog, and later cancels the turn");
+    return is_entered ? form_.taken([this] { return request(); }) : std::nullopt;
 }
 
 } // namespace sr::viewer

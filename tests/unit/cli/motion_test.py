@@ -133,18 +133,23 @@ class Motion(cli_test.CommandLine):
         self.assertEqual(single.returncode, 2)
         self.assertIn("--turntable", single.stderr)
 
+    def interrupt(self, file, said, *arguments, env=None):
+        """Presses Ctrl-C once a render has made this file in the folder. It says so, and has the status of an interruption."""
+        process = subprocess.Popen([cli_test.STERADIAN, "render", SCENE, *map(str, arguments)], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                                   text=True, env=env)
+        deadline = time.monotonic() + 200.0
+        while not (self.folder / file).exists() and time.monotonic() < deadline:
+            time.sleep(0.05)
+        process.send_signal(signal.SIGINT)
+        _, stderr = process.communicate(timeout=200)
+        self.assertEqual(process.returncode, 130, stderr)
+        self.assertIn(said, stderr)
+
     def test_an_interrupted_video_is_not_written(self):
         """The encoder never ends: the render waits for it, and Ctrl-C ends both."""
         environment = self.encoder(f"echo $$ > {self.folder}/pid; exec sleep 100")
-        process = subprocess.Popen([cli_test.STERADIAN, "render", SCENE, "-o", self.folder / "v.mp4", "--turntable", "2", "--size", "48x32",
-                                    "--samples", "1"], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=environment)
-        deadline = time.monotonic() + 60.0
-        while not (self.folder / "pid").exists() and time.monotonic() < deadline:
-            time.sleep(0.05)
-        process.send_signal(signal.SIGINT)
-        _, stderr = process.communicate(timeout=60)
-        self.assertEqual(process.returncode, 130, stderr)
-        self.assertIn("no video is written", stderr)
+        self.interrupt("pid", "no video is written", "-o", self.folder / "v.mp4", "--turntable", "2", "--size", "48x32", "--samples", "1",
+                       env=environment)
         self.assertEqual(sorted(path.name for path in self.folder.iterdir()), ["bin", "pid"])
         self.assertFalse(Path("/proc", (self.folder / "pid").read_text().strip()).exists(), "the encoder still runs")
 
@@ -167,16 +172,8 @@ class Motion(cli_test.CommandLine):
         self.assertNotEqual((self.folder / "a.exr").read_bytes(), (self.folder / "b.exr").read_bytes())
 
     def test_an_interrupted_sequence_leaves_whole_frames(self):
-        process = subprocess.Popen([cli_test.STERADIAN, "render", SCENE, "-o", str(self.folder / "f.####.exr"), "--size", "48x32",
-                                    "--samples", "4", "--frames", "0:9999", "--fps", "10000"],
-                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-        deadline = time.monotonic() + 200.0
-        while not (self.folder / "f.0001.exr").exists() and time.monotonic() < deadline:
-            time.sleep(0.1)
-        process.send_signal(signal.SIGINT)
-        _, stderr = process.communicate(timeout=200)
-        self.assertEqual(process.returncode, 130, stderr)
-        self.assertIn("the frames before are written", stderr)
+        self.interrupt("f.0001.exr", "the frames before are written", "-o", self.folder / "f.####.exr", "--size", "48x32", "--samples", "4",
+                       "--frames", "0:9999", "--fps", "10000")
         for file in self.folder.iterdir():
             self.assertNotIn(b"steradian:interrupted", file.read_bytes())
 
