@@ -4,6 +4,7 @@
 #include "interface/features.glsl"
 #include "interface/frame.glsl"
 #include "interface/object.glsl"
+#include "surface/vertex.glsl"
 
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
@@ -54,9 +55,8 @@ void main() {
     if (is_line || is_point) gl_Position.z -= in_front * gl_Position.w;
     gl_PointSize = line_width;
     vertex_position = world.xyz;
-    // Unit at the vertices in world space: what normal maps combine must not depend on the node's scale.
-    vertex_normal = unit_or(mat3(world_from_normal) * normal, vec3(0.0));
-    vertex_tangent = vec4(unit_or(mat3(world_from_object) * tangent.xyz, vec3(0.0)), tangent.w * handedness.x);
+    vertex_normal = world_normal(normal);
+    vertex_tangent = world_tangent(tangent);
     vertex_uv0 = uv0;
     vertex_uv1 = uv1;
     vertex_color = color;

@@ -8,3 +8,7 @@ const vec4 vertex_tangent = vec4(tilted_t, 1.0);
 const vec2 vertex_uv0 = vec2(0.0);
 const vec2 vertex_uv1 = vec2(0.0);
 const vec4 vertex_color = vec4(1.0);
+
+bool is_front() { return true; }
+vec3 across_triangle() { return tilted_n; }
+vec4 texel_at(sampler2D image, vec2 at, mat2 uv_from_set, bool is_second_set) { return texture(image, at); }

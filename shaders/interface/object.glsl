@@ -7,4 +7,10 @@ layout(std140) uniform Object {
     int first_triangle;     // its first triangle's index among the shadow casters
     int object;             // its own index, and its material's, in the scene
     int material;
+    // The first elements of the arrays of its mesh among mesh_floats (interface/mesh.glsl); below 0: it has none.
+    int first_normal;
+    int first_tangent;
+    int first_uv0;
+    int first_uv1;
+    int first_color;
 };

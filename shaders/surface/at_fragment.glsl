@@ -13,7 +13,7 @@ vec3 direction_to_viewer() {
 
 // After the layers, whose coat lies over the glass.
 void add_glass(inout Surface x, vec3 wo) {
-    bool leaves_body = handedness.z != 0.0 && !gl_FrontFacing;
+    bool leaves_body = handedness.z != 0.0 && !is_front();
     vec3 optical_depth = leaves_body ? vec3(0.0) : attenuation_factor.rgb * (handedness.y * thickness());
     float F0 = max(x.F0_dielectric.r, max(x.F0_dielectric.g, x.F0_dielectric.b));
     vec3 color = (1.0 - x.metallic) * x.transmission * x.base_color;
@@ -25,6 +25,7 @@ void add_glass(inout Surface x, vec3 wo) {
 }
 
 Surface surface_at_fragment() {
+    find_fragment();
     vec4 color = base_color();
     // The depth pre-pass cuts opaque surfaces out; glass has none.
     if (is_transmissive && is_masked && color.a < alpha_cutoff) discard;
@@ -33,7 +34,7 @@ Surface surface_at_fragment() {
 
     Surface x;
     x.position = vertex_position;
-    x.triangle = is_line || is_point ? -1 : first_triangle + gl_PrimitiveID;
+    x.triangle = is_line || is_point ? -1 : first_triangle + triangle_of_mesh();
     x.n = shading_normal(wo);
     x.unmapped_n = on_seen_side(interpolated_normal(), wo);
     x.coverage = is_blended ? color.a : 1.0;

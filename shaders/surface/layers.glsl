@@ -8,7 +8,7 @@
 vec3 anisotropy() {
     vec2 turn = anisotropy_factor.yz;
     if (!has_anisotropy_texture) return vec3(turn, anisotropy_factor.x);
-    vec3 texel = texture(anisotropy_texture, uv(anisotropy_slot)).xyz;
+    vec3 texel = texel(anisotropy_texture, anisotropy_slot).xyz;
     vec2 along = texel.xy * 2.0 - 1.0; // texels without a direction say +X
     along = dot(along, along) > 1e-3 ? normalize(along) : vec2(1.0, 0.0);
     return vec3(turn.x * along.x - turn.y * along.y, turn.y * along.x + turn.x * along.y, anisotropy_factor.x * texel.z);
@@ -25,8 +25,8 @@ void add_anisotropy(inout Surface x) {
 // (clearcoat, its roughness)
 vec2 clearcoat() {
     vec2 factors = clearcoat_factor.xy;
-    if (has_clearcoat_texture) factors.x *= texture(clearcoat_texture, uv(clearcoat_slot)).r;
-    if (has_clearcoat_roughness_texture) factors.y *= texture(clearcoat_roughness_texture, uv(clearcoat_roughness_slot)).g;
+    if (has_clearcoat_texture) factors.x *= texel(clearcoat_texture, clearcoat_slot).r;
+    if (has_clearcoat_roughness_texture) factors.y *= texel(clearcoat_roughness_texture, clearcoat_roughness_slot).g;
     return factors;
 }
 
@@ -41,8 +41,8 @@ void add_clearcoat(inout Surface x, vec3 wo) {
 // (colour, roughness)
 vec4 sheen() {
     vec4 factors = sheen_factor;
-    if (has_sheen_color_texture) factors.rgb *= texture(sheen_color_texture, uv(sheen_color_slot)).rgb;
-    if (has_sheen_roughness_texture) factors.a *= texture(sheen_roughness_texture, uv(sheen_roughness_slot)).a;
+    if (has_sheen_color_texture) factors.rgb *= texel(sheen_color_texture, sheen_color_slot).rgb;
+    if (has_sheen_roughness_texture) factors.a *= texel(sheen_roughness_texture, sheen_roughness_slot).a;
     return factors;
 }
 
@@ -55,9 +55,9 @@ void add_sheen(inout Surface x) {
 // (weight, thickness [nm])
 vec2 iridescence() {
     vec2 film = iridescence_factor.xw;
-    if (has_iridescence_texture) film.x *= texture(iridescence_texture, uv(iridescence_slot)).r;
+    if (has_iridescence_texture) film.x *= texel(iridescence_texture, iridescence_slot).r;
     if (has_film_thickness_texture)
-        film.y = mix(iridescence_factor.z, film.y, texture(film_thickness_texture, uv(film_thickness_slot)).g);
+        film.y = mix(iridescence_factor.z, film.y, texel(film_thickness_texture, film_thickness_slot).g);
     return film;
 }
 
@@ -72,9 +72,9 @@ void add_iridescence(inout Surface x) {
 vec4 diffuse_transmission() {
     vec4 factors = diffuse_transmission_factor;
     if (has_diffuse_transmission_color_texture)
-        factors.rgb *= texture(diffuse_transmission_color_texture, uv(diffuse_transmission_color_slot)).rgb;
+        factors.rgb *= texel(diffuse_transmission_color_texture, diffuse_transmission_color_slot).rgb;
     if (has_diffuse_transmission_texture)
-        factors.a *= texture(diffuse_transmission_texture, uv(diffuse_transmission_slot)).a;
+        factors.a *= texel(diffuse_transmission_texture, diffuse_transmission_slot).a;
     return factors;
 }
 

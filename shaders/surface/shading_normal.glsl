@@ -6,8 +6,7 @@
 // The triangle's own normal, on its front; lines and points have none, 0.
 vec3 triangle_normal() {
     if (is_line || is_point) return vec3(0.0);
-    vec3 towards_viewer = cross(dFdx(vertex_position), dFdy(vertex_position));
-    return unit_or(gl_FrontFacing ? towards_viewer : -towards_viewer, vec3(0.0, 1.0, 0.0));
+    return unit_or(is_front() ? across_triangle() : -across_triangle(), vec3(0.0, 1.0, 0.0));
 }
 
 // Where the corners' normals cancel out, the triangle has its own.
@@ -24,14 +23,14 @@ vec3 from_tangent_space(vec3 m) {
 
 vec3 mapped_normal() {
     if (!has_normal_texture) return interpolated_normal();
-    vec3 m = texture(normal_texture, uv(normal_slot)).xyz * 2.0 - 1.0;
+    vec3 m = texel(normal_texture, normal_slot).xyz * 2.0 - 1.0;
     return from_tangent_space(vec3(m.xy * normal_scale, m.z));
 }
 
 // The coat follows its own map, not that of what it covers (KHR_materials_clearcoat).
 vec3 mapped_clearcoat_normal() {
     if (!has_clearcoat_normal_texture) return interpolated_normal();
-    vec3 m = texture(clearcoat_normal_texture, uv(clearcoat_normal_slot)).xyz * 2.0 - 1.0;
+    vec3 m = texel(clearcoat_normal_texture, clearcoat_normal_slot).xyz * 2.0 - 1.0;
     return from_tangent_space(vec3(m.xy * clearcoat_factor.z, m.z));
 }
 
@@ -45,7 +44,7 @@ vec3 facing(vec3 n, vec3 wo) {
 // Lines and points have no back: n is taken for the side that is seen, and faces the viewer where there is none.
 vec3 on_seen_side(vec3 n, vec3 wo) {
     if (is_line || is_point) return unit_or(dot(n, wo) < 0.0 ? -n : n, wo);
-    return facing(gl_FrontFacing ? n : -n, wo);
+    return facing(is_front() ? n : -n, wo);
 }
 
 vec3 shading_normal(vec3 wo) { return on_seen_side(mapped_normal(), wo); }

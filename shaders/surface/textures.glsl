@@ -3,26 +3,33 @@
 #include "interface/fragment.glsl"
 #include "interface/material.glsl"
 
+bool reads_second_set(int slot) { return has_second_uv && uv_row_u[slot].w != 0.0; }
+
 vec2 uv(int slot) {
     vec4 row_u = uv_row_u[slot];
     vec4 row_v = uv_row_v[slot];
-    vec3 set = vec3(row_u.w == 0.0 ? vertex_uv0 : vertex_uv1, 1.0);
+    vec3 set = vec3(reads_second_set(slot) ? vertex_uv1 : vertex_uv0, 1.0);
     vec2 at = vec2(dot(row_u.xyz, set), dot(row_v.xyz, set));
     bool is_near = abs(at.x) < 1.6e7 && abs(at.y) < 1.6e7; // 2^24; beyond, floats have no fractions that a sampler could read
     return is_near ? at : vec2(0.0);
 }
 
+vec4 texel(sampler2D image, int slot) {
+    mat2 uv_from_set = mat2(uv_row_u[slot].x, uv_row_v[slot].x, uv_row_u[slot].y, uv_row_v[slot].y);
+    return texel_at(image, uv(slot), uv_from_set, reads_second_set(slot));
+}
+
 vec4 base_color() {
     vec4 color = base_color_factor;
     if (has_vertex_colors) color *= vertex_color;
-    if (has_base_color_texture) color *= texture(base_color_texture, uv(base_color_slot));
+    if (has_base_color_texture) color *= texel(base_color_texture, base_color_slot);
     return color;
 }
 
 // 1 - roughness is the factor's times the texel's alpha (KHR_materials_pbrSpecularGlossiness).
 float roughness_of_glossiness() {
     float glossiness = 1.0 - roughness_factor;
-    if (has_specular_color_texture) glossiness *= texture(specular_color_texture, uv(specular_color_slot)).a;
+    if (has_specular_color_texture) glossiness *= texel(specular_color_texture, specular_color_slot).a;
     return 1.0 - glossiness;
 }
 
@@ -31,34 +38,34 @@ vec2 roughness_metallic() {
     if (is_specular_glossiness) return vec2(roughness_of_glossiness(), 0.0);
     vec2 factors = vec2(roughness_factor, metallic_factor);
     if (has_metallic_roughness_texture)
-        factors *= texture(metallic_roughness_texture, uv(metallic_roughness_slot)).gb;
+        factors *= texel(metallic_roughness_texture, metallic_roughness_slot).gb;
     return factors;
 }
 
 vec3 emission() {
     vec3 L_e = emission_factor.rgb;
-    if (has_emission_texture) L_e *= texture(emission_texture, uv(emission_slot)).rgb;
+    if (has_emission_texture) L_e *= texel(emission_texture, emission_slot).rgb;
     return L_e;
 }
 
 // (specular colour, specular)
 vec4 specular() {
     vec4 factors = specular_color_factor;
-    if (has_specular_color_texture) factors.rgb *= texture(specular_color_texture, uv(specular_color_slot)).rgb;
-    if (has_specular_texture) factors.a *= texture(specular_texture, uv(specular_slot)).a;
+    if (has_specular_color_texture) factors.rgb *= texel(specular_color_texture, specular_color_slot).rgb;
+    if (has_specular_texture) factors.a *= texel(specular_texture, specular_slot).a;
     return factors;
 }
 
 float transmission() {
     float t = transmission_factor.x;
-    if (has_transmission_texture) t *= texture(transmission_texture, uv(transmission_slot)).r;
+    if (has_transmission_texture) t *= texel(transmission_texture, transmission_slot).r;
     return t;
 }
 
 // [m], in the mesh's space.
 float thickness() {
     float d = transmission_factor.y;
-    if (has_thickness_texture) d *= texture(thickness_texture, uv(thickness_slot)).g;
+    if (has_thickness_texture) d *= texel(thickness_texture, thickness_slot).g;
     return d;
 }
 

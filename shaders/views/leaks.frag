@@ -9,7 +9,7 @@ out vec4 film;
 
 // The triangle's own normal, on the side of the viewer.
 vec3 geometric_normal() {
-    vec3 n = normalize(cross(dFdx(vertex_position), dFdy(vertex_position)));
+    vec3 n = normalize(across_triangle());
     return faceforward(n, -direction_to_viewer(), n);
 }
 

@@ -1,20 +1,15 @@
 #version 410 core
 // The edges of the triangles, 1.5 pixels wide: 1 on an edge, 0 away from it, and a slope of a pixel between.
 // Where edges would cover most of a triangle they are fainter, so that a dense mesh is grey and not white.
+#include "interface/mesh.glsl"
 #include "surface/at_fragment.glsl"
-
-uniform samplerBuffer mesh_positions; // of the vertices, in object space [m]
-uniform usamplerBuffer mesh_indices;  // three a triangle
 
 out vec4 film;
 
 const float half_width = 0.75; // [pixels]
 const float faintest = 0.2;    // edges of a triangle that they cover
 
-vec3 corner(int i) {
-    int vertex = int(texelFetch(mesh_indices, 3 * gl_PrimitiveID + i).r);
-    return (world_from_object * vec4(texelFetch(mesh_positions, vertex).xyz, 1.0)).xyz;
-}
+vec3 corner(int i) { return corner_position(vertex_of(gl_PrimitiveID, i)); }
 
 // Each is 1 at its corner, and 0 on the edge between the two others.
 vec3 barycentric(vec3 p) {

@@ -17,8 +17,8 @@ void require_size(int width, int height) {
                     "choose a smaller --size");
 }
 
-void allocate(GLint internal_format, GLenum format, int width, int height) {
-    glTexImage2D(GL_TEXTURE_2D, 0, internal_format, width, height, 0, format, GL_FLOAT, nullptr);
+void allocate(GLint internal_format, GLenum format, GLenum type, int width, int height) {
+    glTexImage2D(GL_TEXTURE_2D, 0, internal_format, width, height, 0, format, type, nullptr);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
@@ -26,26 +26,30 @@ void allocate(GLint internal_format, GLenum format, int width, int height) {
 
 } // namespace
 
-RenderTarget::RenderTarget(const char* name, int width, int height, bool has_depth)
+RenderTarget::RenderTarget(const char* name, int width, int height, Depths depths)
     : width_(width),
       height_(height),
+      depths_(depths),
       color_(GL_TEXTURE_2D, name),
       depth_(GL_TEXTURE_2D, name),
       framebuffer_(name) {
     require_size(width, height);
     color_.bind(0);
-    allocate(GL_RGBA32F, GL_RGBA, width, height);
+    allocate(GL_RGBA32F, GL_RGBA, GL_FLOAT, width, height);
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, color_.id(), 0);
-    if (has_depth) {
-        depth_.bind(0);
-        allocate(GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, width, height);
+    depth_.bind(0);
+    if (depths == Depths::plain) {
+        allocate(GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT, width, height);
         glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth_.id(), 0);
+    } else if (depths == Depths::with_stencils) {
+        allocate(GL_DEPTH32F_STENCIL8, GL_DEPTH_STENCIL, GL_FLOAT_32_UNSIGNED_INT_24_8_REV, width, height);
+        glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_TEXTURE_2D, depth_.id(), 0);
     }
     require_complete();
 }
 
 RenderTarget::RenderTarget(const char* name, const RenderTarget& with_depth)
-    : RenderTarget(name, with_depth.width(), with_depth.height(), false) {
+    : RenderTarget(name, with_depth.width(), with_depth.height(), Depths::none) {
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, with_depth.depth().id(), 0);
     require_complete();
 }

@@ -8,11 +8,14 @@
 
 namespace sr::render {
 
+/// The buffers of a target besides its colours.
+enum class Depths { none, plain, with_stencils };
+
 /// A colour texture of 32-bit floats that can be drawn into, with a depth buffer if asked for.
 class RenderTarget {
 public:
     /// @throws Error if the driver does not take the size.
-    RenderTarget(const char* name, int width, int height, bool has_depth);
+    RenderTarget(const char* name, int width, int height, Depths depths);
     /// One of the same size that is drawn into under the depth of another, which outlives it.
     /// @throws Error as above
     RenderTarget(const char* name, const RenderTarget& with_depth);
@@ -23,6 +26,7 @@ public:
     int height() const { return height_; }
     const gl::Texture& color() const { return color_; }
     const gl::Texture& depth() const { return depth_; }
+    Depths depths() const { return depths_; }
 
     /// Copies the colours of a picture of the same size.
     void copy(const RenderTarget& from) const;
@@ -37,6 +41,7 @@ private:
 
     int width_;
     int height_;
+    Depths depths_;
     gl::Texture color_;
     gl::Texture depth_;
     gl::Framebuffer framebuffer_;

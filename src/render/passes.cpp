@@ -10,10 +10,8 @@ const std::string wireframe_shader = "views/wireframe.frag";
 const std::string overdraw_shader = "views/overdraw.frag";
 
 void draw_for(const std::string& fragment, const GpuScene& scene, const Draw& draw) {
-    if (fragment == wireframe_shader)
-        scene.draw_with_corners(draw);
-    else
-        scene.draw(draw);
+    if (fragment == wireframe_shader) scene.show_arrays(draw);
+    scene.draw(draw);
 }
 
 void cull(bool is_double_sided, GLenum face = GL_BACK) {
@@ -32,9 +30,9 @@ void count_fragments() {
     glBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ZERO); // coverage is no count
 }
 
-/// Draws the opaque surfaces where the pre-pass left them in front.
+/// Draws the opaque surfaces where the pre-pass left them in front. `triangles` as in forward_pass().
 void draw_visible(const GpuScene& scene, ShaderLibrary& shaders, const std::string& fragment,
-                  ProgramTerms terms) {
+                  ProgramTerms terms, const TriangleBuffer* triangles = nullptr) {
     glDisable(GL_BLEND);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_EQUAL);
@@ -42,10 +40,12 @@ void draw_visible(const GpuScene& scene, ShaderLibrary& shaders, const std::stri
     if (counts_surfaces(fragment)) count_fragments();
     scene.bind_lights();
     for (const Draw& draw : scene.opaque_draws()) {
+        if (triangles && draw.number > 0) continue;
         cull(draw.is_double_sided);
         shaders.mesh_program(fragment, draw.features, terms).use();
         draw_for(fragment, scene, draw);
     }
+    if (triangles) triangles->shade(scene, shaders, fragment, terms);
 }
 
 /// Larger is farther from the camera.
@@ -63,7 +63,8 @@ void begin_nearest(const RenderTarget& frame, vec3 background) {
     glDepthMask(GL_TRUE);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glClearColor(background.r, background.g, background.b, 0.0f);
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    glStencilMask(~0u);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
 }
 
 /// Draws a triangle over the scissor that adds to the target; not to pixels that mask_pass() closed, if there
@@ -106,15 +107,26 @@ const std::string& fragment_of(const Draw& draw, const std::string& shader) {
     return draw.features.has(scene::Layer::transmission) && shader == "forward.frag" ? glass_shader : shader;
 }
 
-void depth_pass(const RenderTarget& frame, const GpuScene& scene, ShaderLibrary& shaders, vec3 background) {
+const char* depth_shader_of(const Draw& draw, bool has_triangles) {
+    return has_triangles && draw.number > 0 ? "triangle.frag" : "depth.frag";
+}
+
+void depth_pass(const RenderTarget& frame, const GpuScene& scene, ShaderLibrary& shaders, vec3 background,
+                const mat4& clip_from_world, TriangleBuffer* triangles) {
     begin_nearest(frame, background);
-    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    if (triangles)
+        triangles->begin(scene, clip_from_world);
+    else
+        glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     for (const Draw& draw : scene.opaque_draws()) {
         cull(draw.is_double_sided);
-        shaders.mesh_program("depth.frag", depth_features(draw.features)).use();
+        if (triangles) triangles->write_number(draw);
+        shaders.mesh_program(depth_shader_of(draw, triangles != nullptr), depth_features(draw.features))
+            .use();
         scene.draw(draw);
     }
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glDisable(GL_STENCIL_TEST);
 }
 
 void background_pass(const RenderTarget& frame, const GpuScene& scene, ShaderLibrary& shaders) {
@@ -142,9 +154,13 @@ void mask_pass(const RenderTarget& frame, ShaderLibrary& shaders) {
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_ALWAYS);
     glDepthMask(GL_TRUE);
+    glEnable(GL_STENCIL_TEST); // the pixels see no draw with a number any more
+    glStencilFunc(GL_ALWAYS, 0, ~0u);
+    glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
     glBindSampler(0, 0);
     shaders.fullscreen_program("mask.frag").use();
     glDrawArrays(GL_TRIANGLES, 0, 3);
+    glDisable(GL_STENCIL_TEST);
 }
 
 void record_pass(const GpuScene& scene, ShaderLibrary& shaders, int attachments, int light_choices) {
@@ -153,9 +169,17 @@ void record_pass(const GpuScene& scene, ShaderLibrary& shaders, int attachments,
 }
 
 void forward_pass(const RenderTarget& frame, const GpuScene& scene, ShaderLibrary& shaders,
-                  const std::string& shader, ProgramTerms terms) {
+                  const std::string& shader, ProgramTerms terms, const TriangleBuffer* triangles) {
     frame.bind();
-    draw_visible(scene, shaders, shader, terms);
+    draw_visible(scene, shaders, shader, terms, triangles);
+}
+
+void compile_shading(ShaderLibrary& shaders, const Draw& draw, const std::string& shader, ProgramTerms terms,
+                     bool has_triangles) {
+    if (has_triangles && draw.number > 0)
+        shaders.pixel_program(shader, draw.features, terms);
+    else
+        shaders.mesh_program(shader, draw.features, terms);
 }
 
 void add_pass(const RenderTarget& frame, ShaderLibrary& shaders, bool has_closed) {

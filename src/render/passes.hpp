@@ -3,13 +3,18 @@
 #include "render/film.hpp"
 #include "render/gpu/gpu_scene.hpp"
 #include "render/gpu/shader_library.hpp"
+#include "render/triangle_buffer.hpp"
 #include "render/view.hpp"
 
 namespace sr::render {
 
 /// Clears to the background radiance with no coverage, then lays down the depth of opaque and masked
-/// surfaces.
-void depth_pass(const RenderTarget& frame, const GpuScene& scene, ShaderLibrary& shaders, vec3 background);
+/// surfaces. `triangles`: of this frame, gets the triangles that pixels see; null: nobody asks for them.
+void depth_pass(const RenderTarget& frame, const GpuScene& scene, ShaderLibrary& shaders, vec3 background,
+                const mat4& clip_from_world, TriangleBuffer* triangles);
+
+/// The fragment shader of the depth pass. `has_triangles`: with a TriangleBuffer.
+const char* depth_shader_of(const Draw& draw, bool has_triangles);
 
 /// Adds the environments that cameras see where no surface is, without coverage.
 void background_pass(const RenderTarget& frame, const GpuScene& scene, ShaderLibrary& shaders);
@@ -23,8 +28,13 @@ void mask_pass(const RenderTarget& frame, ShaderLibrary& shaders);
 void record_pass(const GpuScene& scene, ShaderLibrary& shaders, int attachments, int light_choices);
 
 /// Shades the surfaces whose depth the pre-pass left, each pixel once, by the fragment shader `shader`.
+/// `triangles`: those of the depth pass; null: rasterisation finds them again.
 void forward_pass(const RenderTarget& frame, const GpuScene& scene, ShaderLibrary& shaders,
-                  const std::string& shader, ProgramTerms terms);
+                  const std::string& shader, ProgramTerms terms, const TriangleBuffer* triangles);
+
+/// Compiles what forward_pass() takes for this draw. @throws ShaderError, Error
+void compile_shading(ShaderLibrary& shaders, const Draw& draw, const std::string& shader, ProgramTerms terms,
+                     bool has_triangles);
 
 /// Adds what the CPU summed for the pixels of the scissor (DeferredVisibility) to the frame, under a vertex
 /// array without vertices. `has_closed`: a mask_pass() closed pixels, which are left out.

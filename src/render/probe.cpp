@@ -200,7 +200,7 @@ public:
         : column_(column),
           row_(row_from_below),
           height_(2 * static_cast<int>((count + rows_of - 1) / rows_of)),
-          target_("f_r", width, height_, false) {
+          target_("f_r", width, height_, Depths::none) {
         target_.bind();
         glDisable(GL_SCISSOR_TEST);
         glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
@@ -258,7 +258,7 @@ std::optional<PixelBrdf> evaluate_brdf(const GpuScene& scene, const scene::Camer
     scene.bind_lights();
     glEnable(GL_SCISSOR_TEST);
     glScissor(column, row_from_below, 1, 1);
-    const RenderTarget frame("seen", options.width, options.height, true);
+    const RenderTarget frame("seen", options.width, options.height, Depths::plain);
     const auto seen = seen_at(scene, frame, shaders, column, row);
     if (!seen) {
         glDisable(GL_SCISSOR_TEST);

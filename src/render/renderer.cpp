@@ -111,11 +111,12 @@ Renderer::Renderer(const GpuScene& scene, const scene::Camera& camera, const Ren
       has_shadows_(options.has_shadows && asks_for_visibility(options)),
       end_light_(scene.light_count()),
       shaders_(shaders ? std::move(shaders) : programs(options)),
-      frame_("frame", options.width, options.height, true),
+      frame_("frame", options.width, options.height, depths_of_frame()),
       film_("film", frame_),
       converged_(options.width, options.height) {
     if (options.estimates_error) first_half_.emplace("first half", frame_);
     ask_for_shadows();
+    ask_for_triangles();
     clear();
 }
 
@@ -124,8 +125,9 @@ void Renderer::resize(int width, int height, int samples) {
     sums_ = {};
     whole_film_.reset();
     shadow_rays_.reset(); // its framebuffer holds on to the frame's depth
-    if (width != options_.width || height != options_.height) {
-        frame_ = RenderTarget("frame", width, height, true);
+    triangles_.reset();   // likewise
+    if (width != options_.width || height != options_.height || frame_.depths() != depths_of_frame()) {
+        frame_ = RenderTarget("frame", width, height, depths_of_frame());
         film_ = RenderTarget("film", frame_);
         if (first_half_) first_half_.emplace("first half", frame_);
     }
@@ -134,6 +136,7 @@ void Renderer::resize(int width, int height, int samples) {
     options_.samples = samples;
     use_lights(0, scene_.light_count());
     ask_for_shadows();
+    ask_for_triangles();
     sample_count_ = 0; // the films are new
     clear();
 }
@@ -186,15 +189,28 @@ void Renderer::ask_for_shadows() {
                              light_choices_);
 }
 
+/// Only the renderer's own shaders can look up triangles.
+Depths Renderer::depths_of_frame() const {
+    const bool looks_up = options_.shader == "forward.frag" && options_.shader_path.size() == 1;
+    return looks_up && TriangleBuffer::is_useful(scene_) ? Depths::with_stencils : Depths::plain;
+}
+
+/// A frame that is shaded twice is rasterised both times.
+void Renderer::ask_for_triangles() {
+    triangles_.reset();
+    if (frame_.depths() == Depths::with_stencils && !shadow_rays_) triangles_.emplace(frame_);
+}
+
 void Renderer::compile() {
     if (depth_maps_) depth_maps_->compile(*shaders_);
     for (const Draw& draw : scene_.opaque_draws()) {
-        shaders_->mesh_program("depth.frag", depth_features(draw.features));
-        if (!deferred_) shaders_->mesh_program(options_.shader, draw.features, opaque_terms());
+        shaders_->mesh_program(depth_shader_of(draw, triangles_.has_value()), depth_features(draw.features));
+        if (!deferred_)
+            compile_shading(*shaders_, draw, options_.shader, opaque_terms(), triangles_.has_value());
         if (shadow_rays_)
             shaders_->mesh_program("record.frag", draw.features, {VisibilityTerm::record, light_choices_});
     }
-    if (deferred_) deferred_->compile(*shaders_);
+    if (deferred_) deferred_->compile(*shaders_, triangles_.has_value());
     for (const Draw& draw : scene_.blended_draws())
         shaders_->mesh_program(fragment_of(draw, options_.shader), draw.features, blended_terms());
     if (shows_environment()) shaders_->fullscreen_program("background.frag");
@@ -259,8 +275,8 @@ void Renderer::draw(const PixelRect& part) {
     PassClock clock(pass_times_);
     const View view = begin_frame();
     set_scissor(part);
-    depth_pass(frame_, scene_, *shaders_,
-               counts_surfaces(options_.shader) ? vec3(0.0f) : options_.background);
+    depth_pass(frame_, scene_, *shaders_, counts_surfaces(options_.shader) ? vec3(0.0f) : options_.background,
+               view.clip_from_world, triangles());
     glBindVertexArray(no_vertices_.id());
     if (shows_environment()) background_pass(frame_, scene_, *shaders_);
     if (converged_.any(sample_count_)) {
@@ -331,14 +347,14 @@ ProgramTerms Renderer::blended_terms() const {
 void Renderer::shade_opaque(const PixelRect& window) {
     if (deferred_ && first_light_ != end_light_) {
         PixelSums& sums = sums_of_sample();
-        deferred_->shade(frame_, window, first_light_, end_light_, frame_data_, *shaders_, sums);
+        deferred_->shade(frame_, triangles(), window, first_light_, end_light_, frame_data_, *shaders_, sums);
         if (keeps_sums()) return;
         glBindVertexArray(no_vertices_.id()); // what is blended over the frame covers L_r, too
         sums.draw_into(frame_, window, *shaders_, converged_.any(sample_count_));
         return sums.clear(window);
     }
     if (!shadow_rays_ || first_light_ == end_light_) {
-        forward_pass(frame_, scene_, *shaders_, options_.shader, opaque_terms());
+        forward_pass(frame_, scene_, *shaders_, options_.shader, opaque_terms(), triangles());
         return;
     }
     const RowRange rows{options_.height - window.row - window.height, window.height};
@@ -347,7 +363,7 @@ void Renderer::shade_opaque(const PixelRect& window) {
     for (const RowRange& band : bands) {
         glScissor(window.column, band.first, window.width, band.count);
         shadow_rays_->find(band, first_light_, end_light_, frame_data_, *shaders_);
-        forward_pass(frame_, scene_, *shaders_, options_.shader, opaque_terms());
+        forward_pass(frame_, scene_, *shaders_, options_.shader, opaque_terms(), nullptr);
     }
     glDisable(GL_SCISSOR_TEST);
 }
@@ -362,7 +378,7 @@ PixelSums& Renderer::sums_of_sample() {
 
 const gl::Texture& Renderer::film_sum() const {
     if (!keeps_sums()) return film_.color();
-    if (!whole_film_) whole_film_.emplace("whole film", options_.width, options_.height, false);
+    if (!whole_film_) whole_film_.emplace("whole film", options_.width, options_.height, Depths::none);
     if (std::exchange(is_film_whole_, true)) return whole_film_->color();
     const KeptTarget kept;
     whole_film_->copy(film_);

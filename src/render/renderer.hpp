@@ -147,6 +147,9 @@ public:
     /// the shadow rays. Otherwise they are shaded twice: to record the rays, and with the answers.
     bool defers_visibility() const { return deferred_.has_value(); }
 
+    /// Returns whether finely meshed surfaces are shaded pixel by pixel (TriangleBuffer).
+    bool shades_pixels() const { return triangles_.has_value(); }
+
     /// The rays that the CPU answered; absent where it answers none.
     std::optional<TracedRays> traced_rays() const;
 
@@ -162,6 +165,9 @@ public:
 
 private:
     void ask_for_shadows();
+    Depths depths_of_frame() const;
+    void ask_for_triangles();
+    TriangleBuffer* triangles() { return triangles_ ? &*triangles_ : nullptr; }
     View begin_frame();
     PixelRect window() const; // what this frame draws
     void draw(const PixelRect& part);
@@ -185,7 +191,8 @@ private:
     std::shared_ptr<ShaderLibrary> shaders_;
     RenderTarget frame_;
     RenderTarget film_;
-    std::optional<RenderTarget> first_half_; // the sum of the first sequence's samples
+    std::optional<RenderTarget> first_half_;  // the sum of the first sequence's samples
+    std::optional<TriangleBuffer> triangles_; // where finely meshed surfaces are shaded pixel by pixel
     ConvergedPixels converged_;
     FrameData frame_data_;
     std::optional<DeferredVisibility> deferred_;

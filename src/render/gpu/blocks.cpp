@@ -78,8 +78,9 @@ void connect(const gl::Program& program) {
     program.bind_texture("last_rays", last_rays_unit);
     program.bind_texture("map_triangles", map_triangles_unit);
     program.bind_texture("map_points", map_points_unit);
-    program.bind_texture("mesh_positions", mesh_positions_unit);
+    program.bind_texture("mesh_floats", mesh_floats_unit);
     program.bind_texture("mesh_indices", mesh_indices_unit);
+    program.bind_texture("seen_triangles", seen_triangles_unit);
     for (unsigned i = 0; i < caster_sampler_names.size(); ++i)
         program.bind_texture(caster_sampler_names[i], static_cast<GLint>(first_caster_unit + i));
 }

@@ -36,7 +36,11 @@ struct ObjectBlock {
     std::int32_t first_triangle;
     std::int32_t object;
     std::int32_t material;
-    std::int32_t padding = 0;
+    std::int32_t first_normal = -1;
+    std::int32_t first_tangent = -1;
+    std::int32_t first_uv0 = -1;
+    std::int32_t first_uv1 = -1;
+    std::int32_t first_color = -1;
 };
 
 struct RaysBlock {
@@ -59,11 +63,12 @@ inline constexpr unsigned ltc_table_unit = slot_count + 3;
 inline constexpr unsigned last_rays_unit = slot_count + 4;
 inline constexpr unsigned map_triangles_unit = ray_visibility_unit; // depth maps take the place of rays
 inline constexpr unsigned map_points_unit = last_rays_unit;
-inline constexpr unsigned mesh_positions_unit = ray_visibility_unit; // views of the mesh ask for no shadows
-inline constexpr unsigned mesh_indices_unit = last_rays_unit;
 inline constexpr unsigned first_caster_unit = slot_count + 5; // five of them, see gpu_casters.hpp
 inline constexpr unsigned measured_unit = slot_count + 10;
 inline constexpr unsigned environment_texels_unit = slot_count + 11;
+inline constexpr unsigned mesh_floats_unit = slot_count + 12;
+inline constexpr unsigned mesh_indices_unit = slot_count + 13;
+inline constexpr unsigned seen_triangles_unit = slot_count + 14;
 
 /// A number takes a vec4, and so does a colour; an index of refraction takes two, a measured BRDF one (its
 /// alpha).

@@ -37,7 +37,8 @@ constexpr std::array light_flags{Flag{"has_sun_disks", &Features::has_sun_disks}
                                  Flag{"has_emission_maps", &Features::has_emission_maps},
                                  Flag{"has_environment_maps", &Features::has_environment_maps}};
 
-constexpr std::array other_flags{Flag{"has_vertex_colors", &Features::has_vertex_colors},
+constexpr std::array other_flags{Flag{"has_second_uv", &Features::has_second_uv},
+                                 Flag{"has_vertex_colors", &Features::has_vertex_colors},
                                  Flag{"has_energy_compensation", &Features::has_energy_compensation},
                                  Flag{"is_opaque_part", &Features::is_opaque_part},
                                  Flag{"is_specular_glossiness", &Features::is_specular_glossiness},
@@ -79,6 +80,17 @@ bool any_material(const scene::Scene& scene, Predicate is_so) {
             static_cast<std::size_t>(scene.meshes[static_cast<std::size_t>(instance.mesh)].material);
         return is_so(scene.materials[material]);
     });
+}
+
+/// Lights, their textures, five of the casters, the fitted lobes; an environment.
+int units_of_lights_and_shadows(const Features& features) { return features.has_environment_maps ? 9 : 8; }
+
+/// True if a texture that is read has the second set of coordinates.
+bool reads_second_uv(const Features& features, const scene::Material& material) {
+    for (std::size_t slot = 0; slot < scene::slot_count; ++slot)
+        if (features.has_texture[slot] && (material.*scene::texture_inputs[slot].member).texcoord != 0)
+            return true;
+    return false;
 }
 
 } // namespace
@@ -154,6 +166,7 @@ Features shading_features(const scene::Scene& scene, const scene::Mesh& mesh, co
     f.has_energy_compensation &= scene::brdf_model(material.model).has_microfacets;
     ask_for_layers(f, material, mesh);
     ask_for_textures(f, material, !mesh.tangents.empty());
+    f.has_second_uv = reads_second_uv(f, material);
     f.is_masked = material.alpha_mode == scene::AlphaMode::mask;
     f.is_blended = material.alpha_mode == scene::AlphaMode::blend;
     f.is_unlit = scene::is_unlit(mesh, material);
@@ -163,19 +176,23 @@ Features shading_features(const scene::Scene& scene, const scene::Mesh& mesh, co
 }
 
 void require_texture_units(const Features& features, std::string_view material, int units) {
-    // Lights, their textures, five of the casters, the fitted lobes; an environment.
-    const int of_lights_and_shadows = features.has_environment_maps ? 9 : 8;
-    const int count = features.material_texture_count();
-    if (count + of_lights_and_shadows <= units) return;
+    const int count = features.material_texture_count(), besides = units_of_lights_and_shadows(features);
+    if (count + besides <= units) return;
     throw Error(fmt::format("material \"{}\" reads {} textures, this driver has room for {}", material, count,
-                            units - of_lights_and_shadows),
+                            units - besides),
                 "take a texture of its clearcoat, sheen or iridescence away");
+}
+
+bool has_room_for_mesh(const Features& features, int units) {
+    constexpr int of_mesh = 3; // its arrays, its indices, the triangles that pixels see
+    return features.material_texture_count() + units_of_lights_and_shadows(features) + of_mesh <= units;
 }
 
 Features depth_features(const Features& shading) {
     Features f = caster_features(shading);
     if (!shading.is_opaque_part) return f;
     f.has(scene::Layer::transmission) = f.is_opaque_part = true;
+    f.has_second_uv = shading.has_second_uv;
     for (const auto texture :
          {&scene::Material::transmission_texture, &scene::Material::metallic_roughness_texture})
         f.has(texture) = shading.has(texture);
@@ -190,6 +207,7 @@ Features caster_features(const Features& shading) {
     f.is_masked = shading.is_masked;
     f.is_blended = shading.is_blended;
     f.has(&scene::Material::base_color_texture) = shading.has(&scene::Material::base_color_texture);
+    f.has_second_uv = shading.has_second_uv;
     f.has_vertex_colors = shading.has_vertex_colors;
     return f;
 }

@@ -21,6 +21,7 @@ struct Features {
     bool has_environment_maps = false;
 
     std::array<bool, scene::slot_count> has_texture{}; // by slot
+    bool has_second_uv = false;                        // a texture reads the second set of coordinates
     bool has_vertex_colors = false;
 
     scene::Model model = scene::Model::metallic_roughness;
@@ -92,6 +93,9 @@ Features shading_features(const scene::Scene& scene, const scene::Mesh& mesh, co
 /// @throws Error if the material of that name takes more than `units` textures together with lights and
 /// shadows; OpenGL grants 16 at least, GL_MAX_TEXTURE_IMAGE_UNITS
 void require_texture_units(const Features& features, std::string_view material, int units);
+
+/// Returns whether a driver with so many units has room for the mesh's arrays besides (TriangleBuffer).
+bool has_room_for_mesh(const Features& features, int units);
 
 /// Returns the features of `shading` that the depth pre-pass needs: the kind of primitive, and the features
 /// of alpha and transmission if the material is masked or glass in part.

@@ -83,8 +83,11 @@ GpuMesh::GpuMesh(const scene::Mesh& source)
     glBindBuffer(GL_ARRAY_BUFFER, vertices_.id());
     glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(total), nullptr, GL_STATIC_DRAW);
     std::size_t offset = 0;
+    first_floats_.fill(-1);
+    float_count_ = static_cast<int>(total / sizeof(float));
     for (const Attribute& a : attributes) {
         if (a.bytes == 0) continue;
+        first_floats_[a.location] = static_cast<int>(offset / sizeof(float));
         glBufferSubData(GL_ARRAY_BUFFER, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(a.bytes),
                         a.data);
         glEnableVertexAttribArray(a.location);
@@ -104,10 +107,10 @@ void GpuMesh::draw_triangle(int triangle) const {
     draw(corners * triangle, corners);
 }
 
-void GpuMesh::show_corners(const gl::Texture& positions, GLuint positions_unit, const gl::Texture& indices,
-                           GLuint indices_unit) const {
-    positions.bind(positions_unit);
-    glTexBuffer(GL_TEXTURE_BUFFER, GL_RGB32F, vertices_.id()); // positions are the first array
+void GpuMesh::show_arrays(const gl::Texture& floats, GLuint floats_unit, const gl::Texture& indices,
+                          GLuint indices_unit) const {
+    floats.bind(floats_unit);
+    glTexBuffer(GL_TEXTURE_BUFFER, GL_R32F, vertices_.id());
     indices.bind(indices_unit);
     glTexBuffer(GL_TEXTURE_BUFFER, GL_R32UI, indices_.id());
 }

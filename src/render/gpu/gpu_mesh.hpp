@@ -3,6 +3,8 @@
 #include "gl/object.hpp"
 #include "scene/scene.hpp"
 
+#include <array>
+
 namespace sr::render {
 
 /// The arrays of a mesh one after the other in a vertex buffer, and an index buffer. Attributes that the mesh
@@ -15,10 +17,14 @@ public:
     void draw() const;
     /// Draws one triangle; of lines one of the two triangles of each quad, of points a point.
     void draw_triangle(int triangle) const;
-    /// Lets buffer textures read the positions of the vertices, RGB32F, and the indices of the corners,
-    /// R32UI. They are bound to the units.
-    void show_corners(const gl::Texture& positions, GLuint positions_unit, const gl::Texture& indices,
-                      GLuint indices_unit) const;
+    /// Lets buffer textures read the arrays of the vertices, R32F, and the indices of the corners, R32UI
+    /// (shaders/interface/mesh.glsl). They are bound to the units.
+    void show_arrays(const gl::Texture& floats, GLuint floats_unit, const gl::Texture& indices,
+                     GLuint indices_unit) const;
+    /// Returns where the array of an attribute of mesh.vert begins [floats]; -1 if the mesh has none.
+    int first_float(GLuint location) const { return first_floats_[location]; }
+    int float_count() const { return float_count_; }
+    int triangle_count() const { return mode_ == GL_TRIANGLES ? index_count_ / 3 : 0; }
 
 private:
     void draw(int first, GLsizei count) const;
@@ -28,6 +34,8 @@ private:
     gl::Buffer indices_;
     GLenum mode_;
     GLsizei index_count_ = 0;
+    std::array<int, 7> first_floats_{}; // by location
+    int float_count_ = 0;
 };
 
 } // namespace sr::render

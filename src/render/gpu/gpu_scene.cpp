@@ -20,6 +20,10 @@
 namespace sr::render {
 namespace {
 
+// A mesh of so many triangles is finely meshed: shading it pixel by pixel saves more than looking up
+// triangles costs.
+constexpr int fine_triangles = 256;
+
 /// A block array in one uniform buffer; each entry starts where GL allows a range to start.
 template<class BlockType>
 GLsizeiptr upload_blocks(const gl::Buffer& buffer, const std::vector<BlockType>& blocks) {
@@ -36,15 +40,20 @@ GLsizeiptr upload_blocks(const gl::Buffer& buffer, const std::vector<BlockType>&
 }
 
 /// `is_body`: a closed mesh of glass.
-ObjectBlock packed_object(const scene::Instance& instance, std::size_t first_triangle, std::size_t object,
-                          int material, bool is_body) {
+ObjectBlock packed_object(const scene::Instance& instance, const GpuMesh& mesh, std::size_t first_triangle,
+                          std::size_t object, int material, bool is_body) {
     const mat4& m = instance.world_from_object;
     return {m,
             mat4(scene::normal_transform(m)),
             vec4(scene::mirrors(m) ? -1.0f : 1.0f, scene::length_scale(m), is_body ? 1.0f : 0.0f, 0.0f),
             static_cast<std::int32_t>(first_triangle),
             static_cast<std::int32_t>(object),
-            material};
+            material,
+            mesh.first_float(1),
+            mesh.first_float(2),
+            mesh.first_float(3),
+            mesh.first_float(4),
+            mesh.first_float(5)};
 }
 
 /// An image as textures use it: the same picture may be colours to one and data to another.
@@ -168,7 +177,8 @@ void GpuScene::upload_objects(const scene::Scene& scene) {
     for (const scene::Instance& instance : scene.instances) {
         const scene::Mesh& mesh = scene.meshes[instance.mesh];
         const bool is_body = scene::is_body_of_glass(mesh, scene.materials[mesh.material]);
-        blocks.push_back(packed_object(instance, triangles, blocks.size(), mesh.material, is_body));
+        blocks.push_back(packed_object(instance, meshes_[instance.mesh], triangles, blocks.size(),
+                                       mesh.material, is_body));
         triangles += mesh.indices.size() / 3;
     }
     object_stride_ = upload_blocks(objects_, blocks);
@@ -258,6 +268,23 @@ void GpuScene::list_draws(const scene::Scene& scene, std::span<const scene::Ligh
     std::stable_sort(opaque_.begin(), opaque_.end(), [](const Draw& a, const Draw& b) {
         return std::tie(a.features, a.material) < std::tie(b.features, b.material);
     });
+    number_draws(scene, texture_units);
+}
+
+/// Numbers the opaque draws that are finely meshed, while there are numbers.
+void GpuScene::number_draws(const scene::Scene& scene, int texture_units) {
+    int number = 0;
+    for (Draw& draw : opaque_) {
+        const GpuMesh& mesh = meshes_[draw.mesh];
+        if (number == max_numbered_draws || mesh.triangle_count() < fine_triangles || !draw.is_surface
+            || static_cast<std::size_t>(mesh.float_count()) > BufferTexture::max_texels()
+            || !has_room_for_mesh(draw.features, texture_units))
+            continue;
+        draw.number = ++number;
+        const mat4& world_from_object = scene.instances[draw.instance].world_from_object;
+        for (const vec3 position : scene.meshes[draw.mesh].positions)
+            draw.bounds.extend(vec3(world_from_object * vec4(position, 1.0f)));
+    }
 }
 
 void GpuScene::bind_material(int material) const {
@@ -305,11 +332,8 @@ void GpuScene::draw(const Draw& draw) const {
     meshes_[draw.mesh].draw();
 }
 
-void GpuScene::draw_with_corners(const Draw& draw) const {
-    bind(draw);
-    const GpuMesh& mesh = meshes_[draw.mesh];
-    mesh.show_corners(mesh_positions_, mesh_positions_unit, mesh_indices_, mesh_indices_unit);
-    mesh.draw();
+void GpuScene::show_arrays(const Draw& draw) const {
+    meshes_[draw.mesh].show_arrays(mesh_floats_, mesh_floats_unit, mesh_indices_, mesh_indices_unit);
 }
 
 void GpuScene::draw_triangle(const Draw& draw, int triangle) const {

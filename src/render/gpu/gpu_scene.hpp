@@ -22,7 +22,13 @@ struct Draw {
     bool mirrors = false; // its front faces come out clockwise
     bool is_double_sided = false;
     bool is_surface = true; // false: lines or points, which have no back
+    /// From 1 on: shaded pixel by pixel where the driver runs on the CPU (TriangleBuffer); 0: never so.
+    int number = 0;
+    scene::Bounds bounds{}; // of a draw with a number
 };
+
+/// Draws that have numbers, at most: a stencil buffer holds them.
+inline constexpr int max_numbered_draws = 255;
 
 class GpuScene {
 public:
@@ -60,8 +66,8 @@ public:
 
     /// Binds the instance's and the material's data and draws with whatever program is in use.
     void draw(const Draw& draw) const;
-    /// The same, and the program can read the corners of the triangles (views/wireframe.frag).
-    void draw_with_corners(const Draw& draw) const;
+    /// Lets the program look up triangles of the mesh (shaders/interface/mesh.glsl).
+    void show_arrays(const Draw& draw) const;
 
     /// Do the two steps of draw() alone; of the mesh one triangle is drawn.
     void bind(const Draw& draw) const;
@@ -74,13 +80,14 @@ private:
     void upload_materials(const scene::Scene& scene);
     void upload_lights(const scene::Scene& scene, std::span<const scene::Light> lights);
     void list_draws(const scene::Scene& scene, std::span<const scene::Light> lights);
+    void number_draws(const scene::Scene& scene, int texture_units);
     void cast_shadows(const scene::Scene& scene, std::span<const scene::Light> lights);
     void bind_material(int material) const;
 
     Visibility visibility_;
     bool has_energy_compensation_;
     std::vector<GpuMesh> meshes_;
-    gl::Texture mesh_positions_{GL_TEXTURE_BUFFER, "the positions of a mesh"};
+    gl::Texture mesh_floats_{GL_TEXTURE_BUFFER, "the arrays of a mesh"};
     gl::Texture mesh_indices_{GL_TEXTURE_BUFFER, "the indices of a mesh"};
     std::vector<gl::Texture> images_; // one per (image, colour space) in use
     std::vector<gl::Sampler> samplers_;

@@ -45,7 +45,7 @@ void ShaderEvaluator::append(std::span<const Row> rows, std::vector<vec4>& answe
     const int height = (count + columns - 1) / columns;
     glActiveTexture(GL_TEXTURE0
                     + rows_unit); // what is made here must not take the place of the caller's textures
-    const RenderTarget target("table", columns, height, false);
+    const RenderTarget target("table", columns, height, Depths::none);
     BufferTexture table("the rows of a table", GL_RGBA32F);
     table.upload(std::vector<Row>(rows.begin(), rows.end()), "evaluate fewer rows");
 

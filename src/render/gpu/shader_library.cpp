@@ -101,17 +101,33 @@ gl::Program ShaderLibrary::linked(const std::string& name, const glsl::Source& v
     return program;
 }
 
-const gl::Program& ShaderLibrary::mesh_program(const std::string& fragment, const Features& features,
-                                               ProgramTerms terms) {
-    const auto key = std::tuple(fragment, features, terms);
-    if (const auto found = mesh_programs_.find(key); found != mesh_programs_.end()) return found->second;
-    // Behind the user's own roots: a folder that brings its own features.glsl means it.
+/// Behind the user's own roots: a folder that brings its own features.glsl means it.
+std::vector<glsl::Root> ShaderLibrary::path_of(const Features& features, ProgramTerms terms) const {
     std::vector<glsl::Root> path{shader_path_.begin(), shader_path_.end() - 1};
     if (estimator_ && features.is_analytic()) path.push_back(*estimator_);
     if (terms.light_choices > 0) path.push_back(chosen_lights(terms.light_choices));
     path.push_back(specialised(features, terms.visibility, shader_path_));
     path.push_back(shader_path_.back());
-    return mesh_programs_.emplace(key, compiled("mesh.vert", fragment, path)).first->second;
+    return path;
+}
+
+const gl::Program& ShaderLibrary::mesh_program(const std::string& fragment, const Features& features,
+                                               ProgramTerms terms) {
+    const Key key(fragment, features, terms);
+    if (const auto found = mesh_programs_.find(key); found != mesh_programs_.end()) return found->second;
+    return mesh_programs_.emplace(key, compiled("mesh.vert", fragment, path_of(features, terms)))
+        .first->second;
+}
+
+const gl::Program& ShaderLibrary::pixel_program(const std::string& fragment, const Features& features,
+                                                ProgramTerms terms) {
+    const Key key(fragment, features, terms);
+    if (const auto found = pixel_programs_.find(key); found != pixel_programs_.end()) return found->second;
+    std::vector<glsl::Root> path = path_of(features, terms);
+    path.insert(path.end() - 1,
+                glsl::Root::memory("pixel by pixel", {{"interface/fragment.glsl",
+                                                       "#include \"interface/seen_triangle.glsl\"\n"}}));
+    return pixel_programs_.emplace(key, compiled("fullscreen.vert", fragment, path)).first->second;
 }
 
 const gl::Program& ShaderLibrary::fullscreen_program(const std::string& fragment) {

@@ -51,15 +51,25 @@ public:
     const gl::Program& mesh_program(const std::string& fragment, const Features& features,
                                     ProgramTerms terms = {});
 
+    /// The same for pixels that look their triangle up (shaders/interface/seen_triangle.glsl):
+    /// fullscreen.vert with `fragment`. @throws ShaderError, Error
+    const gl::Program& pixel_program(const std::string& fragment, const Features& features,
+                                     ProgramTerms terms = {});
+
     /// fullscreen.vert with `fragment`. Compiles at the first call. @throws ShaderError, Error
     const gl::Program& fullscreen_program(const std::string& fragment);
 
     /// The loops of untrusted code in all programs.
     const std::vector<glsl::Loop>& loops() const { return loops_; }
 
-    std::size_t program_count() const { return mesh_programs_.size() + fullscreen_programs_.size(); }
+    std::size_t program_count() const {
+        return mesh_programs_.size() + pixel_programs_.size() + fullscreen_programs_.size();
+    }
 
 private:
+    using Key = std::tuple<std::string, Features, ProgramTerms>;
+
+    std::vector<glsl::Root> path_of(const Features& features, ProgramTerms terms) const;
     gl::Program compiled(const std::string& vertex, const std::string& fragment,
                          std::span<const glsl::Root> path);
     gl::Program linked(const std::string& name, const glsl::Source& vertex, const glsl::Source& fragment);
@@ -68,7 +78,8 @@ private:
     std::optional<glsl::Root> estimator_;
     std::shared_ptr<gl::TrialCompiler> trial_;
     std::vector<glsl::Loop> loops_;
-    std::map<std::tuple<std::string, Features, ProgramTerms>, gl::Program> mesh_programs_;
+    std::map<Key, gl::Program> mesh_programs_;
+    std::map<Key, gl::Program> pixel_programs_;
     std::map<std::string, gl::Program> fullscreen_programs_;
 };
 

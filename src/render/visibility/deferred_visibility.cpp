@@ -102,15 +102,15 @@ std::size_t DeferredVisibility::pixel_words() const {
     return receiver_words + sample_words * static_cast<std::size_t>(most_rays_);
 }
 
-void DeferredVisibility::compile(ShaderLibrary& shaders) const {
+void DeferredVisibility::compile(ShaderLibrary& shaders, bool has_triangles) const {
     for (const Draw& draw : scene_.opaque_draws())
-        shaders.mesh_program("deferred.frag", draw.features, terms());
+        compile_shading(shaders, draw, "deferred.frag", terms(), has_triangles);
     shaders.fullscreen_program("deferred_sum.frag");
 }
 
-void DeferredVisibility::shade(const RenderTarget& frame, const PixelRect& window, int first_light,
-                               int end_light, FrameData& frame_data, ShaderLibrary& shaders,
-                               PixelSums& sums) {
+void DeferredVisibility::shade(const RenderTarget& frame, const TriangleBuffer* triangles,
+                               const PixelRect& window, int first_light, int end_light, FrameData& frame_data,
+                               ShaderLibrary& shaders, PixelSums& sums) {
     const int first_row = frame.height() - window.row - window.height; // GL counts rows from below
     glEnable(GL_SCISSOR_TEST);
     for (int row = 0; row < window.height; row += rows_at_once_) {
@@ -123,7 +123,7 @@ void DeferredVisibility::shade(const RenderTarget& frame, const PixelRect& windo
         glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, samples_.id());
         for (int first = first_light; first < end_light; first += lights_at_once_) {
             frame_data.select_lights(first, std::min(end_light, first + lights_at_once_));
-            forward_pass(frame, scene_, shaders, "deferred.frag", terms());
+            forward_pass(frame, scene_, shaders, "deferred.frag", terms(), triangles);
             add_seen(band, sums);
         }
     }

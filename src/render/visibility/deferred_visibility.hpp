@@ -5,6 +5,7 @@
 #include "render/gpu/blocks.hpp"
 #include "render/gpu/gpu_scene.hpp"
 #include "render/gpu/shader_library.hpp"
+#include "render/triangle_buffer.hpp"
 #include "render/visibility/pixel_sums.hpp"
 #include "render/visibility/recorded_ray.hpp"
 
@@ -22,12 +23,15 @@ public:
     DeferredVisibility(const GpuScene& scene, int width, int height, std::size_t max_rays, int light_choices);
 
     /// Compiles the programs that shade() uses. @throws ShaderError
-    void compile(ShaderLibrary& shaders) const;
+    /// `has_triangles`: for shade() with a TriangleBuffer.
+    void compile(ShaderLibrary& shaders, bool has_triangles) const;
 
     /// Writes L_e of the opaque surfaces, where their depth lies in `frame`, and adds L_r under the lights
     /// [first, end) to `sums`, in the columns and rows of this window. `frame_data` then has these lights.
-    void shade(const RenderTarget& frame, const PixelRect& window, int first_light, int end_light,
-               FrameData& frame_data, ShaderLibrary& shaders, PixelSums& sums);
+    /// `triangles` as in forward_pass().
+    void shade(const RenderTarget& frame, const TriangleBuffer* triangles, const PixelRect& window,
+               int first_light, int end_light, FrameData& frame_data, ShaderLibrary& shaders,
+               PixelSums& sums);
 
     const TracedRays& traced() const { return traced_; } // so far
 

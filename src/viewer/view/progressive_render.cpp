@@ -157,7 +157,7 @@ void ProgressiveRender::keep() {
     if (renderer_.sample_count() == 0) return;
     const int width = renderer_.width(), height = renderer_.height();
     if (!kept_ || kept_width_ != width || kept_height_ != height)
-        kept_.emplace("kept film", kept_width_ = width, kept_height_ = height, false);
+        kept_.emplace("kept film", kept_width_ = width, kept_height_ = height, render::Depths::none);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, reading_.id());
     glFramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D,
                            renderer_.film_sum().id(), 0);

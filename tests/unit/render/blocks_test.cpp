@@ -18,7 +18,7 @@ Features everything() {
     f.has_lights.fill(true);
     f.has_sun_disks = f.has_profiles = f.has_emission_maps = true;
     f.has_texture.fill(true);
-    f.has_vertex_colors = f.is_masked = f.is_blended = true;
+    f.has_second_uv = f.has_vertex_colors = f.is_masked = f.is_blended = true;
     f.has_layer.fill(true);
     return f;
 }

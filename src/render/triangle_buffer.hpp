@@ -1,0 +1,45 @@
+#pragma once
+// The triangle that each pixel sees, so that finely meshed surfaces are shaded pixel by pixel.
+#include "render/film.hpp"
+#include "render/gpu/gpu_scene.hpp"
+#include "render/gpu/shader_library.hpp"
+
+#include <string>
+#include <vector>
+
+namespace sr::render {
+
+/// A visibility buffer (Burns & Hunt 2013, section 3) of the draws that have numbers. A driver that runs on
+/// the CPU shades blocks of pixels, and a block once for each triangle in it, so that small triangles cost
+/// several times their pixels. Here one large triangle shades each pixel once, by
+/// shaders/interface/seen_triangle.glsl.
+class TriangleBuffer {
+public:
+    /// Returns whether the current context runs on the CPU and a draw of the scene has a number.
+    static bool is_useful(const GpuScene& scene);
+
+    /// Of the size of `frame`, whose depths and stencils it shares and which outlives it.
+    /// @throws Error if the driver does not take it
+    explicit TriangleBuffer(const RenderTarget& frame);
+
+    /// Makes it the target of the depth pre-pass, for a camera with this matrix.
+    void begin(const GpuScene& scene, const mat4& clip_from_world);
+
+    /// Of the depth pre-pass: pixels get the number of this draw.
+    void write_number(const Draw& draw) const;
+
+    /// Shades the pixels of the scissor that see a draw with a number, by `fragment` and `terms`, into the
+    /// bound framebuffer, which has the frame's stencils.
+    void shade(const GpuScene& scene, ShaderLibrary& shaders, const std::string& fragment,
+               ProgramTerms terms) const;
+
+private:
+    int width_;
+    int height_;
+    gl::Texture triangles_{GL_TEXTURE_2D, "seen triangles"};
+    gl::Framebuffer framebuffer_{"seen triangles"};
+    gl::VertexArray no_vertices_{"no vertices"};
+    std::vector<PixelRect> rectangles_; // that the draws may cover, by number - 1; rows from below
+};
+
+} // namespace sr::render
