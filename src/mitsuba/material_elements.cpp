@@ -117,7 +117,7 @@ private:
     void write_texture_of_layer(const scene::TextureInput& input) {
         if (input.member == &scene::Material::clearcoat_normal_texture && !has_tangents_) return;
         write_slot(fmt::format("{}_texture", input.name), m_.*input.member,
-                   input.is_in_alpha ? Part::alpha : Part::color);
+                   input.is_in_alpha() ? Part::alpha : Part::color);
     }
 
     Xml& xml_;

@@ -294,31 +294,33 @@ struct TextureInput {
     std::string_view
         name; // "base_color": GLSL has base_color_slot, base_color_texture and has_base_color_texture
     TextureSlot Material::*member;
-    ColorSpace color_space;   // of its texels
-    bool is_in_alpha = false; // its number is the texels' alpha
+    ColorSpace color_space;    // of its texels
+    std::string_view channels; // of its texels that shading reads, in the order "rgba"
+
+    constexpr bool is_in_alpha() const { return channels == "a"; }
 };
 
 /// All of them. A slot is a place in this table, here and in GLSL (shaders/interface/material.glsl).
 inline constexpr std::array texture_inputs{
-    TextureInput{"base_color", &Material::base_color_texture, ColorSpace::srgb},
-    TextureInput{"metallic_roughness", &Material::metallic_roughness_texture, ColorSpace::linear},
-    TextureInput{"normal", &Material::normal_texture, ColorSpace::linear},
-    TextureInput{"emission", &Material::emission_texture, ColorSpace::srgb},
-    TextureInput{"specular", &Material::specular_texture, ColorSpace::linear, true},
-    TextureInput{"specular_color", &Material::specular_color_texture, ColorSpace::srgb},
-    TextureInput{"anisotropy", &Material::anisotropy_texture, ColorSpace::linear},
-    TextureInput{"clearcoat", &Material::clearcoat_texture, ColorSpace::linear},
-    TextureInput{"clearcoat_roughness", &Material::clearcoat_roughness_texture, ColorSpace::linear},
-    TextureInput{"clearcoat_normal", &Material::clearcoat_normal_texture, ColorSpace::linear},
-    TextureInput{"sheen_color", &Material::sheen_color_texture, ColorSpace::srgb},
-    TextureInput{"sheen_roughness", &Material::sheen_roughness_texture, ColorSpace::linear, true},
-    TextureInput{"iridescence", &Material::iridescence_texture, ColorSpace::linear},
-    TextureInput{"film_thickness", &Material::film_thickness_texture, ColorSpace::linear},
-    TextureInput{"transmission", &Material::transmission_texture, ColorSpace::linear},
-    TextureInput{"thickness", &Material::thickness_texture, ColorSpace::linear},
-    TextureInput{"diffuse_transmission", &Material::diffuse_transmission_texture, ColorSpace::linear, true},
+    TextureInput{"base_color", &Material::base_color_texture, ColorSpace::srgb, "rgba"},
+    TextureInput{"metallic_roughness", &Material::metallic_roughness_texture, ColorSpace::linear, "gb"},
+    TextureInput{"normal", &Material::normal_texture, ColorSpace::linear, "rgb"},
+    TextureInput{"emission", &Material::emission_texture, ColorSpace::srgb, "rgb"},
+    TextureInput{"specular", &Material::specular_texture, ColorSpace::linear, "a"},
+    TextureInput{"specular_color", &Material::specular_color_texture, ColorSpace::srgb, "rgba"},
+    TextureInput{"anisotropy", &Material::anisotropy_texture, ColorSpace::linear, "rgb"},
+    TextureInput{"clearcoat", &Material::clearcoat_texture, ColorSpace::linear, "r"},
+    TextureInput{"clearcoat_roughness", &Material::clearcoat_roughness_texture, ColorSpace::linear, "g"},
+    TextureInput{"clearcoat_normal", &Material::clearcoat_normal_texture, ColorSpace::linear, "rgb"},
+    TextureInput{"sheen_color", &Material::sheen_color_texture, ColorSpace::srgb, "rgb"},
+    TextureInput{"sheen_roughness", &Material::sheen_roughness_texture, ColorSpace::linear, "a"},
+    TextureInput{"iridescence", &Material::iridescence_texture, ColorSpace::linear, "r"},
+    TextureInput{"film_thickness", &Material::film_thickness_texture, ColorSpace::linear, "g"},
+    TextureInput{"transmission", &Material::transmission_texture, ColorSpace::linear, "r"},
+    TextureInput{"thickness", &Material::thickness_texture, ColorSpace::linear, "g"},
+    TextureInput{"diffuse_transmission", &Material::diffuse_transmission_texture, ColorSpace::linear, "a"},
     TextureInput{"diffuse_transmission_color", &Material::diffuse_transmission_color_texture,
-                 ColorSpace::srgb}};
+                 ColorSpace::srgb, "rgb"}};
 inline constexpr unsigned slot_count = static_cast<unsigned>(texture_inputs.size());
 
 /// The slot of a member, as in texture_slot(&Material::normal_texture).

@@ -60,7 +60,7 @@ ObjectBlock packed_object(const scene::Instance& instance, const GpuMesh& mesh, 
 struct ImageUse {
     int image = 0;
     scene::ColorSpace color_space = scene::ColorSpace::linear;
-    TexelNeeds needs;
+    TexelLayout layout;
 
     bool operator==(const ImageUse&) const = default;
 };
@@ -74,15 +74,19 @@ std::vector<bool> alpha_is_compared(const scene::Scene& scene) {
     return is_compared;
 }
 
-/// An image in the form that the GPU stores.
-struct ReadyImage {
-    TexelFormat format = TexelFormat::unorm8;
-    std::vector<MipLevel> lower_levels;
-};
-
-ReadyImage make_ready(const scene::TextureImage& image, const ImageUse& use) {
-    const TexelFormat format = texel_format(image, use.color_space, use.needs);
-    return {format, lower_mip_levels(image, use.color_space, format)};
+/// For each image, the channels that materials read of it, as TexelLayout has them.
+std::vector<unsigned> channels_in_use(const scene::Scene& scene) {
+    std::vector<unsigned> channels(scene.images.size(), 0);
+    for (const scene::Material& material : scene.materials)
+        for (const scene::TextureInput& input : scene::texture_inputs) {
+            const int texture = (material.*input.member).texture;
+            if (texture < 0) continue;
+            const int image = scene.textures[static_cast<std::size_t>(texture)].image;
+            for (unsigned c = 0; c < 4; ++c)
+                if (input.channels.find("rgba"[c]) != std::string_view::npos)
+                    channels[static_cast<std::size_t>(image)] |= 1u << c;
+        }
+    return channels;
 }
 
 /// The mean of the triangles' corners: it goes with the vertices wherever an affine transform takes them, so
@@ -140,11 +144,15 @@ void GpuScene::upload_textures(const scene::Scene& scene) {
     const bool driver_is_inexact =
         gl::is_software_renderer(reinterpret_cast<const char*>(glGetString(GL_RENDERER)));
     const std::vector<bool> is_compared = alpha_is_compared(scene);
+    const std::vector<unsigned> channels = channels_in_use(scene);
     std::vector<ImageUse> uses;
     std::vector<scene::Sampler> made;
     for (std::size_t i = 0; i < scene.textures.size(); ++i) {
         const scene::Texture& texture = scene.textures[i];
-        const ImageUse use{texture.image, texture.color_space, {driver_is_inexact, is_compared[i]}};
+        const auto index = static_cast<std::size_t>(texture.image);
+        const TexelNeeds needs{driver_is_inexact, is_compared[i], channels[index]};
+        const ImageUse use{texture.image, texture.color_space,
+                           texel_layout(scene.images[index], texture.color_space, needs)};
         const auto image = std::find(uses.begin(), uses.end(), use);
         image_of_texture_.push_back(static_cast<int>(image - uses.begin()));
         if (image == uses.end()) uses.push_back(use);
@@ -158,15 +166,14 @@ void GpuScene::upload_textures(const scene::Scene& scene) {
     // Threads convert and halve the images, a few ahead of the upload: all at once would take their memory at
     // once.
     const std::size_t max_ahead = std::max(2u, std::thread::hardware_concurrency());
-    std::deque<std::future<ReadyImage>> ready;
+    std::deque<std::future<std::vector<MipLevel>>> lower_levels;
     for (std::size_t i = 0, begun = 0; i < uses.size(); ++i) {
         for (; begun < uses.size() && begun < i + max_ahead; ++begun)
-            ready.push_back(started([&image = scene.images[uses[begun].image], use = uses[begun]] {
-                return make_ready(image, use);
+            lower_levels.push_back(started([&image = scene.images[uses[begun].image], use = uses[begun]] {
+                return lower_mip_levels(image, use.color_space, use.layout);
             }));
-        const ReadyImage image = ready.front().get();
-        ready.pop_front();
-        images_.push_back(upload(scene.images[uses[i].image], image.format, image.lower_levels));
+        images_.push_back(upload(scene.images[uses[i].image], uses[i].layout, lower_levels.front().get()));
+        lower_levels.pop_front();
     }
     for (const scene::MeasuredBrdf& measured : scene.measured) measured_.push_back(upload(measured));
 }

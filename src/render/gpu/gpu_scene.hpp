@@ -89,7 +89,7 @@ private:
     std::vector<GpuMesh> meshes_;
     gl::Texture mesh_floats_{GL_TEXTURE_BUFFER, "the arrays of a mesh"};
     gl::Texture mesh_indices_{GL_TEXTURE_BUFFER, "the indices of a mesh"};
-    std::vector<gl::Texture> images_; // one per (image, colour space) in use
+    std::vector<gl::Texture> images_; // one per ImageUse
     std::vector<gl::Sampler> samplers_;
     std::vector<int> image_of_texture_;
     std::vector<int> sampler_of_texture_;

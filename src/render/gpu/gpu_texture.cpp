@@ -3,6 +3,8 @@
 #include "core/error.hpp"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <fmt/format.h>
 
 namespace sr::render {
@@ -11,18 +13,36 @@ namespace {
 /// GL's names for how texels are stored.
 struct GlFormat {
     GLenum internal;
+    GLenum channels;
     GLenum type;
 };
 
-GlFormat gl_format(TexelFormat format) {
-    switch (format) {
-    case TexelFormat::unorm8: return {GL_RGBA8, GL_UNSIGNED_BYTE};
-    case TexelFormat::srgb8: return {GL_SRGB8_ALPHA8, GL_UNSIGNED_BYTE};
-    case TexelFormat::unorm16: return {GL_RGBA16, GL_UNSIGNED_SHORT};
-    case TexelFormat::float16: return {GL_RGBA16F, GL_HALF_FLOAT};
-    case TexelFormat::float32: return {GL_RGBA32F, GL_FLOAT};
+GlFormat gl_format(TexelLayout layout) {
+    switch (layout.format) {
+    case TexelFormat::unorm8: return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE};
+    case TexelFormat::srgb8: return {GL_SRGB8_ALPHA8, GL_RGBA, GL_UNSIGNED_BYTE};
+    case TexelFormat::unorm16:
+        switch (std::popcount(layout.channels)) {
+        case 1: return {GL_R16, GL_RED, GL_UNSIGNED_SHORT};
+        case 2: return {GL_RG16, GL_RG, GL_UNSIGNED_SHORT};
+        default: return {GL_RGBA16, GL_RGBA, GL_UNSIGNED_SHORT};
+        }
+    case TexelFormat::float16: return {GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT};
+    case TexelFormat::float32: break;
     }
-    return {GL_RGBA32F, GL_FLOAT};
+    return {GL_RGBA32F, GL_RGBA, GL_FLOAT};
+}
+
+/// Has shaders find each stored channel of the bound 2D texture where the image has it. The others are 0, and
+/// alpha is 1.
+void place_channels(unsigned channels) {
+    constexpr std::array<GLint, 4> nothing{GL_ZERO, GL_ZERO, GL_ZERO, GL_ONE};
+    constexpr std::array<GLint, 4> stored{GL_RED, GL_GREEN, GL_BLUE, GL_ALPHA};
+    std::array<GLint, 4> sources = nothing;
+    std::size_t count = 0;
+    for (std::size_t c = 0; c < 4; ++c)
+        if (channels >> c & 1u) sources[c] = stored[count++];
+    glTexParameteriv(GL_TEXTURE_2D, GL_TEXTURE_SWIZZLE_RGBA, sources.data());
 }
 
 GLint wrap_mode(scene::Wrap wrap) {
@@ -65,15 +85,15 @@ void define_levels(GlFormat stored, int width, int height, int levels) {
     } else {
         for (int level = 0; level < levels; ++level)
             glTexImage2D(GL_TEXTURE_2D, level, static_cast<GLint>(stored.internal),
-                         std::max(1, width >> level), std::max(1, height >> level), 0, GL_RGBA, stored.type,
-                         nullptr);
+                         std::max(1, width >> level), std::max(1, height >> level), 0, stored.channels,
+                         stored.type, nullptr);
     }
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, levels - 1);
 }
 
 } // namespace
 
-gl::Texture upload(const scene::TextureImage& image, TexelFormat format,
+gl::Texture upload(const scene::TextureImage& image, TexelLayout layout,
                    const std::vector<MipLevel>& lower_levels) {
     GLint largest = 0;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
@@ -82,15 +102,16 @@ gl::Texture upload(const scene::TextureImage& image, TexelFormat format,
             {image.name},
             fmt::format("{}×{} texels, the driver takes {} at most", image.width, image.height, largest),
             "scale the image down");
-    const GlFormat stored = gl_format(format);
+    const GlFormat stored = gl_format(layout);
     gl::Texture texture(GL_TEXTURE_2D, image.name);
     define_levels(stored, image.width, image.height, static_cast<int>(lower_levels.size()) + 1);
+    if (layout.channels != all_channels) place_channels(layout.channels);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     const auto fill = [&](std::size_t level, int first_row, int width, int rows, const std::byte* texels) {
-        glTexSubImage2D(GL_TEXTURE_2D, static_cast<GLint>(level), 0, first_row, width, rows, GL_RGBA,
+        glTexSubImage2D(GL_TEXTURE_2D, static_cast<GLint>(level), 0, first_row, width, rows, stored.channels,
                         stored.type, texels);
     };
-    for_each_band(image, format, [&](int first_row, int rows, std::span<const std::byte> texels) {
+    for_each_band(image, layout, [&](int first_row, int rows, std::span<const std::byte> texels) {
         fill(0, first_row, image.width, rows, texels.data());
     });
     for (std::size_t i = 0; i < lower_levels.size(); ++i)

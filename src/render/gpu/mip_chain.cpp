@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <glm/gtc/packing.hpp>
 #include <limits>
@@ -20,9 +21,11 @@ template<class Code>
 constexpr float max_code = static_cast<float>(std::numeric_limits<Code>::max());
 
 // A codec turns an image's codes into stored values, and these into values that can be averaged, and back.
-// Channel 3 is alpha, which is linear everywhere.
+// Channel 3 is alpha, which is linear everywhere. It also says how many channels a
+// texel stores.
 
 struct Unorm8 {
+    static constexpr int channels = 4;
     using Stored = uint8_t;
     using Sum = uint32_t; // of values of 16 bits
     static Stored store(uint8_t code, int) { return code; }
@@ -30,7 +33,9 @@ struct Unorm8 {
     static Stored encode(Sum v, int) { return static_cast<Stored>((v + 128u) / 257u); }
 };
 
+template<int count>
 struct Unorm16 {
+    static constexpr int channels = count;
     using Stored = uint16_t;
     using Sum = uint32_t;
     static Stored store(uint8_t code, int) { return static_cast<Stored>(code * 257u); }
@@ -41,6 +46,7 @@ struct Unorm16 {
 
 /// sRGB: IEC 61966-2-1.
 struct Srgb8 {
+    static constexpr int channels = 4;
     using Stored = uint8_t;
     using Sum = uint32_t;
     static const std::array<uint16_t, 256>& to_linear() {
@@ -76,6 +82,7 @@ float linear_value(Code code, int channel) {
 }
 
 struct Float16 {
+    static constexpr int channels = 4;
     using Stored = uint16_t;
     using Sum = float;
     static const std::vector<float>& to_float() {
@@ -96,6 +103,7 @@ struct Float16 {
 };
 
 struct Float32 {
+    static constexpr int channels = 4;
     using Stored = float;
     using Sum = float;
     template<class Code>
@@ -105,6 +113,16 @@ struct Float32 {
     static Sum decode(Stored v, int) { return v; }
     static Stored encode(Sum v, int) { return v; }
 };
+
+/// The channels of an image that a texel stores, in their order.
+template<class Codec>
+std::array<int, Codec::channels> stored_channels(unsigned channels) {
+    std::array<int, Codec::channels> stored{};
+    int count = 0;
+    for (int c = 0; c < 4 && count < Codec::channels; ++c)
+        if (channels >> c & 1u) stored[static_cast<std::size_t>(count++)] = c;
+    return stored;
+}
 
 uint32_t quarter(uint32_t sum) { return (sum + 2u) / 4u; }
 float quarter(float sum) { return 0.25f * sum; }
@@ -175,8 +193,10 @@ struct ImageSource {
     }
 
     const Code* codes;
+    std::array<int, Codec::channels> channels;
     const CodeTable<Code, Sum>& table = sum_of_code();
-    Sum operator()(std::ptrdiff_t texel, int channel) const {
+    Sum operator()(std::ptrdiff_t texel, int stored_channel) const {
+        const int channel = channels[static_cast<std::size_t>(stored_channel)];
         return table(codes[4 * texel + channel], channel);
     }
 };
@@ -185,7 +205,7 @@ template<class Codec>
 struct LevelSource {
     const typename Codec::Stored* values;
     typename Codec::Sum operator()(std::ptrdiff_t texel, int channel) const {
-        return Codec::decode(values[4 * texel + channel], channel);
+        return Codec::decode(values[Codec::channels * texel + channel], channel);
     }
 };
 
@@ -196,7 +216,7 @@ void halve_evenly(const auto& source, int width, int height, typename Codec::Sto
     for (std::ptrdiff_t y = 0; y < std::max(1, height / 2); ++y) {
         std::ptrdiff_t texel = 2 * y * below;
         for (int x = 0; x < std::max(1, width / 2); ++x, texel += 2 * right) {
-            for (int c = 0; c < 4; ++c) {
+            for (int c = 0; c < Codec::channels; ++c) {
                 const auto sum = source(texel, c) + source(texel + right, c) + source(texel + below, c)
                                  + source(texel + right + below, c);
                 *to++ = Codec::encode(quarter(sum), c);
@@ -213,7 +233,7 @@ void halve_by_area(const auto& source, int width, int height, typename Codec::St
     for (int y = 0; y < half_height; ++y) {
         const Taps rows = taps_of(y, half_height, height);
         for (const Taps& taps : columns) {
-            for (int c = 0; c < 4; ++c) {
+            for (int c = 0; c < Codec::channels; ++c) {
                 float sum = 0.0f;
                 for (int j = 0; j < rows.count; ++j)
                     for (int i = 0; i < taps.count; ++i) {
@@ -232,7 +252,8 @@ void halve_by_area(const auto& source, int width, int height, typename Codec::St
 template<class Codec>
 MipLevel half_of(const auto& source, int width, int height) {
     MipLevel half{std::max(1, width / 2), std::max(1, height / 2), 0, {}};
-    half.size = static_cast<std::size_t>(half.width) * half.height * 4 * sizeof(typename Codec::Stored);
+    half.size =
+        static_cast<std::size_t>(half.width) * half.height * Codec::channels * sizeof(typename Codec::Stored);
     half.storage = std::make_unique_for_overwrite<std::byte[]>(half.size);
     auto* to = reinterpret_cast<typename Codec::Stored*>(half.storage.get());
     const bool is_even = (width % 2 == 0 || width == 1) && (height % 2 == 0 || height == 1);
@@ -244,11 +265,12 @@ MipLevel half_of(const auto& source, int width, int height) {
 }
 
 template<class Codec, class Code>
-std::vector<MipLevel> levels_below(const scene::TextureImage& image) {
+std::vector<MipLevel> levels_below(const scene::TextureImage& image, unsigned channels) {
     std::vector<MipLevel> levels;
     if (image.width == 1 && image.height == 1) return levels;
     const auto& codes = std::get<std::vector<Code>>(image.texels);
-    levels.push_back(half_of<Codec>(ImageSource<Codec, Code>{codes.data()}, image.width, image.height));
+    const ImageSource<Codec, Code> source{codes.data(), stored_channels<Codec>(channels)};
+    levels.push_back(half_of<Codec>(source, image.width, image.height));
     while (levels.back().width > 1 || levels.back().height > 1) {
         const MipLevel& last = levels.back();
         const auto* values = reinterpret_cast<const typename Codec::Stored*>(last.storage.get());
@@ -257,75 +279,84 @@ std::vector<MipLevel> levels_below(const scene::TextureImage& image) {
     return levels;
 }
 
-/// Calls work<Codec, Code>() with the types of the format and of the image.
-auto with_types(const scene::TextureImage& image, TexelFormat format, const auto& work) {
+/// Calls work<Codec, Code>() with the types of the layout and of the image.
+auto with_types(const scene::TextureImage& image, TexelLayout layout, const auto& work) {
     const bool is_8_bit = std::holds_alternative<std::vector<uint8_t>>(image.texels);
-    require(is_8_bit || (format != TexelFormat::unorm8 && format != TexelFormat::srgb8),
+    const auto with_code = [&]<class Codec> {
+        return is_8_bit ? work.template operator()<Codec, uint8_t>()
+                        : work.template operator()<Codec, uint16_t>();
+    };
+    require(is_8_bit || (layout.format != TexelFormat::unorm8 && layout.format != TexelFormat::srgb8),
             "8 bits hold an image of 8 bits");
-    switch (format) {
+    switch (layout.format) {
     case TexelFormat::unorm8: return work.template operator()<Unorm8, uint8_t>();
     case TexelFormat::srgb8: return work.template operator()<Srgb8, uint8_t>();
     case TexelFormat::unorm16:
-        return is_8_bit ? work.template operator()<Unorm16, uint8_t>()
-                        : work.template operator()<Unorm16, uint16_t>();
-    case TexelFormat::float16:
-        return is_8_bit ? work.template operator()<Float16, uint8_t>()
-                        : work.template operator()<Float16, uint16_t>();
+        switch (std::popcount(layout.channels)) {
+        case 1: return with_code.template operator()<Unorm16<1>>();
+        case 2: return with_code.template operator()<Unorm16<2>>();
+        default: return with_code.template operator()<Unorm16<4>>();
+        }
+    case TexelFormat::float16: return with_code.template operator()<Float16>();
     case TexelFormat::float32: break;
     }
-    return is_8_bit ? work.template operator()<Float32, uint8_t>()
-                    : work.template operator()<Float32, uint16_t>();
+    return with_code.template operator()<Float32>();
 }
 
 using Take = std::function<void(int first_row, int rows, std::span<const std::byte>)>;
 
 template<class Codec, class Code>
-void convert_bands(const scene::TextureImage& image, const Take& take) {
+void convert_bands(const scene::TextureImage& image, unsigned channels, const Take& take) {
     using Stored = typename Codec::Stored;
     constexpr std::size_t band_values = std::size_t{64} << 10; // fit into a core's cache
     const auto& codes = std::get<std::vector<Code>>(image.texels);
     const auto& stored = stored_of_code<Codec, Code>();
-    const std::size_t row_values = std::size_t{4} * image.width;
+    const auto channels_of_image = stored_channels<Codec>(channels);
+    const std::size_t row_values = std::size_t{Codec::channels} * image.width;
     const int max_rows = static_cast<int>(std::max<std::size_t>(1, band_values / row_values));
     std::vector<Stored> band;
     for (int row = 0; row < image.height; row += max_rows) {
         const int rows = std::min(max_rows, image.height - row);
         band.resize(rows * row_values);
-        const Code* from = codes.data() + static_cast<std::size_t>(row) * row_values;
-        for (std::size_t i = 0; i < band.size(); ++i) band[i] = stored(from[i], static_cast<int>(i % 4));
+        const Code* from = codes.data() + std::size_t{4} * row * image.width;
+        for (auto to = band.begin(); to != band.end(); from += 4)
+            for (const int channel : channels_of_image) *to++ = stored(from[channel], channel);
         take(row, rows, std::as_bytes(std::span(band)));
     }
 }
 
 } // namespace
 
-TexelFormat texel_format(const scene::TextureImage& image, scene::ColorSpace color_space, TexelNeeds needs) {
+TexelLayout texel_layout(const scene::TextureImage& image, scene::ColorSpace color_space, TexelNeeds needs) {
     const bool is_8_bit = std::holds_alternative<std::vector<uint8_t>>(image.texels);
     const bool is_srgb = color_space == scene::ColorSpace::srgb;
-    if (is_8_bit && !needs.driver_is_inexact) return is_srgb ? TexelFormat::srgb8 : TexelFormat::unorm8;
-    if (!is_srgb) return TexelFormat::unorm16;
-    return needs.alpha_is_compared ? TexelFormat::float32 : TexelFormat::float16;
+    if (is_8_bit && !needs.driver_is_inexact) return {is_srgb ? TexelFormat::srgb8 : TexelFormat::unorm8};
+    if (is_srgb) return {needs.alpha_is_compared ? TexelFormat::float32 : TexelFormat::float16};
+    const int count = std::popcount(needs.channels);
+    const bool are_few = needs.driver_is_inexact && (count == 1 || count == 2);
+    return {TexelFormat::unorm16, are_few ? needs.channels : all_channels};
 }
 
 std::vector<MipLevel> lower_mip_levels(const scene::TextureImage& image, scene::ColorSpace color_space,
-                                       TexelFormat format) {
+                                       TexelLayout layout) {
     require((color_space == scene::ColorSpace::srgb)
-                == (format != TexelFormat::unorm8 && format != TexelFormat::unorm16),
+                == (layout.format != TexelFormat::unorm8 && layout.format != TexelFormat::unorm16),
             "the format holds the image's colour space");
-    return with_types(image, format,
-                      [&]<class Codec, class Code> { return levels_below<Codec, Code>(image); });
+    return with_types(image, layout, [&]<class Codec, class Code> {
+        return levels_below<Codec, Code>(image, layout.channels);
+    });
 }
 
-void for_each_band(const scene::TextureImage& image, TexelFormat format, const Take& take) {
-    with_types(image, format, [&]<class Codec, class Code> {
+void for_each_band(const scene::TextureImage& image, TexelLayout layout, const Take& take) {
+    with_types(image, layout, [&]<class Codec, class Code> {
         const bool keeps_codes =
             std::is_same_v<
                 Codec,
-                Unorm8> || std::is_same_v<Codec, Srgb8> || (std::is_same_v<Codec, Unorm16> && std::is_same_v<Code, uint16_t>);
+                Unorm8> || std::is_same_v<Codec, Srgb8> || (std::is_same_v<Codec, Unorm16<4>> && std::is_same_v<Code, uint16_t>);
         if (keeps_codes)
             take(0, image.height, std::as_bytes(std::span(std::get<std::vector<Code>>(image.texels))));
         else
-            convert_bands<Codec, Code>(image, take);
+            convert_bands<Codec, Code>(image, layout.channels, take);
     });
 }
 

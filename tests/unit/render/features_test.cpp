@@ -5,6 +5,10 @@
 #include "support/gl.hpp"
 #include "support/scenes.hpp"
 
+#include <cctype>
+#include <fmt/format.h>
+#include <set>
+
 using namespace sr;
 using namespace sr::testing;
 
@@ -97,6 +101,32 @@ const Test textures("unit.render.features.textures_have_the_same_slots_in_c_and_
     EXPECT_NE(text.find("const int slot_count = " + std::to_string(scene::slot_count) + ";"),
               std::string::npos);
     EXPECT_EQ(occurrences(text, "uniform sampler2D "), scene::slot_count) << "a texture that the table lacks";
+});
+
+/// The channels of "rgba" that the shaders take of a texture's samples.
+std::string channels_read(std::string_view name) {
+    const std::string sample = fmt::format("texture({}_texture, uv({}_slot))", name, name);
+    std::set<std::size_t> read;
+    for (const std::string& file : glsl::embedded().names()) {
+        const std::string text = glsl::embedded().text_of(file).value();
+        for (std::size_t at = text.find(sample); at != std::string::npos; at = text.find(sample, at + 1)) {
+            std::size_t next = at + sample.size();
+            if (text[next] != '.')
+                read = {0, 1, 2, 3}; // the whole sample
+            else
+                while (std::isalpha(static_cast<unsigned char>(text[++next])))
+                    read.insert(std::string_view("rgbaxyzw").find(text[next]) % 4);
+        }
+    }
+    std::string channels;
+    for (const std::size_t c : read) channels += "rgba"[c];
+    return channels;
+}
+
+// Textures in software GL have no others.
+const Test read_channels("unit.render.features.textures_have_the_channels_that_shaders_read", [] {
+    for (const scene::TextureInput& input : scene::texture_inputs)
+        EXPECT_EQ(channels_read(input.name), input.channels) << input.name;
 });
 
 } // namespace

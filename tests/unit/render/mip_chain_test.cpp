@@ -36,10 +36,10 @@ float half_value(const MipLevel& level, std::size_t index = 0) {
 
 /// Level 0, put together from its bands, and the levels below it.
 std::vector<MipLevel> chain(const scene::TextureImage& image, ColorSpace color_space, TexelNeeds needs = {}) {
-    const TexelFormat format = texel_format(image, color_space, needs);
+    const TexelLayout layout = texel_layout(image, color_space, needs);
     std::vector<std::byte> texels;
     int rows_so_far = 0;
-    for_each_band(image, format, [&](int first_row, int rows, std::span<const std::byte> band) {
+    for_each_band(image, layout, [&](int first_row, int rows, std::span<const std::byte> band) {
         EXPECT_EQ(first_row, rows_so_far) << "no row is missing";
         rows_so_far += rows;
         texels.insert(texels.end(), band.begin(), band.end());
@@ -49,7 +49,7 @@ std::vector<MipLevel> chain(const scene::TextureImage& image, ColorSpace color_s
     MipLevel& first = levels.emplace_back(MipLevel{image.width, image.height, texels.size(), {}});
     first.storage = std::make_unique<std::byte[]>(texels.size());
     std::ranges::copy(texels, first.storage.get());
-    std::ranges::move(lower_mip_levels(image, color_space, format), std::back_inserter(levels));
+    std::ranges::move(lower_mip_levels(image, color_space, layout), std::back_inserter(levels));
     return levels;
 }
 
@@ -68,7 +68,7 @@ const Test sizes("unit.render.mip_chain.sizes_halve_rounding_down", [] {
         EXPECT_EQ(value(level), 7) << "a constant stays what it is";
         EXPECT_EQ(level.texels().size(), static_cast<std::size_t>(level.width) * level.height * 4);
     }
-    for_each_band(image, TexelFormat::unorm8, [&](int, int, std::span<const std::byte> band) {
+    for_each_band(image, {TexelFormat::unorm8}, [&](int, int, std::span<const std::byte> band) {
         EXPECT_EQ(band.data(), std::as_bytes(std::span(std::get<0>(image.texels))).data())
             << "level 0 is the image's own";
     });
@@ -113,8 +113,8 @@ const Test words("unit.render.mip_chain.sixteen_bits_stay", [] {
 // Half floats keep every sRGB code's light to 2^-11 of it, and 8-bit data stays what it is to the bit.
 const Test exactness("unit.render.mip_chain.exact_formats_keep_every_code", [] {
     const auto ramp = grey(256, 1, [](int x, int) { return static_cast<std::uint8_t>(x); });
-    EXPECT_EQ(texel_format(ramp, ColorSpace::srgb, exact), TexelFormat::float16);
-    EXPECT_EQ(texel_format(ramp, ColorSpace::linear, exact), TexelFormat::unorm16);
+    EXPECT_EQ(texel_layout(ramp, ColorSpace::srgb, exact).format, TexelFormat::float16);
+    EXPECT_EQ(texel_layout(ramp, ColorSpace::linear, exact).format, TexelFormat::unorm16);
     const auto colors = chain(ramp, ColorSpace::srgb, exact), data = chain(ramp, ColorSpace::linear, exact);
     for (std::size_t code = 0; code < 256; ++code) {
         const float stored = static_cast<float>(code) / 255.0f, linear = image::linear_of_srgb(stored);
@@ -142,13 +142,42 @@ const Test bands("unit.render.mip_chain.bands_join", [] {
 const Test formats("unit.render.mip_chain.formats_follow_the_need", [] {
     const auto bytes = grey(1, 1, [](int, int) { return std::uint8_t{128}; });
     const auto words_of_color = grey<std::uint16_t>(1, 1, [](int, int) { return std::uint16_t{300}; });
-    EXPECT_EQ(texel_format(bytes, ColorSpace::srgb, {}), TexelFormat::srgb8);
-    EXPECT_EQ(texel_format(bytes, ColorSpace::linear, {}), TexelFormat::unorm8);
-    EXPECT_EQ(texel_format(words_of_color, ColorSpace::srgb, {}), TexelFormat::float16);
-    EXPECT_EQ(texel_format(words_of_color, ColorSpace::linear, {}), TexelFormat::unorm16);
+    EXPECT_EQ(texel_layout(bytes, ColorSpace::srgb, {}).format, TexelFormat::srgb8);
+    EXPECT_EQ(texel_layout(bytes, ColorSpace::linear, {}).format, TexelFormat::unorm8);
+    EXPECT_EQ(texel_layout(words_of_color, ColorSpace::srgb, {}).format, TexelFormat::float16);
+    EXPECT_EQ(texel_layout(words_of_color, ColorSpace::linear, {}).format, TexelFormat::unorm16);
     const auto compared = chain(bytes, ColorSpace::srgb, {true, true});
     EXPECT_EQ(value<float>(compared[0], 3), 128.0f / 255.0f);
     EXPECT_EQ(value<float>(compared[0], 0), image::linear_of_srgb(128.0f / 255.0f));
+});
+
+// One or two channels are stored alone, with the values that they have among four; three are too many.
+const Test few_channels("unit.render.mip_chain.channels_that_nobody_reads_are_not_stored", [] {
+    std::vector<std::uint8_t> texels;
+    for (int i = 0; i < 4 * 6 * 5; ++i) texels.push_back(static_cast<std::uint8_t>(37 * i));
+    const scene::TextureImage image{"data", 6, 5, texels};
+    const auto all = chain(image, ColorSpace::linear, exact);
+    for (const std::vector<std::size_t>& read : {std::vector<std::size_t>{0}, {3}, {1, 2}, {0, 3}}) {
+        TexelNeeds needs{true, false, 0};
+        for (const std::size_t c : read) needs.channels |= 1u << c;
+        EXPECT_EQ(texel_layout(image, ColorSpace::linear, needs),
+                  (TexelLayout{TexelFormat::unorm16, needs.channels}));
+        const auto few = chain(image, ColorSpace::linear, needs);
+        ASSERT_EQ(few.size(), all.size());
+        for (std::size_t level = 0; level < all.size(); ++level) {
+            ASSERT_EQ(4 * few[level].size, read.size() * all[level].size);
+            for (std::size_t i = 0; i < all[level].size / 8; ++i)
+                for (std::size_t c = 0; c < read.size(); ++c)
+                    EXPECT_EQ(value<std::uint16_t>(few[level], read.size() * i + c),
+                              value<std::uint16_t>(all[level], 4 * i + read[c]))
+                        << level << " " << i;
+        }
+    }
+    for (const unsigned read : {0u, 0b0111u, all_channels})
+        EXPECT_EQ(texel_layout(image, ColorSpace::linear, {true, false, read}),
+                  TexelLayout{TexelFormat::unorm16});
+    EXPECT_EQ(texel_layout(image, ColorSpace::linear, {false, false, 1}), TexelLayout{TexelFormat::unorm8});
+    EXPECT_EQ(texel_layout(image, ColorSpace::srgb, {true, false, 1}), TexelLayout{TexelFormat::float16});
 });
 
 } // namespace
