@@ -102,9 +102,9 @@ vec3 center_of(const scene::Mesh& mesh, const mat4& world_from_object) {
 } // namespace
 
 GpuScene::GpuScene(const scene::Scene& scene, std::span<const scene::Light> lights, Visibility visibility,
-                   bool has_energy_compensation)
+                   bool has_energy_compensation, TextureChannels channels)
     : visibility_(visibility), has_energy_compensation_(has_energy_compensation) {
-    upload_textures(scene);
+    upload_textures(scene, channels);
     update(scene, lights);
 }
 
@@ -140,7 +140,7 @@ void GpuScene::cast_shadows(const scene::Scene& scene, std::span<const scene::Li
             std::make_unique<VisibilityBackend>(scene, lights, visibility_, !blended_.empty());
 }
 
-void GpuScene::upload_textures(const scene::Scene& scene) {
+void GpuScene::upload_textures(const scene::Scene& scene, TextureChannels kept) {
     const bool driver_is_inexact =
         gl::is_software_renderer(reinterpret_cast<const char*>(glGetString(GL_RENDERER)));
     const std::vector<bool> is_compared = alpha_is_compared(scene);
@@ -150,7 +150,8 @@ void GpuScene::upload_textures(const scene::Scene& scene) {
     for (std::size_t i = 0; i < scene.textures.size(); ++i) {
         const scene::Texture& texture = scene.textures[i];
         const auto index = static_cast<std::size_t>(texture.image);
-        const TexelNeeds needs{driver_is_inexact, is_compared[i], channels[index]};
+        const TexelNeeds needs{driver_is_inexact, is_compared[i],
+                               kept == TextureChannels::all ? all_channels : channels[index]};
         const ImageUse use{texture.image, texture.color_space,
                            texel_layout(scene.images[index], texture.color_space, needs)};
         const auto image = std::find(uses.begin(), uses.end(), use);

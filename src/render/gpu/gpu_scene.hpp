@@ -30,6 +30,9 @@ struct Draw {
 /// Draws that have numbers, at most: a stencil buffer holds them.
 inline constexpr int max_numbered_draws = 255;
 
+/// The channels of textures that shaders can read in software GL: all, or those that the renderer's own do.
+enum class TextureChannels { all, in_use };
+
 class GpuScene {
 public:
     /// Uploads `scene`, lit by `lights` (not by scene.lights). @throws Error for a texture beyond the
@@ -37,7 +40,8 @@ public:
     /// `has_energy_compensation`: GGX keeps the light that scatters more than once
     /// (shaders/brdf/energy_compensation.glsl).
     GpuScene(const scene::Scene& scene, std::span<const scene::Light> lights,
-             Visibility visibility = Visibility::ray, bool has_energy_compensation = false);
+             Visibility visibility = Visibility::ray, bool has_energy_compensation = false,
+             TextureChannels channels = TextureChannels::all);
 
     /// Uploads other lights of the same scene and the surfaces that show them: the meshes from `first_mesh`
     /// on, all instances and all materials. Textures and the meshes before stay as they are. The shadow
@@ -75,7 +79,7 @@ public:
 
 private:
     void update(const scene::Scene& scene, std::span<const scene::Light> lights); // all but the textures
-    void upload_textures(const scene::Scene& scene);
+    void upload_textures(const scene::Scene& scene, TextureChannels kept);
     void upload_objects(const scene::Scene& scene);
     void upload_materials(const scene::Scene& scene);
     void upload_lights(const scene::Scene& scene, std::span<const scene::Light> lights);
