@@ -173,11 +173,13 @@ private:
         }
     }
 
+    /// An emission map: its size and its wrap modes, then the blocks of its cells one a texel.
     std::size_t place_of_map(int texture) {
         const auto [entry, is_new] = maps_placed_.try_emplace(texture, end());
         if (is_new) {
-            const EmissionMapPlace place = maps_.add(scene_, texture);
-            payload_.emplace_back(place.first, place.width, place.height, place.wrap);
+            const EmissionMapPlace& place = maps_.add(scene_, texture);
+            payload_.emplace_back(place.width, place.height, place.wrap, 0.0f);
+            for (const int block : place.blocks) payload_.emplace_back(block, 0.0f, 0.0f, 0.0f);
         }
         return entry->second;
     }

@@ -9,6 +9,8 @@
 #include <cmath>
 #include <glm/gtc/packing.hpp>
 #include <limits>
+#include <utility>
+#include <variant>
 
 namespace sr::render {
 namespace {
@@ -42,6 +44,36 @@ auto with_halves(const scene::Scene& scene, const scene::Texture& texture, const
             return work(values, halves_of<Texel>(texture.color_space == scene::ColorSpace::srgb));
         },
         image_of(scene, texture).texels);
+}
+
+/// The part of a cell that is within its image.
+struct Cell {
+    std::size_t first = 0;      // texel of the image
+    std::size_t row_texels = 0; // of the image
+    std::size_t columns = 0;
+    std::size_t rows = 0;
+};
+
+std::vector<Cell> cells_of(const scene::TextureImage& image) {
+    constexpr std::size_t side = EmissionMaps::side;
+    const auto width = static_cast<std::size_t>(image.width);
+    const auto height = static_cast<std::size_t>(image.height);
+    std::vector<Cell> cells;
+    for (std::size_t y = 0; y < height; y += side)
+        for (std::size_t x = 0; x < width; x += side)
+            cells.push_back({y * width + x, width, std::min(side, width - x), std::min(side, height - y)});
+    return cells;
+}
+
+bool has_light(const auto& values, const Cell& cell) {
+    for (std::size_t y = 0; y < cell.rows; ++y) {
+        const auto* texel = &values[4 * (cell.first + y * cell.row_texels)];
+        unsigned sum = 0;
+        for (std::size_t x = 0; x < cell.columns; ++x, texel += 4)
+            sum |= static_cast<unsigned>(texel[0] | texel[1] | texel[2]);
+        if (sum != 0) return true;
+    }
+    return false;
 }
 
 /// Half as many as a cdf's guide has slots. Keep in sync with shaders/light/cdf.glsl.
@@ -79,28 +111,45 @@ std::array<vec2, 64> points_of_triangle() {
 
 } // namespace
 
-EmissionMapPlace EmissionMaps::add(const scene::Scene& scene, int index) {
+const EmissionMapPlace& EmissionMaps::add(const scene::Scene& scene, int index) {
     if (const auto known = places_.find(index); known != places_.end()) return known->second;
     const scene::Texture& texture = scene.textures[static_cast<std::size_t>(index)];
     const scene::TextureImage& image = image_of(scene, texture);
-    const EmissionMapPlace place{static_cast<int>(texel_count_), image.width, image.height,
-                                 static_cast<int>(texture.sampler.wrap_u)
-                                     + 4 * static_cast<int>(texture.sampler.wrap_v)};
-    texel_count_ += static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+    EmissionMapPlace place{image.width,
+                           image.height,
+                           static_cast<int>(texture.sampler.wrap_u)
+                               + 4 * static_cast<int>(texture.sampler.wrap_v),
+                           {}};
+    std::visit(
+        [&](const auto& values) {
+            for (const Cell& cell : cells_of(image))
+                place.blocks.push_back(has_light(values, cell) ? static_cast<int>(block_count_++) : 0);
+        },
+        image.texels);
     textures_.push_back(index);
-    return places_.emplace(index, place).first->second;
+    return places_.emplace(index, std::move(place)).first->second;
 }
 
 void EmissionMaps::write_texels(const scene::Scene& scene, std::span<std::uint64_t> texels) const {
     constexpr std::uint64_t opaque = std::uint64_t{0x3c00} << 48; // an alpha of 1
-    auto next = texels.begin();
-    for (const int index : textures_)
-        with_halves(scene, scene.textures[static_cast<std::size_t>(index)],
-                    [&](const auto& values, const std::vector<std::uint16_t>& halves) {
-                        const auto half = [&](std::size_t i) { return std::uint64_t{halves[values[i]]}; };
-                        for (std::size_t i = 0; i < values.size(); i += 4)
-                            *next++ = half(i) | half(i + 1) << 16 | half(i + 2) << 32 | opaque;
-                    });
+    std::ranges::fill(texels, opaque); // black: block 0, and what of a cell is beyond its image
+    for (const int index : textures_) {
+        const scene::Texture& texture = scene.textures[static_cast<std::size_t>(index)];
+        const std::vector<Cell> cells = cells_of(image_of(scene, texture));
+        with_halves(scene, texture, [&](const auto& values, const std::vector<std::uint16_t>& halves) {
+            const auto half = [&](std::size_t i) { return std::uint64_t{halves[values[i]]}; };
+            for (std::size_t c = 0; c < cells.size(); ++c) {
+                const auto block = static_cast<std::size_t>(places_.at(index).blocks[c]);
+                if (block == 0) continue;
+                for (std::size_t y = 0; y < cells[c].rows; ++y)
+                    for (std::size_t x = 0; x < cells[c].columns; ++x) {
+                        const std::size_t i = 4 * (cells[c].first + y * cells[c].row_texels + x);
+                        texels[block_texels * block + side * y + x] =
+                            half(i) | half(i + 1) << 16 | half(i + 2) << 32 | opaque;
+                    }
+            }
+        });
+    }
 }
 
 vec3 EmissionMaps::mean(const scene::Scene& scene, int index, const std::array<vec2, 3>& uv) {

@@ -10,23 +10,29 @@
 
 namespace sr::render {
 
-/// Where a texture lies among the texels of all: the first one, its size, and its wrap modes as
-/// wrap_u + 4 * wrap_v in the order of scene::Wrap. Keep in sync with
+/// Where a texture lies among the texels of all: its size, its wrap modes as wrap_u + 4 * wrap_v in the order
+/// of scene::Wrap, and for each cell of it, row by row, the block that has its texels. Keep in sync with
 /// shaders/light/emission_map.glsl.
 struct EmissionMapPlace {
-    int first = 0;
     int width = 0;
     int height = 0;
     int wrap = 0;
+    std::vector<int> blocks;
 };
 
 /// Textures of emitters, as linear texels that a shader can read at any point of any light. Each texture is
 /// there once: a scene at another time, or in other light, has the same textures. Texels are linear RGBA
 /// in half precision, whose steps (2^-11) are finer than those of 8-bit sRGB.
+///
+/// A texture is cut into cells of side × side texels, and the texels of a cell are a block. All cells without
+/// light share block 0: most of a texture that glows in places is black, and what a cache holds is not.
 class EmissionMaps {
 public:
-    /// Adds the texture behind the others unless it is there. @return its place
-    EmissionMapPlace add(const scene::Scene& scene, int texture);
+    static constexpr int side = 32;
+    static constexpr std::size_t block_texels = std::size_t{side} * side;
+
+    /// Adds the texture behind the others unless it is there. @return its place, until maps are assigned
+    const EmissionMapPlace& add(const scene::Scene& scene, int texture);
 
     /// Returns the mean linear colour of the part of a texture that a triangle covers, from 64 points of it.
     /// Calls for the same triangles in the same order after rewind() return remembered values.
@@ -34,9 +40,9 @@ public:
 
     void rewind() { next_mean_ = 0; }
 
-    std::size_t texel_count() const { return texel_count_; }
+    std::size_t texel_count() const { return textures_.empty() ? 0 : block_texels * block_count_; }
 
-    /// Writes the texels of all textures, each of four half floats.
+    /// Writes the blocks of all textures. A texel is four half floats.
     void write_texels(const scene::Scene& scene, std::span<std::uint64_t> texels) const;
 
 private:
@@ -50,7 +56,7 @@ private:
 
     std::vector<int> textures_; // in the order of their texels
     std::map<int, EmissionMapPlace> places_;
-    std::size_t texel_count_ = 0;
+    std::size_t block_count_ = 1;
     std::vector<Mean> means_;
     std::size_t next_mean_ = 0; // of means_
 };

@@ -3,6 +3,7 @@
 #include "support/address.hpp"
 
 #include <glm/gtc/packing.hpp>
+#include <span>
 
 using namespace sr;
 using sr::testing::Test;
@@ -52,18 +53,58 @@ const Test remembered("unit.render.emission_maps.what_is_remembered_is_what_is_m
               render::EmissionMaps().mean(scene, 1, places[0]));
 });
 
+/// The texel that shaders find (shaders/light/emission_map.glsl).
+vec4 texel_of(const render::EmissionMapPlace& place, std::span<const std::uint64_t> texels, int x, int y) {
+    constexpr int side = render::EmissionMaps::side;
+    const int cells = (place.width + side - 1) / side;
+    const int block = place.blocks.at(static_cast<std::size_t>(cells * (y / side) + x / side));
+    return glm::unpackHalf4x16(
+        texels[static_cast<std::size_t>(side * side * block + side * (y % side) + x % side)]);
+}
+
 const Test texels_once("unit.render.emission_maps.each_texture_is_there_once", [] {
     const scene::Scene scene = two_textures();
     render::EmissionMaps maps;
-    for (const int texture : {0, 1, 0}) EXPECT_EQ(maps.add(scene, texture).first, 64 * texture);
-    ASSERT_EQ(maps.texel_count(), 2u * 64u);
+    EXPECT_EQ(maps.texel_count(), 0u);
+    for (const int texture : {0, 1, 0})
+        EXPECT_EQ(maps.add(scene, texture).blocks, std::vector<int>{1 + texture});
+    ASSERT_EQ(maps.texel_count(), 3 * render::EmissionMaps::block_texels);
     std::vector<std::uint64_t> texels(maps.texel_count());
     maps.write_texels(scene, texels);
     for (int t = 0; t < 2; ++t) {
-        const vec4 last = glm::unpackHalf4x16(texels[static_cast<std::size_t>(64 * t + 63)]);
+        const vec4 last = texel_of(maps.add(scene, t), texels, 7, 7);
         const vec4 expected(224.0f / 255.0f, 224.0f / 255.0f, static_cast<float>(t), 1.0f);
         for (int c = 0; c < 4; ++c) EXPECT_NEAR(last[c], expected[c], 1.0f / 2048.0f) << t << " " << c;
     }
+});
+
+// A glow in a dark texture takes the blocks that it touches, and every texel is found again.
+const Test dark_cells("unit.render.emission_maps.dark_cells_share_a_block", [] {
+    constexpr int width = 150, height = 70; // neither a multiple of a cell's side
+    scene::Scene scene;
+    std::vector<std::uint8_t> texels(4 * width * height, 0);
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) texels[static_cast<std::size_t>(4 * (y * width + x) + 3)] = 255;
+    const auto code = [&](int x, int y) -> std::uint8_t& {
+        return texels[static_cast<std::size_t>(4 * (y * width + x) + 1)];
+    };
+    for (int y = 30; y < height; ++y)
+        for (int x = 140; x < width; ++x) code(x, y) = static_cast<std::uint8_t>(x + y);
+    code(0, 0) = 1; // the faintest light
+    scene.images.push_back({"glow", width, height, texels});
+    scene.textures.emplace_back();
+    render::EmissionMaps maps;
+    const render::EmissionMapPlace& place = maps.add(scene, 0);
+    EXPECT_EQ(place.blocks, (std::vector<int>{1, 0, 0, 0, 2, 0, 0, 0, 0, 3, 0, 0, 0, 0, 4}));
+    std::vector<std::uint64_t> stored(maps.texel_count());
+    maps.write_texels(scene, stored);
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            const vec4 texel = texel_of(place, stored, x, y);
+            const float green = static_cast<float>(code(x, y)) / 255.0f;
+            EXPECT_NEAR(texel.g, green, green / 2048.0f) << x << " " << y;
+            EXPECT_EQ(vec2(texel.r, texel.b), vec2(0.0f)) << x << " " << y;
+        }
 });
 
 } // namespace
