@@ -64,8 +64,8 @@ void add(scene::Scene& scene, const mat4& world_from_object, const scene::Materi
 
 mat4 placed(vec3 at, vec3 scale) { return glm::scale(glm::translate(mat4(1.0f), at), scale); }
 
-/// Balls with textures, a mirrored one, one with holes through which its inside is seen, and plain quads in
-/// front of and behind them.
+/// Balls with textures, a mirrored one, one with holes through which its inside is seen, two in one place, and
+/// plain quads in front of and behind them.
 scene::Scene balls() {
     scene::Scene scene;
     scene.images.push_back(stripes());
@@ -84,7 +84,8 @@ scene::Scene balls() {
     add(scene, placed({-1.0f, 0.8f, 0.0f}, {0.9f, 0.6f, 0.8f}), textured);
     add(scene, placed({0.9f, 0.7f, 0.2f}, {-0.8f, 0.7f, 0.8f}), textured); // mirrored
     add(scene, placed({0.0f, 0.9f, 1.2f}, vec3(0.5f)), with_holes);
-    add(scene, placed({0.2f, 0.4f, -1.2f}, vec3(0.4f)), lambert({0.7f, 0.3f, 0.2f}));
+    for (const vec3 rho : {vec3(0.7f, 0.3f, 0.2f), vec3(0.1f, 0.3f, 0.9f)})
+        add(scene, placed({0.2f, 0.4f, -1.2f}, vec3(0.4f)), lambert(rho));
     add_quad(scene, {}, {3, 0, 0}, {0, 0, -3}, lambert(vec3(0.6f)));
     add_quad(scene, {0.5f, 1.2f, 1.9f}, {0.2f, 0, 0}, {0, 0.4f, 0}, lambert({0.2f, 0.5f, 0.8f}));
     return scene;

@@ -158,7 +158,8 @@ def reloading(viewer: Viewer, shader: Path, scene: Path, first: Path):
     scene.write_text("{")
     viewer.wait(lambda: "scene.gltf:1:" in viewer.errors(), "the broken file's line")
     viewer.changed_by(lambda: viewer.write(scene, (SCENES / "spheres.gltf").read_text()))
-    assert same(viewer.shot(), rendered(scene, "main")), "the saved scene does not show"
+    # Under a folder of shaders, even an empty one, finely meshed surfaces are rasterised, and rounded otherwise.
+    assert same(viewer.shot(), rendered(scene, "main", "--shaders", shader.parent.parent)), "the saved scene does not show"
 
 
 def opening(viewer: Viewer):
