@@ -158,7 +158,10 @@ void App::run(const std::stop_token& stop) {
         ui_.begin(taps_among(events)); // before the events, so that it knows which ones belong to panels
         for (; !events.empty(); events = input_.take()) { // tools send events, too
             Changes changes;
-            for (const Event& event : events) changes |= dispatch(event);
+            for (const Event& event : events) {
+                changes |= dispatch(event);
+                workspace_.display.ev100 = workspace_.exposure.ev100(); // the next one may write what is seen
+            }
             apply(changes);
         }
         auto begin = Clock::now();
