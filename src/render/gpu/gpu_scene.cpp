@@ -285,7 +285,7 @@ void GpuScene::number_draws(const scene::Scene& scene, int texture_units) {
     for (Draw& draw : opaque_) {
         const GpuMesh& mesh = meshes_[draw.mesh];
         if (number == max_numbered_draws || mesh.triangle_count() < fine_triangles || !draw.is_surface
-            || static_cast<std::size_t>(mesh.float_count()) > BufferTexture::max_texels()
+            || static_cast<std::size_t>(mesh.float_count()) > max_floats_
             || !has_room_for_mesh(draw.features, texture_units))
             continue;
         draw.number = ++number;

@@ -90,6 +90,7 @@ private:
 
     Visibility visibility_;
     bool has_energy_compensation_;
+    std::size_t max_floats_ = BufferTexture::max_texels(); // of a mesh whose triangles can be looked up
     std::vector<GpuMesh> meshes_;
     gl::Texture mesh_floats_{GL_TEXTURE_BUFFER, "the arrays of a mesh"};
     gl::Texture mesh_indices_{GL_TEXTURE_BUFFER, "the indices of a mesh"};

@@ -105,7 +105,7 @@ const Test textures("unit.render.features.textures_have_the_same_slots_in_c_and_
 
 /// The channels of "rgba" that the shaders take of a texture's samples.
 std::string channels_read(std::string_view name) {
-    const std::string sample = fmt::format("texture({}_texture, uv({}_slot))", name, name);
+    const std::string sample = fmt::format("texel({}_texture, {}_slot)", name, name);
     std::set<std::size_t> read;
     for (const std::string& file : glsl::embedded().names()) {
         const std::string text = glsl::embedded().text_of(file).value();
