@@ -88,7 +88,8 @@ void TriangleBuffer::begin(const GpuScene& scene, const mat4& clip_from_world) {
         if (draw.number > 0)
             rectangles_.push_back(rectangle_of(draw.bounds, clip_from_world, width_, height_));
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
-    glDepthFunc(GL_LEQUAL); // of surfaces in one place the last one is seen, as a pass that tests for equal depth has it
+    glDepthFunc(GL_LEQUAL); // of surfaces in one place the last one is seen, as a pass that tests for equal
+                            // depth has it
     glEnable(GL_STENCIL_TEST);
     glStencilMask(all_bits);
     glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);

@@ -24,7 +24,8 @@ scene::Mesh ball() {
     for (int j = 0; j <= rows; ++j)
         for (int i = 0; i <= columns; ++i) {
             const vec2 uv(static_cast<float>(i) / columns, static_cast<float>(j) / rows);
-            const float phi = 2.0f * std::numbers::pi_v<float> * uv.x, theta = std::numbers::pi_v<float> * uv.y;
+            const float phi = 2.0f * std::numbers::pi_v<float> * uv.x,
+                        theta = std::numbers::pi_v<float> * uv.y;
             const vec3 n(std::sin(theta) * std::cos(phi), std::cos(theta), std::sin(theta) * std::sin(phi));
             mesh.positions.push_back(n);
             mesh.normals.push_back(n);
@@ -47,7 +48,8 @@ scene::TextureImage stripes() {
     std::vector<std::uint8_t> texels;
     for (int y = 0; y < size; ++y)
         for (int x = 0; x < size; ++x)
-            for (const int channel : {x * 3 + y, 255 - x, 128 + (x + 2 * y) % 100, (x / 8 + y / 8) % 2 ? 255 : 0})
+            for (const int channel :
+                 {x * 3 + y, 255 - x, 128 + (x + 2 * y) % 100, (x / 8 + y / 8) % 2 ? 255 : 0})
                 texels.push_back(static_cast<std::uint8_t>(channel % 256));
     return {"stripes", size, size, texels};
 }
@@ -64,8 +66,8 @@ void add(scene::Scene& scene, const mat4& world_from_object, const scene::Materi
 
 mat4 placed(vec3 at, vec3 scale) { return glm::scale(glm::translate(mat4(1.0f), at), scale); }
 
-/// Balls with textures, a mirrored one, one with holes through which its inside is seen, two in one place, and
-/// plain quads in front of and behind them.
+/// Balls with textures, a mirrored one, one with holes through which its inside is seen, two in one place,
+/// and plain quads in front of and behind them.
 scene::Scene balls() {
     scene::Scene scene;
     scene.images.push_back(stripes());
@@ -92,8 +94,9 @@ scene::Scene balls() {
 }
 
 const std::vector<scene::Light>& lamps() {
-    static const std::vector<scene::Light> lamps{scene::PointLight{"", {1.5f, 3.0f, 2.0f}, vec3(40.0f)},
-                                                 scene::DirectionalLight{"", {0.3f, -1.0f, -0.4f}, vec3(2.0f)}};
+    static const std::vector<scene::Light> lamps{
+        scene::PointLight{"", {1.5f, 3.0f, 2.0f}, vec3(40.0f)},
+        scene::DirectionalLight{"", {0.3f, -1.0f, -0.4f}, vec3(2.0f)}};
     return lamps;
 }
 
