@@ -102,7 +102,7 @@ def judge_of(setting: Setting, python: Path, is_trimmed: bool):
 
 
 def sides_of(setting: Setting, scene: Path, options: list, is_trimmed: bool = False) -> dict:
-    """@param options of render and export, e.g. the camera @throws Skipped if Mitsuba cannot be had"""
+    """@param options of render and export, e.g. the camera @throws Skipped if Mitsuba cannot be had, or not with LLVM"""
     size = size_of(setting)
     key = b"\0".join([scene.read_bytes(), size.encode(), repr((options, is_trimmed)).encode()])
 
@@ -115,6 +115,8 @@ def sides_of(setting: Setting, scene: Path, options: list, is_trimmed: bool = Fa
         mitsuba = install.installed("mitsuba", setting.cache)
     except install.Unavailable as why:
         raise Skipped(f"Mitsuba is missing: {why}") from None
+    if mitsuba.environment["STERADIAN_VARIANT"] != "llvm_ad_rgb":  # the aims are for that variant; another takes many times as long
+        raise Skipped(f"Mitsuba would be {mitsuba.remark}")
     judge = judge_of(setting, mitsuba.python, is_trimmed)
     folder = setting.folder(f"mitsuba_{scene.stem}")
     measured([setting.program, "export", scene, "--to", "mitsuba", folder, "--size", size, *options])
