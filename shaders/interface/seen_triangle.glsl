@@ -1,5 +1,5 @@
 // The place of interface/fragment.glsl where a surface is shaded pixel by pixel: what rasterisation would interpolate is found
-// in the triangle that the pixel sees (a visibility buffer: Burns & Hunt 2013, section 3).
+// in the triangle that the pixel sees (a visibility buffer: Burns & Hunt 2013).
 #include "interface/features.glsl"
 #include "interface/frame.glsl"
 #include "interface/mesh.glsl"
@@ -21,7 +21,7 @@ vec3 clip_x, clip_y, clip_w; // of the corners
 mat2 uv0_slopes, uv1_slopes; // by a pixel to the right, and by one up
 
 // The weights of the corners at a place of the picture [pixels], up to a factor that is positive where they lie
-// counterclockwise. In homogeneous coordinates no corner needs to lie before the camera (Olano & Greer 1997, section 3).
+// counterclockwise. In homogeneous coordinates no corner needs to lie before the camera (Olano & Greer 1997).
 // Coordinates relative to the place keep small triangles exact.
 vec3 unscaled_weights(vec2 place) {
     vec2 p = 2.0 * place / frame_size - 1.0;

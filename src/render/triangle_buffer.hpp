@@ -9,7 +9,7 @@
 
 namespace sr::render {
 
-/// A visibility buffer (Burns & Hunt 2013, section 3) of the draws that have numbers. A driver that runs on
+/// A visibility buffer (Burns & Hunt 2013) of the draws that have numbers. A driver that runs on
 /// the CPU shades blocks of pixels, and a block once for each triangle in it, so that small triangles cost
 /// several times their pixels. Here one large triangle shades each pixel once, by
 /// shaders/interface/seen_triangle.glsl.
