@@ -252,7 +252,7 @@ void free_images(OpenScene& open) {
 
 render::GpuScene upload(const OpenScene& open, const RenderSettings& settings) {
     return {open.stage.scene, open.stage.lights, settings.visibility, settings.has_energy_compensation,
-            settings.shaders.empty() ? render::TextureChannels::in_use : render::TextureChannels::all};
+            settings.texture_channels()};
 }
 
 scene::PrepareOptions prepare_options(const RenderSettings& settings,

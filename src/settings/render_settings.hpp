@@ -84,6 +84,11 @@ struct RenderSettings {
     bool is_untrusted = false;        // `shaders` pass the gate of glsl/untrusted.hpp
     bool gl_debug = false;            // any error or warning of the driver is an error
 
+    /// Returns the channels of textures that shaders may read: those of other people read any.
+    render::TextureChannels texture_channels() const {
+        return shaders.empty() ? render::TextureChannels::in_use : render::TextureChannels::all;
+    }
+
     /// Returns true if the picture estimates its error. It then takes its samples from two sequences.
     bool asks_for_error() const {
         return stop.asks_for_error() || denoises || output::holds(aovs, output::Finish::error);

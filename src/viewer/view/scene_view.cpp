@@ -16,9 +16,8 @@ double elapsed_since(Clock::time_point begin) {
 
 render::GpuScene uploaded(const LoadedScene& loaded, const Options& options, double& seconds) {
     const auto begin = Clock::now();
-    render::GpuScene gpu(
-        loaded.stage.scene, loaded.stage.lights, options.visibility, options.has_energy_compensation,
-        options.shaders.empty() ? render::TextureChannels::in_use : render::TextureChannels::all);
+    render::GpuScene gpu(loaded.stage.scene, loaded.stage.lights, options.visibility,
+                         options.has_energy_compensation, options.texture_channels());
     glFinish();
     seconds = elapsed_since(begin);
     return gpu;
