@@ -115,7 +115,7 @@ ordered_json tried_exr(const std::filesystem::path& file) {
     written.pixels = {0.25f, 0.5f, 1.0f, 2.0f, 1e-3f, 1e6f};
     image::write(written, file, image::SampleType::floating);
     if (image::read(file).pixels != written.pixels)
-        throw Error("an EXR file holds other values than were written", "reinstall OpenImageIO");
+        throw Error("an EXR file holds other values than were written", "reinstall OpenEXR");
     return {{"works", true}};
 }
 

@@ -13,8 +13,8 @@ enum class Format { exr, hdr, png, jpeg };
 
 /// The functions that the module offers. They throw Error, whose file is `name`.
 struct Codec {
-    std::vector<std::uint8_t> (*encode)(const Image& image, Format format, SampleType type,
-                                        const std::string& name);
+    /// Of .hdr or .jpeg.
+    std::vector<std::uint8_t> (*encode)(const Image& image, Format format, const std::string& name);
     /// Refuses images of more than `max_values` numbers.
     Image (*read)(const std::filesystem::path& file, std::uint64_t max_values);
 };

@@ -5,6 +5,7 @@
 #include "core/limits.hpp"
 #include "core/parallel.hpp"
 #include "image/codec.hpp"
+#include "image/exr.hpp"
 #include "image/header.hpp"
 #include "image/texture_formats.hpp"
 #include "image/whole_file.hpp"
@@ -39,7 +40,10 @@ std::future<void> preload() {
     return started([] { codec(); });
 }
 
-bool is_png(const fs::path& file) { return format_of(file) == Format::png; }
+bool loads_openimageio(const fs::path& file) {
+    const Format format = format_of(file);
+    return format == Format::hdr || format == Format::jpeg;
+}
 
 bool is_scene_referred(const fs::path& file) {
     const Format format = format_of(file);
@@ -51,10 +55,11 @@ void WholeFiles::add(const Image& image, const fs::path& file, SampleType type) 
     const std::size_t samples = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height)
                                 * static_cast<std::size_t>(image.channels);
     require(samples > 0 && image.pixels.size() == samples, "an image has as many samples as its size says");
-    const bool is_half = format == Format::exr && type == SampleType::half;
-    const bool is_clamped = is_half && half_overflow_count(image) > 0;
-    if (format == Format::png) return add(file, encode_png(image, file.string()));
-    add(file, codec().encode(is_clamped ? within_half(image) : image, format, type, file.string()));
+    const std::string name = file.string();
+    if (format == Format::png) return add(file, encode_png(image, name));
+    if (format != Format::exr) return add(file, codec().encode(image, format, name));
+    const bool is_clamped = type == SampleType::half && half_overflow_count(image) > 0;
+    add(file, encode_exr(is_clamped ? within_half(image) : image, type, name));
 }
 
 void write(const Image& image, const fs::path& file, SampleType type) {
@@ -68,6 +73,7 @@ Image read(const fs::path& file) {
     if (is_lfs_pointer(file))
         throw Error({file.string()}, "this is a Git LFS pointer, not an image",
                     "fetch the image with git lfs pull");
+    if (auto plain = read_plain_exr(file, limit(Limit::pixels))) return std::move(*plain);
     return codec().read(file, limit(Limit::pixels));
 }
 

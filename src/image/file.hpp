@@ -1,5 +1,6 @@
 #pragma once
-// Image files: PNG by libspng, JPEG textures by libjpeg-turbo, WebP by libwebp, all else by OpenImageIO.
+// Image files: PNG by libspng, JPEG textures by libjpeg-turbo, WebP by libwebp, EXR by OpenEXR, all else by
+// OpenImageIO.
 #include "image/image.hpp"
 
 #include <algorithm>
@@ -14,8 +15,8 @@
 
 namespace sr::image {
 
-/// Starts loading OpenImageIO on a thread of its own (some 170 ms), so that the first read(), or write() of
-/// another format than PNG, does not wait for all of it. Optional: they load it themselves. The future's end
+/// Starts loading OpenImageIO on a thread of its own (some 170 ms), so that the first write() or read() that
+/// needs it does not wait for all of it. Optional: they load it themselves. The future's end
 /// waits for the thread; its get() throws Error where they would.
 [[nodiscard]] std::future<void> preload();
 
@@ -31,9 +32,8 @@ enum class SampleType { half, floating, integer8 };
 /// …).
 void write(const Image& image, const std::filesystem::path& file, SampleType type);
 
-/// Returns whether the extension names PNG, which is written without OpenImageIO.
-/// @throws Error as is_scene_referred()
-bool is_png(const std::filesystem::path& file);
+/// Returns whether write() of this file loads OpenImageIO. @throws Error as is_scene_referred()
+bool loads_openimageio(const std::filesystem::path& file);
 
 /// Returns whether the format that the extension names holds scene-referred floats (.exr, .hdr).
 /// @throws Error for an extension that is not one of .exr .hdr .png .jpg .jpeg.

@@ -163,11 +163,11 @@ OpenScene open_scene(const RenderSettings& settings, PhaseTimes& times) {
     times.end("start");
     auto loading = std::async(std::launch::async, open, std::cref(settings));
     // Last, since no thread can start while it has that lock.
-    const auto is_quick = [](const std::string& file) {
-        return image::is_video(file) || image::is_png(file);
+    const auto is_slow = [](const std::string& file) {
+        return !image::is_video(file) && image::loads_openimageio(file);
     };
     const auto preloading =
-        std::ranges::all_of(settings.outputs, is_quick) ? std::future<void>() : image::preload();
+        std::ranges::any_of(settings.outputs, is_slow) ? image::preload() : std::future<void>();
     Opened opened = loading.get();
     times.end("wait for load");
     times.add("load (beside start)", opened.seconds);

@@ -6,7 +6,7 @@
 
 namespace sr::image::oiio {
 
-std::vector<std::uint8_t> encode(const Image& image, Format format, SampleType type, const std::string& name);
+std::vector<std::uint8_t> encode(const Image& image, Format format, const std::string& name);
 Image read(const std::filesystem::path& file, std::uint64_t max_values);
 
 /// OpenImageIO's messages as part of one line.

@@ -11,18 +11,7 @@
 namespace sr::image::oiio {
 namespace {
 
-/// PNG is not written here (image/png.hpp).
-const char* oiio_name(Format format) {
-    switch (format) {
-    case Format::exr: return "openexr";
-    case Format::hdr: return "hdr";
-    case Format::jpeg: return "jpeg";
-    case Format::png: break;
-    }
-    return "";
-}
-
-/// RGB alone, for formats that hold nothing else; one or two channels count as grey.
+/// RGB alone, since the formats hold nothing else; one or two channels count as grey.
 Image as_rgb(const Image& image) {
     Image rgb(image.width, image.height, 3);
     const std::size_t step = static_cast<std::size_t>(image.channels);
@@ -32,20 +21,14 @@ Image as_rgb(const Image& image) {
     return rgb;
 }
 
-OIIO::ImageSpec spec_of(const Image& image, Format format, SampleType type) {
+OIIO::ImageSpec spec_of(const Image& image, bool is_jpeg) {
     using OIIO::TypeDesc;
-    const bool is_display = format == Format::jpeg;
-    TypeDesc sample = is_display ? TypeDesc::UINT8 : TypeDesc::FLOAT;
-    if (format == Format::exr && type == SampleType::half) sample = TypeDesc::HALF;
-    OIIO::ImageSpec spec(image.width, image.height, image.channels, sample);
-    if (!image.channel_names.empty()) spec.channelnames = image.channel_names;
+    OIIO::ImageSpec spec(image.width, image.height, image.channels,
+                         is_jpeg ? TypeDesc::UINT8 : TypeDesc::FLOAT);
     for (const Attribute& attribute : image.attributes) spec.attribute(attribute.name, attribute.value);
-    spec.attribute("oiio:ColorSpace", is_display ? "sRGB" : "Linear");
-    spec.attribute("oiio:UnassociatedAlpha", 1); // write the values as they are
+    spec.attribute("oiio:ColorSpace", is_jpeg ? "sRGB" : "Linear");
     spec.attribute("DateTime", ""); // or OpenImageIO writes the time of day, and no two files are the same
-    // The compression levels were measured, see README.md.
-    if (format == Format::exr) spec.attribute("compression", "zip:2");
-    if (format == Format::jpeg) {
+    if (is_jpeg) {                  // the level was measured, see README.md
         spec.attribute("Compression", "jpeg:95");
         spec.attribute("jpeg:subsampling", "4:4:4");
     }
@@ -54,24 +37,23 @@ OIIO::ImageSpec spec_of(const Image& image, Format format, SampleType type) {
 
 } // namespace
 
-std::vector<std::uint8_t> encode(const Image& given, Format format, SampleType type,
-                                 const std::string& name) {
+std::vector<std::uint8_t> encode(const Image& given, Format format, const std::string& name) {
     const Location where{name};
-    const bool is_rgb_only = format == Format::hdr || format == Format::jpeg;
-    if (is_rgb_only && given.channels != 3) return encode(as_rgb(given), format, type, name);
+    if (given.channels != 3) return encode(as_rgb(given), format, name);
 
+    const bool is_jpeg = format == Format::jpeg;
+    const char* const writer = is_jpeg ? "jpeg" : "hdr";
     std::vector<unsigned char> bytes;
     OIIO::Filesystem::IOVecOutput memory(bytes);
-    const auto output = OIIO::ImageOutput::create(oiio_name(format));
+    const auto output = OIIO::ImageOutput::create(writer);
     if (!output || !output->supports("ioproxy"))
-        throw Error(where, fmt::format("this OpenImageIO cannot write {}", oiio_name(format)),
+        throw Error(where, fmt::format("this OpenImageIO cannot write {}", writer),
                     "install one that can, or choose another format");
     output->set_ioproxy(&memory);
-    bool is_done = output->open(name, spec_of(given, format, type));
+    bool is_done = output->open(name, spec_of(given, is_jpeg));
     if (is_done) {
-        is_done = format == Format::jpeg
-                      ? output->write_image(OIIO::TypeDesc::UINT8, as_bytes(given.pixels).data())
-                      : output->write_image(OIIO::TypeDesc::FLOAT, given.pixels.data());
+        is_done = is_jpeg ? output->write_image(OIIO::TypeDesc::UINT8, as_bytes(given.pixels).data())
+                          : output->write_image(OIIO::TypeDesc::FLOAT, given.pixels.data());
         is_done = output->close() && is_done;
     }
     if (!is_done)

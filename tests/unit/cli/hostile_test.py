@@ -132,9 +132,13 @@ class Hostile(cli_test.CommandLine):
             self.skipTest("the program is where others may not run it")
         picture = self.write(png(4, 4), "good.PNG")
         self.folder.chmod(0o755)
+        somebody["preexec_fn"] = lambda: resource.setrlimit(resource.RLIMIT_NPROC, (1, 1))
         for command in (["brdf", "lambert"], ["compare", picture, picture]):
-            limited = run(*command, preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_NPROC, (1, 1)), **somebody)
-            self.assert_refused(limited, "the system refuses what is needed")
+            self.assert_refused(run(*command, **somebody), "the system refuses what is needed")
+        plain = self.folder / "plain.exr"
+        self.assertEqual(run("render", self.write(scene()), "-o", plain, "--size", "8x8", "--samples", "1").returncode, 0)
+        limited = run("compare", plain, plain, **somebody)
+        self.assertEqual(limited.returncode, 0, limited.stderr)  # OpenEXR is content with the thread that there is
 
     def test_only_regular_files_are_read(self):
         fifo, link = self.folder / "fifo.exr", self.folder / "zero.png"

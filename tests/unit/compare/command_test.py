@@ -60,13 +60,13 @@ check("and the other way round", png("rgb.png", 3, grey), png("grey.png", 1, gre
 check("other grey is not", png("grey.png", 1, grey), png("dark.png", 3, [value // 2 for value in grey]), status=1, out="FAIL")
 
 
-def exr(name, window, display):
-    """An EXR of one float channel Y, uncompressed, whose data window holds 1, 2, 3 … (OpenEXR File Layout)."""
+def exr(name, window, display, channel=b"Y"):
+    """An EXR of one float channel, uncompressed, whose data window holds 1, 2, 3 … (OpenEXR File Layout)."""
     (left, top, right, bottom) = window
 
     def attribute(label, kind, data):
         return label.encode() + b"\0" + kind.encode() + b"\0" + struct.pack("<i", len(data)) + data
-    head = struct.pack("<ii", 20000630, 2) + attribute("channels", "chlist", b"Y\0" + struct.pack("<iiii", 2, 0, 1, 1) + b"\0")
+    head = struct.pack("<ii", 20000630, 2) + attribute("channels", "chlist", channel + b"\0" + struct.pack("<iiii", 2, 0, 1, 1) + b"\0")
     head += attribute("compression", "compression", b"\0") + attribute("dataWindow", "box2i", struct.pack("<4i", *window))
     head += attribute("displayWindow", "box2i", struct.pack("<4i", *display)) + attribute("lineOrder", "lineOrder", b"\0")
     head += attribute("pixelAspectRatio", "float", struct.pack("<f", 1)) + attribute("screenWindowCenter", "v2f", bytes(8))
@@ -81,6 +81,12 @@ def exr(name, window, display):
 
 whole = exr("whole.exr", (0, 0, 7, 7), (0, 0, 7, 7))
 check("windows may begin anywhere", exr("moved.exr", (5, -3, 12, 4), (5, -3, 12, 4)), whole, status=0, out="PASS")
+red = exr("red.exr", (0, 0, 7, 7), (0, 0, 7, 7), b"R")
+check("a plain file's, too", exr("moved_red.exr", (5, -3, 12, 4), (5, -3, 12, 4), b"R"), red, status=0, out="PASS")
+check("a plain file has a limit", red, red, "--limit", "pixels=63", status=3, err="--limit pixels")
+cut = folder / "cut.exr"
+cut.write_bytes(red.read_bytes()[:-1])
+check("a plain file that ends early", cut, red, status=3, err="cut.exr: a broken image (")
 part = exr("part.exr", (0, 0, 3, 3), (0, 0, 7, 7))
 check("the same pixels in another place", exr("shifted.exr", (4, 4, 7, 7), (0, 0, 7, 7)), part, status=1, out="FAIL")
 check("the same pixels in the same place", exr("again.exr", (0, 0, 3, 3), (0, 0, 7, 7)), part, status=0, out="PASS")
