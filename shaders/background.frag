@@ -17,7 +17,4 @@ vec3 direction_of_pixel() {
     return normalize(inverse(xyw_from_direction) * vec3(2.0 * gl_FragCoord.xy / frame_size - 1.0, 1.0));
 }
 
-void main() {
-    frame = vec4(environment_radiance(light_at(environment), direction_of_pixel()), 0.0);
-    gl_FragDepth = 1.0;
-}
+void main() { frame = vec4(environment_radiance(light_at(environment), direction_of_pixel()), 0.0); }

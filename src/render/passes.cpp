@@ -5,6 +5,8 @@
 namespace sr::render {
 namespace {
 
+const char* const plain_background = "plain_background.frag";
+const char* const environment_background = "background.frag";
 const std::string glass_shader = "glass.frag";
 const std::string wireframe_shader = "views/wireframe.frag";
 const std::string overdraw_shader = "views/overdraw.frag";
@@ -54,26 +56,26 @@ float view_depth(const Draw& draw, vec4 eye) {
     return glm::distance(draw.center, vec3(eye));
 }
 
-/// An empty frame, in which the nearest surfaces win.
-void begin_nearest(const RenderTarget& frame, vec3 background) {
+/// Of surfaces that are drawn into an empty frame.
+void nearest_win(const RenderTarget& frame) {
     frame.bind();
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glDisable(GL_BLEND);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);
     glDepthMask(GL_TRUE);
-    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    glClearColor(background.r, background.g, background.b, 0.0f);
-    glStencilMask(~0u);
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
 }
 
-/// Draws a triangle over the scissor that adds to the target; not to pixels that mask_pass() closed, if there
-/// are any. Their depth is 0. A driver on the CPU then leaves out whole blocks of pixels.
-void add_everywhere(bool but_closed) {
-    glDisable(GL_CULL_FACE);
+void blend_by_adding() {
     glEnable(GL_BLEND);
     glBlendEquation(GL_FUNC_ADD);
     glBlendFunc(GL_ONE, GL_ONE);
+}
+
+/// Draws a triangle over the scissor; not over pixels that mask_pass() closed, if there are any. Their depth
+/// is 0. A driver on the CPU then leaves out whole blocks of pixels.
+void draw_everywhere(bool but_closed) {
+    glDisable(GL_CULL_FACE);
     if (but_closed) {
         glEnable(GL_DEPTH_TEST);
         glDepthFunc(GL_NOTEQUAL);
@@ -111,9 +113,16 @@ const char* depth_shader_of(const Draw& draw, bool has_triangles) {
     return has_triangles && draw.number > 0 ? "triangle.frag" : "depth.frag";
 }
 
-void depth_pass(const RenderTarget& frame, const GpuScene& scene, ShaderLibrary& shaders, vec3 background,
+void begin_pass(const RenderTarget& frame) {
+    frame.bind();
+    glDepthMask(GL_TRUE);
+    glStencilMask(~0u);
+    glClear(GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+}
+
+void depth_pass(const RenderTarget& frame, const GpuScene& scene, ShaderLibrary& shaders,
                 const mat4& clip_from_world, TriangleBuffer* triangles) {
-    begin_nearest(frame, background);
+    nearest_win(frame);
     if (triangles)
         triangles->begin(scene, clip_from_world);
     else
@@ -129,22 +138,35 @@ void depth_pass(const RenderTarget& frame, const GpuScene& scene, ShaderLibrary&
     glDisable(GL_STENCIL_TEST);
 }
 
-void background_pass(const RenderTarget& frame, const GpuScene& scene, ShaderLibrary& shaders) {
+void background_pass(const RenderTarget& frame, const GpuScene& scene, ShaderLibrary& shaders,
+                     const Background& background) {
     frame.bind();
-    glEnable(GL_BLEND);
-    glBlendEquation(GL_FUNC_ADD);
-    glBlendFunc(GL_ONE, GL_ONE);
+    glDisable(GL_BLEND);
     glDisable(GL_CULL_FACE);
     glEnable(GL_DEPTH_TEST);
-    glDepthFunc(GL_LEQUAL);
+    glDepthFunc(background.is_behind_all ? GL_ALWAYS : GL_LEQUAL);
     glDepthMask(GL_FALSE);
-    scene.bind_lights();
-    const gl::Program& program = shaders.fullscreen_program("background.frag");
-    program.use();
-    for (const int environment : scene.visible_environments()) {
-        glUniform1i(program.uniform("environment"), environment);
-        glDrawArrays(GL_TRIANGLES, 0, 3);
+    glDepthRangef(1.0f, 1.0f); // behind all surfaces
+    const gl::Program& plain = shaders.fullscreen_program(plain_background);
+    plain.use();
+    glUniform3fv(plain.uniform("background"), 1, &background.L.x);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    if (background.has_environments) {
+        blend_by_adding();
+        scene.bind_lights();
+        const gl::Program& program = shaders.fullscreen_program(environment_background);
+        program.use();
+        for (const int environment : scene.visible_environments()) {
+            glUniform1i(program.uniform("environment"), environment);
+            glDrawArrays(GL_TRIANGLES, 0, 3);
+        }
     }
+    glDepthRangef(0.0f, 1.0f);
+}
+
+void compile_background(ShaderLibrary& shaders, const Background& background) {
+    shaders.fullscreen_program(plain_background);
+    if (background.has_environments) shaders.fullscreen_program(environment_background);
 }
 
 void mask_pass(const RenderTarget& frame, ShaderLibrary& shaders) {
@@ -154,13 +176,13 @@ void mask_pass(const RenderTarget& frame, ShaderLibrary& shaders) {
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_ALWAYS);
     glDepthMask(GL_TRUE);
-    glEnable(GL_STENCIL_TEST); // the pixels see no draw with a number any more
-    glStencilFunc(GL_ALWAYS, 0, ~0u);
-    glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    glDepthRangef(0.0f, 0.0f); // in front of all surfaces
     glBindSampler(0, 0);
     shaders.fullscreen_program("mask.frag").use();
     glDrawArrays(GL_TRIANGLES, 0, 3);
-    glDisable(GL_STENCIL_TEST);
+    glDepthRangef(0.0f, 1.0f);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
 void record_pass(const GpuScene& scene, ShaderLibrary& shaders, int attachments, int light_choices) {
@@ -185,7 +207,8 @@ void compile_shading(ShaderLibrary& shaders, const Draw& draw, const std::string
 void add_pass(const RenderTarget& frame, ShaderLibrary& shaders, bool has_closed) {
     frame.bind();
     shaders.fullscreen_program("deferred_sum.frag").use();
-    add_everywhere(has_closed);
+    blend_by_adding();
+    draw_everywhere(has_closed);
 }
 
 void blend_pass(const RenderTarget& frame, const GpuScene& scene, ShaderLibrary& shaders,
@@ -220,16 +243,23 @@ void blend_pass(const RenderTarget& frame, const GpuScene& scene, ShaderLibrary&
 }
 
 void accumulate_pass(const RenderTarget& film, const RenderTarget& frame, ShaderLibrary& shaders,
-                     bool has_closed) {
+                     bool is_first, bool has_closed) {
     film.bind();
     shaders.fullscreen_program("accumulate.frag").use();
     frame.color().bind(0);
     glBindSampler(0, 0);
-    add_everywhere(has_closed);
+    if (is_first)
+        glDisable(GL_BLEND);
+    else
+        blend_by_adding();
+    draw_everywhere(has_closed);
 }
 
 void seen_pass(const RenderTarget& frame, const GpuScene& scene, ShaderLibrary& shaders) {
-    begin_nearest(frame, vec3(0.0f));
+    begin_pass(frame);
+    nearest_win(frame);
+    constexpr float nothing[4]{0.0f, 0.0f, 0.0f, 0.0f};
+    glClearBufferfv(GL_COLOR, 0, nothing);
     for (const auto* draws : {&scene.opaque_draws(), &scene.blended_draws()})
         for (const Draw& draw : *draws) {
             cull(draw.is_double_sided);

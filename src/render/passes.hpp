@@ -8,19 +8,34 @@
 
 namespace sr::render {
 
-/// Clears to the background radiance with no coverage, then lays down the depth of opaque and masked
-/// surfaces. `triangles`: of this frame, gets the triangles that pixels see; null: nobody asks for them.
-void depth_pass(const RenderTarget& frame, const GpuScene& scene, ShaderLibrary& shaders, vec3 background,
+/// Begins a frame: no surface, at any depth. Its colours are those of before until background_pass() and
+/// forward_pass() write them: drivers on the CPU take several times as long to clear floats as to draw them.
+void begin_pass(const RenderTarget& frame);
+
+/// Closes the pixels where the texture of unit 0 is not 0 to all passes that follow.
+void mask_pass(const RenderTarget& frame, ShaderLibrary& shaders);
+
+/// Lays down the depth of opaque and masked surfaces. `triangles`: of this frame, gets the triangles that
+/// pixels see; null: nobody asks for them.
+void depth_pass(const RenderTarget& frame, const GpuScene& scene, ShaderLibrary& shaders,
                 const mat4& clip_from_world, TriangleBuffer* triangles);
 
 /// The fragment shader of the depth pass. `has_triangles`: with a TriangleBuffer.
 const char* depth_shader_of(const Draw& draw, bool has_triangles);
 
-/// Adds the environments that cameras see where no surface is, without coverage.
-void background_pass(const RenderTarget& frame, const GpuScene& scene, ShaderLibrary& shaders);
+/// The background of the surfaces, which has no coverage.
+struct Background {
+    vec3 L{0.0f};                  // [cd/m²]
+    bool has_environments = false; // those that cameras see are added
+    bool is_behind_all = false;    // it is written where surfaces are, too
+};
 
-/// Leaves the frame black, and closed to all passes that follow, where the texture of unit 0 is not 0.
-void mask_pass(const RenderTarget& frame, ShaderLibrary& shaders);
+/// Writes the background where the depth pass left no surface, under a vertex array without vertices.
+void background_pass(const RenderTarget& frame, const GpuScene& scene, ShaderLibrary& shaders,
+                     const Background& background);
+
+/// Compiles what background_pass() takes. @throws ShaderError
+void compile_background(ShaderLibrary& shaders, const Background& background);
 
 /// Writes the rays that the forward pass will ask about within the scissor into the bound framebuffer, whose
 /// depth is the pre-pass's: to attachment 0 the receivers, to `attachments` - 1 others a ray each. With
@@ -56,8 +71,9 @@ void blend_pass(const RenderTarget& frame, const GpuScene& scene, ShaderLibrary&
 /// included.
 void seen_pass(const RenderTarget& frame, const GpuScene& scene, ShaderLibrary& shaders);
 
-/// Adds the frame to the film, which has the frame's depth. `has_closed` as in add_pass().
+/// Adds the frame to the film, which has the frame's depth, or copies it as the first one. `has_closed` as in
+/// add_pass().
 void accumulate_pass(const RenderTarget& film, const RenderTarget& frame, ShaderLibrary& shaders,
-                     bool has_closed);
+                     bool is_first, bool has_closed);
 
 } // namespace sr::render

@@ -213,7 +213,7 @@ void Renderer::compile() {
     if (deferred_) deferred_->compile(*shaders_, triangles_.has_value());
     for (const Draw& draw : scene_.blended_draws())
         shaders_->mesh_program(fragment_of(draw, options_.shader), draw.features, blended_terms());
-    if (shows_environment()) shaders_->fullscreen_program("background.frag");
+    compile_background(*shaders_, background());
     shaders_->fullscreen_program("accumulate.frag");
 }
 
@@ -229,19 +229,21 @@ void Renderer::clear() {
 }
 
 void Renderer::repeat() {
-    const bool is_black_outside = sample_count_ > 0 && options_.window; // since the first clearing
+    // New films are black. Later the first sample takes the place of what they hold, where it draws.
+    if (sample_count_ == 0 || converged_.any(0)) clear_films();
     sample_count_ = rows_done_ = 0;
-    if (is_black_outside) set_scissor(*options_.window);
+    for (auto& sums : sums_)
+        if (sums) sums->clear(options_.window.value_or(PixelRect{0, 0, options_.width, options_.height}));
+    is_film_whole_ = false;
+}
+
+void Renderer::clear_films() {
     glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
     for (const RenderTarget* target : {&film_, first_half_ ? &*first_half_ : nullptr}) {
         if (!target) continue;
         target->bind();
         glClear(GL_COLOR_BUFFER_BIT);
     }
-    glDisable(GL_SCISSOR_TEST);
-    for (auto& sums : sums_)
-        if (sums) sums->clear(options_.window.value_or(PixelRect{0, 0, options_.width, options_.height}));
-    is_film_whole_ = false;
 }
 
 void Renderer::look_from(const scene::Camera& camera) {
@@ -275,14 +277,15 @@ void Renderer::draw(const PixelRect& part) {
     PassClock clock(pass_times_);
     const View view = begin_frame();
     set_scissor(part);
-    depth_pass(frame_, scene_, *shaders_, counts_surfaces(options_.shader) ? vec3(0.0f) : options_.background,
-               view.clip_from_world, triangles());
-    glBindVertexArray(no_vertices_.id());
-    if (shows_environment()) background_pass(frame_, scene_, *shaders_);
+    begin_pass(frame_);
     if (converged_.any(sample_count_)) {
+        glBindVertexArray(no_vertices_.id());
         converged_.bind(sample_count_, 0);
         mask_pass(frame_, *shaders_);
     }
+    depth_pass(frame_, scene_, *shaders_, view.clip_from_world, triangles());
+    glBindVertexArray(no_vertices_.id());
+    background_pass(frame_, scene_, *shaders_, background());
     clock.end(&PassTimes::depth);
     shade_opaque(part);
     set_scissor(part);
@@ -293,17 +296,19 @@ void Renderer::draw(const PixelRect& part) {
     glDisable(GL_SCISSOR_TEST);
 }
 
-bool Renderer::shows_environment() const {
-    return !scene_.visible_environments().empty() && options_.shader == "forward.frag";
+Background Renderer::background() const {
+    if (counts_surfaces(options_.shader)) return {.is_behind_all = true};
+    const bool has_environments = !scene_.visible_environments().empty() && options_.shader == "forward.frag";
+    return {.L = options_.background, .has_environments = has_environments};
 }
 
 void Renderer::accumulate() {
     is_film_whole_ = false;
     glBindVertexArray(no_vertices_.id());
-    const bool has_closed = converged_.any(sample_count_);
-    accumulate_pass(film_, frame_, *shaders_, has_closed);
+    const bool is_first = sample_count_ == 0, has_closed = converged_.any(sample_count_);
+    accumulate_pass(film_, frame_, *shaders_, is_first, has_closed);
     if (first_half_ && half_of(sample_count_) == 0)
-        accumulate_pass(*first_half_, frame_, *shaders_, has_closed);
+        accumulate_pass(*first_half_, frame_, *shaders_, is_first, has_closed);
 }
 
 PixelRect Renderer::window() const {

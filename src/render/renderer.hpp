@@ -179,8 +179,9 @@ private:
     void shade_opaque(const PixelRect& window);
     bool keeps_sums() const; // of L_r apart from the films, until these are read
     PixelSums& sums_of_sample();
-    bool shows_environment() const; // behind everything; terms of the equation have no background
+    Background background() const; // terms of the equation have no environment behind them
     void accumulate();
+    void clear_films();
 
     const GpuScene& scene_;
     scene::Camera camera_;
