@@ -10,10 +10,9 @@ layout(early_fragment_tests) in; // hidden fragments must not write
 out vec4 film; // L_e [cd/m²] and coverage, which is 1
 
 void write_receiver(Surface x, int pixel) {
-    int first = deferred_words_of(pixel);
-    ivec3 bits = floatBitsToInt(x.position);
-    for (int i = 0; i < 3; ++i) deferred[first + i] = bits[i];
-    deferred[first + 3] = x.triangle;
+    int first = deferred_pairs_of(pixel);
+    deferred[first] = pair(x.position.x, x.position.y);
+    deferred[first + 1] = pair(x.position.z, intBitsToFloat(x.triangle));
 }
 
 void main() {
@@ -22,5 +21,5 @@ void main() {
     film = vec4(bounded(outgoing(x, direction_to_viewer())), 1.0);
     int pixel = pixel_of_rows();
     if (deferred_count > 0) write_receiver(x, pixel);
-    deferred[pixel] = deferred_count;
+    deferred[pixel] = pair(intBitsToFloat(deferred_count), 0.0);
 }

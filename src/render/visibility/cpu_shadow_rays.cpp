@@ -168,7 +168,8 @@ std::size_t CpuShadowRays::answer_row(std::size_t first, std::size_t end) {
             ++broken;
             continue;
         }
-        queries.push_back(recorded.query(vec3(receiver), static_cast<int>(receiver.w), rays_per_light_));
+        queries.push_back(
+            recorded.query(vec3(receiver), static_cast<int>(receiver.w), number / rays_per_light_));
         places.push_back(place);
     }
     std::vector<vec3> V(queries.size());

@@ -19,7 +19,7 @@ namespace sr::render {
 namespace {
 
 // Keep in sync with shaders/interface/deferred.glsl.
-constexpr std::size_t receiver_words = 4, sample_words = 7;
+constexpr std::size_t count_words = 2, receiver_words = 4, sample_words = 8;
 
 constexpr float max_radiance = 1e30f; // [cd/m²]; keep in sync with shaders/integrator/bounded.glsl
 
@@ -74,12 +74,11 @@ DeferredVisibility::DeferredVisibility(const GpuScene& scene, int width, int hei
     : scene_(scene),
       width_(width),
       light_choices_(light_choices),
-      rays_per_light_(light_choices > 0 ? light_choices + 1 : scene.rays_per_light()),
       lights_at_once_(light_choices > 0 ? scene.light_count()
                                         : std::clamp(scene.light_count(), 1, most_lights_at_once)),
-      most_rays_(light_choices > 0 ? rays_per_light_ : std::max(1, scene.most_rays(lights_at_once_))) {
+      most_rays_(light_choices > 0 ? light_choices + 1 : std::max(1, scene.most_rays(lights_at_once_))) {
     const auto row = static_cast<std::size_t>(width);
-    const std::size_t words_of_row = row * (1 + pixel_words());
+    const std::size_t words_of_row = row * (count_words + pixel_words());
     const std::size_t words = words_of_band(words_of_row * static_cast<std::size_t>(height));
     const std::size_t rows = std::min({BufferTexture::max_texels() / row, words / words_of_row,
                                        max_rays / (row * static_cast<std::size_t>(most_rays_))});
@@ -89,13 +88,13 @@ DeferredVisibility::DeferredVisibility(const GpuScene& scene, int width, int hei
             "choose a smaller --size, or --visibility ray-glsl");
     rows_at_once_ = std::min(height, static_cast<int>(std::min<std::size_t>(rows, 1u << 30)));
     const auto plane = static_cast<std::size_t>(width) * static_cast<std::size_t>(rows_at_once_);
-    const std::vector<std::int32_t> no_samples(plane, 0);
+    const std::vector<std::int32_t> no_samples(count_words * plane, 0);
     glBindBuffer(GL_SHADER_STORAGE_BUFFER, samples_.id());
     glBufferData(GL_SHADER_STORAGE_BUFFER,
-                 static_cast<GLsizeiptr>(plane * (1 + pixel_words()) * sizeof(std::int32_t)), nullptr,
-                 GL_STREAM_READ);
-    glBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, static_cast<GLsizeiptr>(plane * sizeof(std::int32_t)),
-                    no_samples.data());
+                 static_cast<GLsizeiptr>(plane * (count_words + pixel_words()) * sizeof(std::int32_t)),
+                 nullptr, GL_STREAM_READ);
+    glBufferSubData(GL_SHADER_STORAGE_BUFFER, 0,
+                    static_cast<GLsizeiptr>(no_samples.size() * sizeof(std::int32_t)), no_samples.data());
 }
 
 std::size_t DeferredVisibility::pixel_words() const {
@@ -136,7 +135,7 @@ void DeferredVisibility::add_seen(RowRange band, PixelSums& sums) {
     const auto plane = static_cast<std::size_t>(width_) * static_cast<std::size_t>(rows_at_once_);
     glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
     glBindBuffer(GL_COPY_READ_BUFFER, samples_.id());
-    const auto bytes = static_cast<GLsizeiptr>(plane * (1 + pixel_words()) * sizeof(std::int32_t));
+    const auto bytes = static_cast<GLsizeiptr>(plane * (count_words + pixel_words()) * sizeof(std::int32_t));
     auto* words = static_cast<std::int32_t*>(
         glMapBufferRange(GL_COPY_READ_BUFFER, 0, bytes, GL_MAP_READ_BIT | GL_MAP_WRITE_BIT));
     if (!words) throw Error("the driver does not show the samples of a frame", "choose a smaller --size");
@@ -163,11 +162,11 @@ std::size_t DeferredVisibility::add_seen_of_row(std::int32_t* words, std::size_t
     Waiting waiting;
     std::size_t rays = 0;
     for (std::size_t pixel = first; pixel < first + static_cast<std::size_t>(width_); ++pixel) {
-        const int count = words[pixel];
+        const int count = words[count_words * pixel];
         if (count == 0) continue;
-        words[pixel] = 0;
+        words[count_words * pixel] = 0;
         float* const L_r = &sums[3 * (pixel - first)];
-        const std::int32_t* receiver = words + plane + pixel * pixel_words();
+        const std::int32_t* receiver = words + count_words * plane + pixel * pixel_words();
         const vec3 x = floats(receiver);
         for (int i = 0; i < count; ++i) {
             const std::int32_t* sample =
@@ -177,7 +176,7 @@ std::size_t DeferredVisibility::add_seen_of_row(std::int32_t* words, std::size_t
                 *L_r = std::numeric_limits<float>::quiet_NaN();
                 continue;
             }
-            waiting.queries[waiting.count] = ray.query(x, receiver[3], rays_per_light_);
+            waiting.queries[waiting.count] = ray.query(x, receiver[3], ray.number());
             waiting.L[waiting.count] = floats(sample + 4);
             waiting.L_r[waiting.count] = L_r;
             ++rays;

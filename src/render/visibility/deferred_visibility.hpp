@@ -45,7 +45,6 @@ private:
     const GpuScene& scene_;
     int width_;
     int light_choices_;
-    int rays_per_light_; // as shaders/visibility/named_ray.glsl numbers them
     int lights_at_once_;
     int most_rays_; // of a pixel, to this many lights
     int rows_at_once_;

@@ -23,11 +23,12 @@ struct RecordedRay {
     vec4 named{0.0f};
 
     bool is_finite() const { return std::isfinite(named.x + named.y + named.z); }
+    /// Returns what the name counts, from 0.
     int number() const { return static_cast<int>(std::abs(named.w)) - 1; }
 
-    /// `x`: the receiver [m]; `triangle`: that it lies on. `rays_per_light`: as the shader numbers them.
-    shadow::Query query(vec3 x, int triangle, int rays_per_light) const {
-        return {x, triangle, vec3(named), named.w < 0.0f, number() / rays_per_light};
+    /// `x`: the receiver [m]; `triangle`: that it lies on.
+    shadow::Query query(vec3 x, int triangle, int light) const {
+        return {x, triangle, vec3(named), named.w < 0.0f, light};
     }
 };
 
