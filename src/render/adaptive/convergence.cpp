@@ -1,5 +1,7 @@
 #include "render/adaptive/convergence.hpp"
 
+#include "render/adaptive/allocation.hpp"
+
 #include <algorithm>
 #include <bit>
 #include <chrono>
@@ -12,62 +14,6 @@ constexpr int first_estimate = 8;
 
 /// No pixel is frozen before that: light that one sample in fifty finds would be taken for darkness.
 constexpr int first_freeze = 64;
-
-/// The part of a target's square that a pixel's surroundings must be under to be frozen. Those frozen early
-/// are not the ones that matter; without it, too many would end just under the target.
-constexpr float freeze_share = 0.5f;
-
-/// The side of the blocks of pixels that are frozen together: enough to tell an error by, few enough to
-/// follow a penumbra.
-constexpr int block_side = 4;
-
-/// A picture of blocks.
-struct Blocks {
-    int columns = 0;
-    int rows = 0;
-    std::vector<float> values;
-
-    Blocks(int width, int height)
-        : columns((width + block_side - 1) / block_side),
-          rows((height + block_side - 1) / block_side),
-          values(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), 0.0f) {}
-
-    float& at(int column, int row) {
-        return values[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns)
-                      + static_cast<std::size_t>(column)];
-    }
-};
-
-/// The mean square of each block.
-Blocks block_squares(const ErrorEstimate& estimate) {
-    Blocks sums(estimate.width, estimate.height);
-    std::size_t i = 0;
-    for (int y = 0; y < estimate.height; ++y)
-        for (int x = 0; x < estimate.width; ++x)
-            sums.at(x / block_side, y / block_side) += estimate.squares[i++];
-    for (int row = 0; row < sums.rows; ++row) {
-        for (int column = 0; column < sums.columns; ++column) {
-            const int width = std::min(block_side, estimate.width - column * block_side);
-            const int height = std::min(block_side, estimate.height - row * block_side);
-            sums.at(column, row) /= static_cast<float>(width * height);
-        }
-    }
-    return sums;
-}
-
-/// The largest value of each block and the eight around it: an edge that has just entered one block is in the
-/// next.
-Blocks with_surroundings(Blocks blocks) {
-    Blocks largest = blocks;
-    for (int row = 0; row < blocks.rows; ++row) {
-        for (int column = 0; column < blocks.columns; ++column) {
-            for (int y = std::max(0, row - 1); y <= std::min(blocks.rows - 1, row + 1); ++y)
-                for (int x = std::max(0, column - 1); x <= std::min(blocks.columns - 1, column + 1); ++x)
-                    largest.at(column, row) = std::max(largest.at(column, row), blocks.at(x, y));
-        }
-    }
-    return largest;
-}
 
 } // namespace
 
@@ -85,7 +31,7 @@ void Convergence::update(Renderer& renderer) {
     squares_ = estimate_->squares;
     samples_ = samples;
     if (target_ == 0.0 || is_reached() || renderer.sample_count() < first_freeze) return;
-    const PixelMask frozen = converged();
+    const PixelMask frozen = with_enough_samples(*estimate_, samples, renderer.sample_count(), target_);
     if (std::ranges::find(frozen, 0) == frozen.end()) return; // someone has to go on
     renderer.freeze(frozen);
 }
@@ -100,17 +46,6 @@ void Convergence::remember(const std::vector<int>& samples) {
         }
     }
     sum_up(*estimate_);
-}
-
-PixelMask Convergence::converged() const {
-    const float most = freeze_share * static_cast<float>(target_ * target_);
-    Blocks largest = with_surroundings(block_squares(*estimate_));
-    PixelMask mask;
-    mask.reserve(estimate_->squares.size());
-    for (int y = 0; y < estimate_->height; ++y)
-        for (int x = 0; x < estimate_->width; ++x)
-            mask.push_back(largest.at(x / block_side, y / block_side) <= most ? 1 : 0);
-    return mask;
 }
 
 const char* name_of(StoppedBy reason) {

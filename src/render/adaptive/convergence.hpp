@@ -31,7 +31,6 @@ private:
     /// pixel's square is the mean of what is seen and what was seen before, scaled as slowly as variance can
     /// fall.
     void remember(const std::vector<int>& samples);
-    PixelMask converged() const; // the pixels that may be frozen
 
     double target_;
     std::optional<ErrorEstimate> estimate_;
