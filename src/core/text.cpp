@@ -102,6 +102,14 @@ std::string_view trimmed(std::string_view text) {
     return text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
+std::string one_line(std::string_view message) {
+    while (!message.empty() && (message.back() == '\n' || message.back() == '.')) message.remove_suffix(1);
+    std::string line(message.empty() ? "no reason given" : message);
+    for (char& c : line)
+        if (c == '\n' || c == '\r') c = ' ';
+    return line;
+}
+
 std::string shorten(std::string_view text, std::size_t size) {
     if (text.size() <= size) return std::string(text);
     while (size > 0 && (static_cast<unsigned char>(text[size]) & 0xC0) == 0x80) --size;

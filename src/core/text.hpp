@@ -30,6 +30,10 @@ std::string_view trimmed(std::string_view text);
 /// The text with \n for each line break: \r\n, \n, and the lone \r at which drivers end a line, too.
 std::string with_plain_breaks(std::string text);
 
+/// A library's message as a part of one line: spaces for line breaks, and no full stop at its end. An empty
+/// one says that no reason was given.
+std::string one_line(std::string_view message);
+
 /// At most the first `size` bytes, cut between characters, and then "…".
 std::string shorten(std::string_view text, std::size_t size);
 

@@ -1,6 +1,7 @@
 #include "image/exr.hpp"
 
 #include "core/error.hpp"
+#include "core/text.hpp"
 
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
@@ -157,7 +158,7 @@ std::vector<std::uint8_t> encode_exr(const Image& image, SampleType type, const 
     } catch (const std::bad_alloc&) {
         throw;
     } catch (const std::exception& problem) {
-        throw Error({name}, fmt::format("cannot be encoded ({})", problem.what()),
+        throw Error({name}, fmt::format("cannot be encoded ({})", one_line(problem.what())),
                     "write it in another format");
     }
 }
@@ -178,7 +179,7 @@ std::optional<Image> read_plain_exr(const std::filesystem::path& file, std::uint
     } catch (const std::bad_alloc&) {
         throw;
     } catch (const std::exception& problem) {
-        throw Error({name}, fmt::format("a broken image ({})", problem.what()), "make it again");
+        throw Error({name}, fmt::format("a broken image ({})", one_line(problem.what())), "make it again");
     }
 }
 

@@ -1,6 +1,7 @@
 // Images to the bytes of a file. OpenImageIO writes into memory: the disk and its errors are whole_file.hpp's
 // business.
 #include "core/error.hpp"
+#include "core/text.hpp"
 #include "image/oiio/codec_functions.hpp"
 
 #include <OpenImageIO/filesystem.h>

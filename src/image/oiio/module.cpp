@@ -2,18 +2,6 @@
 
 #include <OpenImageIO/imageio.h>
 
-namespace sr::image::oiio {
-
-std::string one_line(std::string_view message) {
-    while (!message.empty() && (message.back() == '\n' || message.back() == '.')) message.remove_suffix(1);
-    std::string line(message.empty() ? "no reason given" : message);
-    for (char& c : line)
-        if (c == '\n' || c == '\r') c = ' ';
-    return line;
-}
-
-} // namespace sr::image::oiio
-
 extern "C" __attribute__((visibility("default"))) const sr::image::Codec* steradian_image_codec() {
     namespace oiio = sr::image::oiio;
     static const sr::image::Codec codec{oiio::encode, oiio::read};

@@ -1,4 +1,5 @@
 #include "core/error.hpp"
+#include "core/text.hpp"
 #include "image/oiio/codec_functions.hpp"
 
 #include <OpenImageIO/imageio.h>

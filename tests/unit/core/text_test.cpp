@@ -39,6 +39,11 @@ const Test cut("unit.core.text.a_cut_keeps_characters_whole", [] {
     EXPECT_EQ(shorten("ab\xc3\xb6", 3), "ab…");
 });
 
+const Test line("unit.core.text.messages_of_libraries_are_one_line", [] {
+    EXPECT_EQ(sr::one_line("it failed.\nhere.\n"), "it failed. here");
+    EXPECT_EQ(sr::one_line(".\n"), "no reason given");
+});
+
 const Test extent("unit.core.json_scan.extent", [] {
     const JsonExtent found = json_extent(R"({"a": [1, 2, {"b": "[[[,,,\"{"}]})");
     EXPECT_EQ(found.depth, 3);
