@@ -9,12 +9,9 @@
 
 namespace sr::image {
 
-enum class Format { exr, hdr, png, jpeg };
-
 /// The functions that the module offers. They throw Error, whose file is `name`.
 struct Codec {
-    /// Of .hdr or .jpeg.
-    std::vector<std::uint8_t> (*encode)(const Image& image, Format format, const std::string& name);
+    std::vector<std::uint8_t> (*encode_hdr)(const Image& image, const std::string& name);
     /// Refuses images of more than `max_values` numbers.
     Image (*read)(const std::filesystem::path& file, std::uint64_t max_values);
 };

@@ -21,6 +21,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+enum class Format { exr, hdr, png, jpeg };
+
 Format format_of(const fs::path& file) {
     std::string extension = file.extension().string();
     std::ranges::transform(extension, extension.begin(),
@@ -40,10 +42,7 @@ std::future<void> preload() {
     return started([] { codec(); });
 }
 
-bool loads_openimageio(const fs::path& file) {
-    const Format format = format_of(file);
-    return format == Format::hdr || format == Format::jpeg;
-}
+bool loads_openimageio(const fs::path& file) { return format_of(file) == Format::hdr; }
 
 bool is_scene_referred(const fs::path& file) {
     const Format format = format_of(file);
@@ -57,7 +56,8 @@ void WholeFiles::add(const Image& image, const fs::path& file, SampleType type) 
     require(samples > 0 && image.pixels.size() == samples, "an image has as many samples as its size says");
     const std::string name = file.string();
     if (format == Format::png) return add(file, encode_png(image, name));
-    if (format != Format::exr) return add(file, codec().encode(image, format, name));
+    if (format == Format::jpeg) return add(file, encode_jpeg(image, name));
+    if (format == Format::hdr) return add(file, codec().encode_hdr(image, name));
     const bool is_clamped = type == SampleType::half && half_overflow_count(image) > 0;
     add(file, encode_exr(is_clamped ? within_half(image) : image, type, name));
 }

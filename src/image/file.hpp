@@ -1,6 +1,6 @@
 #pragma once
-// Image files: PNG by libspng, JPEG textures by libjpeg-turbo, WebP by libwebp, EXR by OpenEXR, all else by
-// OpenImageIO.
+// Image files: PNG by libspng, JPEG textures and pictures that are written by libjpeg-turbo, WebP by libwebp,
+// EXR by OpenEXR, all else by OpenImageIO.
 #include "image/image.hpp"
 
 #include <algorithm>

@@ -27,6 +27,15 @@ double relative_square(double difference, double reference, double floor) {
     return difference * difference / (reference * reference + floor * floor);
 }
 
+Image as_rgb(const Image& image) {
+    Image rgb(image.width, image.height, 3);
+    const std::size_t step = static_cast<std::size_t>(image.channels);
+    const float* from = image.pixels.data();
+    for (std::size_t i = 0; i < rgb.pixels.size(); i += 3, from += step)
+        for (std::size_t c = 0; c < 3; ++c) rgb.pixels[i + c] = from[step >= 3 ? c : 0];
+    return rgb;
+}
+
 std::vector<std::uint8_t> as_bytes(const std::vector<float>& values) {
     std::vector<std::uint8_t> bytes(values.size());
     std::ranges::transform(values, bytes.begin(), [](float value) {

@@ -40,6 +40,9 @@ private:
     }
 };
 
+/// The first three channels; of one or two the first as grey. Without attributes.
+Image as_rgb(const Image& image);
+
 /// Converts display values in 0..1 to bytes. Values outside of it are clamped; NaN becomes 0.
 std::vector<std::uint8_t> as_bytes(const std::vector<float>& values);
 

@@ -1,6 +1,7 @@
 #include "image/texture_formats.hpp"
 
 #include "core/error.hpp"
+#include "core/text.hpp"
 #include "image/header.hpp"
 
 #include <fmt/format.h>
@@ -10,8 +11,10 @@
 namespace sr::image {
 namespace {
 
+constexpr int quality = 95; // measured, see README.md
+
 struct Destroy {
-    void operator()(void* decoder) const { tjDestroy(decoder); }
+    void operator()(void* codec) const { tjDestroy(codec); }
 };
 
 /// CMYK as Adobe's programs store it, inverted, to RGBA in place.
@@ -50,6 +53,21 @@ DecodedTexture decode_jpeg(std::span<const std::uint8_t> bytes, const std::strin
                         is_cmyk ? TJPF_CMYK : TJPF_RGBA, TJFLAG_ACCURATEDCT | TJFLAG_LIMITSCANS));
     if (is_cmyk) convert_inverted_cmyk(texels);
     return texture;
+}
+
+std::vector<std::uint8_t> encode_jpeg(const Image& image, const std::string& name) {
+    const std::unique_ptr<void, Destroy> encoder(tjInitCompress());
+    if (!encoder) throw std::bad_alloc();
+    const std::vector<std::uint8_t> pixels = as_bytes(as_rgb(image).pixels);
+    unsigned char* encoded = nullptr;
+    unsigned long size = 0;
+    const int status = tjCompress2(encoder.get(), pixels.data(), image.width, 0, image.height, TJPF_RGB,
+                                   &encoded, &size, TJSAMP_444, quality, TJFLAG_ACCURATEDCT);
+    const std::unique_ptr<unsigned char, decltype(&tjFree)> owner(encoded, tjFree);
+    if (status != 0)
+        throw Error({name}, fmt::format("cannot be encoded ({})", one_line(tjGetErrorStr2(encoder.get()))),
+                    "write it in another format");
+    return {encoded, encoded + size};
 }
 
 } // namespace sr::image

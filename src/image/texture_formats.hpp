@@ -1,6 +1,7 @@
 #pragma once
-// Decoders of textures in memory: PNG, JPEG and WebP. image/file.hpp chooses among them. Other formats
-// go through OpenImageIO (codec.hpp), which takes much longer to load.
+// PNG, JPEG and WebP in memory: decoders of textures, and encoders of pictures. image/file.hpp chooses among
+// them. Other formats go through OpenEXR (exr.hpp) or OpenImageIO (codec.hpp), which takes much longer to
+// load.
 #include "image/file.hpp"
 
 namespace sr::image {
@@ -18,6 +19,10 @@ std::vector<std::uint8_t> encode_png(const Image& image, const std::string& name
 /// ignored, as glTF 2.0 says (section 3.8.2). @throws Error in the file `name` if the data is broken, or of a
 /// kind that JPEG libraries do not take
 DecodedTexture decode_jpeg(std::span<const std::uint8_t> bytes, const std::string& name);
+
+/// Encodes values in 0..1 as RGB (as_rgb()), with quality 95 and full chroma. NaN becomes 0.
+/// @throws Error in the file `name` if a side is longer than JPEG allows
+std::vector<std::uint8_t> encode_jpeg(const Image& image, const std::string& name);
 
 /// Returns whether this build decodes WebP: whether libwebp was there when it was built.
 bool decodes_webp();

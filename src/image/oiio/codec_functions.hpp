@@ -4,7 +4,7 @@
 
 namespace sr::image::oiio {
 
-std::vector<std::uint8_t> encode(const Image& image, Format format, const std::string& name);
+std::vector<std::uint8_t> encode_hdr(const Image& image, const std::string& name);
 Image read(const std::filesystem::path& file, std::uint64_t max_values);
 
 } // namespace sr::image::oiio

@@ -1,4 +1,4 @@
-// Images to the bytes of a file. OpenImageIO writes into memory: the disk and its errors are whole_file.hpp's
+// Images to the bytes of a .hdr. OpenImageIO writes into memory: the disk and its errors are whole_file.hpp's
 // business.
 #include "core/error.hpp"
 #include "core/text.hpp"
@@ -6,55 +6,33 @@
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
-#include <algorithm>
 #include <fmt/format.h>
 
 namespace sr::image::oiio {
 namespace {
 
-/// RGB alone, since the formats hold nothing else; one or two channels count as grey.
-Image as_rgb(const Image& image) {
-    Image rgb(image.width, image.height, 3);
-    const std::size_t step = static_cast<std::size_t>(image.channels);
-    const float* from = image.pixels.data();
-    for (std::size_t i = 0; i < rgb.pixels.size(); i += 3, from += step)
-        for (std::size_t c = 0; c < 3; ++c) rgb.pixels[i + c] = from[step >= 3 ? c : 0];
-    return rgb;
-}
-
-OIIO::ImageSpec spec_of(const Image& image, bool is_jpeg) {
-    using OIIO::TypeDesc;
-    OIIO::ImageSpec spec(image.width, image.height, image.channels,
-                         is_jpeg ? TypeDesc::UINT8 : TypeDesc::FLOAT);
-    for (const Attribute& attribute : image.attributes) spec.attribute(attribute.name, attribute.value);
-    spec.attribute("oiio:ColorSpace", is_jpeg ? "sRGB" : "Linear");
+OIIO::ImageSpec spec_of(const Image& image) {
+    OIIO::ImageSpec spec(image.width, image.height, image.channels, OIIO::TypeDesc::FLOAT);
+    spec.attribute("oiio:ColorSpace", "Linear");
     spec.attribute("DateTime", ""); // or OpenImageIO writes the time of day, and no two files are the same
-    if (is_jpeg) {                  // the level was measured, see README.md
-        spec.attribute("Compression", "jpeg:95");
-        spec.attribute("jpeg:subsampling", "4:4:4");
-    }
     return spec;
 }
 
 } // namespace
 
-std::vector<std::uint8_t> encode(const Image& given, Format format, const std::string& name) {
+std::vector<std::uint8_t> encode_hdr(const Image& image, const std::string& name) {
     const Location where{name};
-    if (given.channels != 3) return encode(as_rgb(given), format, name);
-
-    const bool is_jpeg = format == Format::jpeg;
-    const char* const writer = is_jpeg ? "jpeg" : "hdr";
+    const Image rgb = as_rgb(image); // the format holds nothing else
     std::vector<unsigned char> bytes;
     OIIO::Filesystem::IOVecOutput memory(bytes);
-    const auto output = OIIO::ImageOutput::create(writer);
+    const auto output = OIIO::ImageOutput::create("hdr");
     if (!output || !output->supports("ioproxy"))
-        throw Error(where, fmt::format("this OpenImageIO cannot write {}", writer),
+        throw Error(where, "this OpenImageIO cannot write hdr",
                     "install one that can, or choose another format");
     output->set_ioproxy(&memory);
-    bool is_done = output->open(name, spec_of(given, is_jpeg));
+    bool is_done = output->open(name, spec_of(rgb));
     if (is_done) {
-        is_done = is_jpeg ? output->write_image(OIIO::TypeDesc::UINT8, as_bytes(given.pixels).data())
-                          : output->write_image(OIIO::TypeDesc::FLOAT, given.pixels.data());
+        is_done = output->write_image(OIIO::TypeDesc::FLOAT, rgb.pixels.data());
         is_done = output->close() && is_done;
     }
     if (!is_done)

@@ -126,6 +126,28 @@ const Test hdr_is_within_a_percent("unit.image.file.hdr_is_within_a_percent", []
             EXPECT_NEAR(back.at(x, 7)[c], image.at(x, 7)[c], 0.01f * image.at(x, 7)[c]);
 });
 
+const Test jpeg_is_near("unit.image.file.jpeg_is_within_two_codes", [] {
+    const auto file = sr::testing::scratch_folder("jpeg") / "a.jpg";
+    for (const int channels : {1, 3, 4}) {
+        Image image(64, 48, channels);
+        for (int y = 0; y < 48; ++y)
+            for (int x = 0; x < 64; ++x) // a gradient, which JPEG keeps
+                for (std::size_t c = 0; c < static_cast<std::size_t>(channels); ++c)
+                    image.at(x, y)[c] = (static_cast<float>(x + y) + 20.0f * static_cast<float>(c)) / 255.0f;
+        write(image, file, SampleType::integer8);
+        const Image back = read(file);
+        ASSERT_EQ(back.channels, 3);
+        for (std::size_t c = 0; c < 3; ++c)
+            EXPECT_NEAR(back.at(40, 7)[c], image.at(40, 7)[channels < 3 ? 0 : c], 2.0f / 255.0f) << channels;
+    }
+});
+
+const Test jpeg_has_a_limit("unit.image.file.jpeg_says_what_is_too_long", [] {
+    const auto file = sr::testing::scratch_folder("long_jpeg") / "a.jpg";
+    EXPECT_NE(failure(file, ramp(70000, 1, 3)).find("a.jpg: cannot be encoded ("), std::string::npos);
+    EXPECT_FALSE(fs::exists(file));
+});
+
 const Test png_rounds("unit.image.file.png_rounds", [] {
     const auto file = sr::testing::scratch_folder("png") / "a.PNG";
     Image image(6, 1, 1);
