@@ -34,7 +34,7 @@ struct Receiver {
         const vec3 a = triangle[0];
         n = glm::cross(triangle[1] - a, triangle[2] - a);
         const float length = glm::length(n);
-        n *= length > 0.0f ? 1.0f / length : 0.0f;
+        n = length > 0.0f ? n / length : vec3(0.0f);
         offset = offset_share * std::max({largest(a), largest(triangle[1]), largest(triangle[2])});
         distance = glm::dot(x - a, n);
     }
@@ -45,11 +45,9 @@ struct Receiver {
     }
 };
 
-/// A packet of rays with what the filter must know of each; of those that are traced, since packets are many
-/// and small. Embree hands back the pointer to its first member.
+/// A packet of rays with what the filter must know of each. Embree hands back the pointer to its first
+/// member.
 struct Context {
-    explicit Context(const Casters& all) : casters(&all) {}
-
     RayContext embree;
     const Casters* casters;
     std::array<int, packet> light;
@@ -150,8 +148,9 @@ Occlusion::~Occlusion() = default;
 
 void Occlusion::answer(std::span<const Query> queries, std::span<vec3> V) const {
     require(queries.size() == V.size(), "one answer a query");
-    Context context(casters_);
-    RTCRay8 rays;
+    Context context{};
+    context.casters = &casters_;
+    RTCRay8 rays{};
     Receiver receiver;
     const Query* last = nullptr; // whose receiver it is
     for (std::size_t first = 0; first < queries.size(); first += packet) {
