@@ -18,6 +18,7 @@
 #include <string>
 #include <string_view>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace sr::cli {
@@ -137,6 +138,7 @@ ordered_json diagnosis() {
             {"cores", std::thread::hardware_concurrency()},
             {"backends", std::move(tried)},
             {"exr", result_of_trial("exr", scratch.path())},
+            {"hdr", result_of_trial("hdr", scratch.path())},
             {"confinement", result_of_trial("confinement", scratch.path())},
             {"font", system_font()},
             {"libraries", libraries},
@@ -169,9 +171,10 @@ void print_backend(const ordered_json& backend) {
 
 void print_system(const ordered_json& json) {
     print_data("\nSystem\n  {:<13} {}\n", "CPU cores", json["cores"].dump());
-    print_data("  {:<13} {}\n", "EXR files",
-               json["exr"]["works"] ? "written and read back"
-                                    : "do not work here: " + text(json["exr"], "failure"));
+    for (const auto& [key, what] : {std::pair("exr", "EXR files"), std::pair("hdr", ".hdr files")})
+        print_data("  {:<13} {}\n", what,
+                   json[key]["works"] ? "written and read back"
+                                      : "do not work here: " + text(json[key], "failure"));
     const ordered_json& confinement = json["confinement"];
     std::string lacking = text(confinement, "failure");
     for (const auto& protection : confinement.value("lacking", ordered_json::array()))

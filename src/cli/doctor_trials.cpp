@@ -110,12 +110,14 @@ ordered_json tried_backend(gl::Backend backend) {
     return result;
 }
 
-ordered_json tried_exr(const std::filesystem::path& file) {
+/// @throws Error that names the library to reinstall if the file holds other values than were written
+ordered_json tried_picture(const std::filesystem::path& file, const char* library) {
     image::Image written(2, 1, 3);
-    written.pixels = {0.25f, 0.5f, 1.0f, 2.0f, 1e-3f, 1e6f};
+    written.pixels = {0.25f, 0.5f, 1.0f, 2.0f, 1.0f, 4.0f}; // .hdr holds these exactly, too
     image::write(written, file, image::SampleType::floating);
     if (image::read(file).pixels != written.pixels)
-        throw Error("an EXR file holds other values than were written", "reinstall OpenEXR");
+        throw Error(fmt::format("a {} file holds other values than were written", file.extension().string()),
+                    fmt::format("reinstall {}", library));
     return {{"works", true}};
 }
 
@@ -128,7 +130,8 @@ ordered_json tried_confinement(const std::filesystem::path& folder) {
 }
 
 ordered_json tried(const std::string& name, const std::filesystem::path& folder) {
-    if (name == "exr") return tried_exr(folder / "trial.exr");
+    if (name == "exr") return tried_picture(folder / "trial.exr", "OpenEXR");
+    if (name == "hdr") return tried_picture(folder / "trial.hdr", "OpenImageIO");
     if (name == "confinement") return tried_confinement(folder);
     const auto backend = gl::backend_named(name);
     if (!backend) throw Error(fmt::format("there is no trial '{}'", name), "run steradian doctor");

@@ -8,7 +8,7 @@ namespace sr::cli {
 
 /// Runs the trial `name` in this process and writes its result to `file`, as a JSON object.
 ///   egl, osmesa, window  opens the backend and renders a Lambert plane under a point light
-///   exr                  writes an EXR file and reads it back
+///   exr, hdr             writes a picture and reads it back, by OpenEXR or OpenImageIO
 ///   confinement          lists the protections that this system lacks
 /// The result has "works", and "failure" where that is false. @throws Error for another name
 void run_doctor_trial(const std::string& name, const std::filesystem::path& file);
