@@ -65,18 +65,20 @@ Blocks with_surroundings(Blocks blocks) {
     return largest;
 }
 
-/// Calls `visit(i, v)` for each pixel, v by its block.
+/// Calls `visit(i, square)` for each pixel, with the square of its block.
 template<typename Visit>
-void for_each_pixel(const ErrorEstimate& estimate, const Blocks& v, const Visit& visit) {
+void for_each_pixel(const ErrorEstimate& estimate, const Blocks& squares, const Visit& visit) {
     std::size_t i = 0;
     for (int y = 0; y < estimate.height; ++y)
-        for (int x = 0; x < estimate.width; ++x, ++i) visit(i, v.at(x / block_side, y / block_side));
+        for (int x = 0; x < estimate.width; ++x, ++i) visit(i, squares.at(x / block_side, y / block_side));
 }
 
-/// The error at the end, if the pixels whose squares are over the level go on until they meet it as it rises:
-/// v/n = level n'/n, so that v/n' is √(level v).
-double error_at_end(ErrorEstimate estimate, const Blocks& v, const std::vector<bool>& works, float level) {
-    for_each_pixel(estimate, v, [&](std::size_t i, float square) {
+/// The error at the end, if pixels whose squares are over the level go on until it has risen to them. With k
+/// times the samples a square is 1/k of itself and the level k of itself, so they meet at k =
+/// √(square/level).
+double error_at_end(ErrorEstimate estimate, const Blocks& squares, const std::vector<bool>& works,
+                    float level) {
+    for_each_pixel(estimate, squares, [&](std::size_t i, float square) {
         if (works[i] && square > level) estimate.squares[i] *= std::sqrt(level / square);
     });
     sum_up(estimate);
@@ -84,13 +86,13 @@ double error_at_end(ErrorEstimate estimate, const Blocks& v, const std::vector<b
 }
 
 /// The highest level that leads to the target, to a factor of √2; 0 if none does.
-float level_for(const ErrorEstimate& estimate, const Blocks& v, const std::vector<bool>& works,
+float level_for(const ErrorEstimate& estimate, const Blocks& squares, const std::vector<bool>& works,
                 double target) {
-    const float largest = *std::ranges::max_element(v.values);
+    const float largest = *std::ranges::max_element(squares.values);
     const auto level = [&](int step) { return largest * std::exp2(-0.5f * static_cast<float>(step)); };
     const auto steps = std::views::iota(0, 64);
     const auto first = std::ranges::partition_point(steps, [&](int step) {
-        return error_at_end(estimate, v, works, level(step)) > aimed_share * target;
+        return error_at_end(estimate, squares, works, level(step)) > aimed_share * target;
     });
     return first == steps.end() ? 0.0f : level(*first);
 }
@@ -102,10 +104,10 @@ PixelMask with_enough_samples(const ErrorEstimate& estimate, const std::vector<i
     std::vector<bool> works;
     works.reserve(samples.size());
     for (const int taken : samples) works.push_back(taken == count);
-    const Blocks v = with_surroundings(block_squares(estimate));
-    const float level = level_for(estimate, v, works, target);
+    const Blocks squares = with_surroundings(block_squares(estimate));
+    const float level = level_for(estimate, squares, works, target);
     PixelMask enough(samples.size());
-    for_each_pixel(estimate, v,
+    for_each_pixel(estimate, squares,
                    [&](std::size_t i, float square) { enough[i] = !works[i] || square <= level ? 1 : 0; });
     return enough;
 }
