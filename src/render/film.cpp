@@ -50,7 +50,9 @@ RenderTarget::RenderTarget(const char* name, int width, int height, Depths depth
 
 RenderTarget::RenderTarget(const char* name, const RenderTarget& with_depth)
     : RenderTarget(name, with_depth.width(), with_depth.height(), Depths::none) {
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, with_depth.depth().id(), 0);
+    const bool has_stencils = with_depth.depths() == Depths::with_stencils;
+    glFramebufferTexture2D(GL_FRAMEBUFFER, has_stencils ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT,
+                           GL_TEXTURE_2D, with_depth.depth().id(), 0);
     require_complete();
 }
 

@@ -16,7 +16,8 @@ class RenderTarget {
 public:
     /// @throws Error if the driver does not take the size.
     RenderTarget(const char* name, int width, int height, Depths depths);
-    /// One of the same size that is drawn into under the depth of another, which outlives it.
+    /// One of the same size that is drawn into under the depth and the stencils of another, which outlives
+    /// it.
     /// @throws Error as above
     RenderTarget(const char* name, const RenderTarget& with_depth);
 

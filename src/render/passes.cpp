@@ -32,10 +32,23 @@ void count_fragments() {
     glBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ZERO); // coverage is no count
 }
 
-/// Draws the opaque surfaces where the pre-pass left them in front. `triangles` as in forward_pass().
+void blend_by_adding() {
+    glEnable(GL_BLEND);
+    glBlendEquation(GL_FUNC_ADD);
+    glBlendFunc(GL_ONE, GL_ONE);
+}
+
+void write_by(Writing writing) {
+    if (writing == Writing::adds)
+        blend_by_adding();
+    else
+        glDisable(GL_BLEND);
+}
+
+/// Draws the opaque surfaces where the pre-pass left them in front. The others as in forward_pass().
 void draw_visible(const GpuScene& scene, ShaderLibrary& shaders, const std::string& fragment,
-                  ProgramTerms terms, const TriangleBuffer* triangles = nullptr) {
-    glDisable(GL_BLEND);
+                  ProgramTerms terms, const TriangleBuffer* triangles, Writing writing) {
+    write_by(writing);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_EQUAL);
     glDepthMask(GL_FALSE);
@@ -66,23 +79,17 @@ void nearest_win(const RenderTarget& frame) {
     glDepthMask(GL_TRUE);
 }
 
-void blend_by_adding() {
-    glEnable(GL_BLEND);
-    glBlendEquation(GL_FUNC_ADD);
-    glBlendFunc(GL_ONE, GL_ONE);
-}
-
-/// Draws a triangle over the scissor; not over pixels that mask_pass() closed, if there are any. Their depth
-/// is 0. A driver on the CPU then leaves out whole blocks of pixels.
-void draw_everywhere(bool but_closed) {
+/// Draws a triangle over these pixels of the scissor. A driver on the CPU leaves out whole blocks of others.
+void draw_over(Pixels pixels) {
     glDisable(GL_CULL_FACE);
-    if (but_closed) {
-        glEnable(GL_DEPTH_TEST);
-        glDepthFunc(GL_NOTEQUAL);
-        glDepthMask(GL_FALSE);
-        glDepthRangef(0.0f, 0.0f);
-    } else {
+    if (pixels == Pixels::all) {
         glDisable(GL_DEPTH_TEST);
+    } else {
+        glEnable(GL_DEPTH_TEST);
+        glDepthMask(GL_FALSE);
+        const bool is_behind = pixels == Pixels::with_surface;
+        glDepthFunc(is_behind ? GL_GREATER : GL_NOTEQUAL); // closed pixels have depth 0
+        glDepthRangef(is_behind ? 1.0f : 0.0f, is_behind ? 1.0f : 0.0f);
     }
     glDrawArrays(GL_TRIANGLES, 0, 3);
     glDepthRangef(0.0f, 1.0f);
@@ -139,9 +146,9 @@ void depth_pass(const RenderTarget& frame, const GpuScene& scene, ShaderLibrary&
 }
 
 void background_pass(const RenderTarget& frame, const GpuScene& scene, ShaderLibrary& shaders,
-                     const Background& background) {
+                     const Background& background, Writing writing) {
     frame.bind();
-    glDisable(GL_BLEND);
+    write_by(writing);
     glDisable(GL_CULL_FACE);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(background.is_behind_all ? GL_ALWAYS : GL_LEQUAL);
@@ -187,13 +194,15 @@ void mask_pass(const RenderTarget& frame, ShaderLibrary& shaders) {
 
 void record_pass(const GpuScene& scene, ShaderLibrary& shaders, int attachments, int light_choices) {
     clear_rows(attachments);
-    draw_visible(scene, shaders, "record.frag", {VisibilityTerm::record, light_choices});
+    draw_visible(scene, shaders, "record.frag", {VisibilityTerm::record, light_choices}, nullptr,
+                 Writing::replaces);
 }
 
 void forward_pass(const RenderTarget& frame, const GpuScene& scene, ShaderLibrary& shaders,
-                  const std::string& shader, ProgramTerms terms, const TriangleBuffer* triangles) {
+                  const std::string& shader, ProgramTerms terms, const TriangleBuffer* triangles,
+                  Writing writing) {
     frame.bind();
-    draw_visible(scene, shaders, shader, terms, triangles);
+    draw_visible(scene, shaders, shader, terms, triangles, writing);
 }
 
 void compile_shading(ShaderLibrary& shaders, const Draw& draw, const std::string& shader, ProgramTerms terms,
@@ -204,11 +213,11 @@ void compile_shading(ShaderLibrary& shaders, const Draw& draw, const std::string
         shaders.mesh_program(shader, draw.features, terms);
 }
 
-void add_pass(const RenderTarget& frame, ShaderLibrary& shaders, bool has_closed) {
+void add_pass(const RenderTarget& frame, ShaderLibrary& shaders, Pixels pixels) {
     frame.bind();
     shaders.fullscreen_program("deferred_sum.frag").use();
     blend_by_adding();
-    draw_everywhere(has_closed);
+    draw_over(pixels);
 }
 
 void blend_pass(const RenderTarget& frame, const GpuScene& scene, ShaderLibrary& shaders,
@@ -243,16 +252,13 @@ void blend_pass(const RenderTarget& frame, const GpuScene& scene, ShaderLibrary&
 }
 
 void accumulate_pass(const RenderTarget& film, const RenderTarget& frame, ShaderLibrary& shaders,
-                     bool is_first, bool has_closed) {
+                     Writing writing, Pixels pixels) {
     film.bind();
     shaders.fullscreen_program("accumulate.frag").use();
     frame.color().bind(0);
     glBindSampler(0, 0);
-    if (is_first)
-        glDisable(GL_BLEND);
-    else
-        blend_by_adding();
-    draw_everywhere(has_closed);
+    write_by(writing);
+    draw_over(pixels);
 }
 
 void seen_pass(const RenderTarget& frame, const GpuScene& scene, ShaderLibrary& shaders) {

@@ -8,6 +8,13 @@
 
 namespace sr::render {
 
+/// The way in which a pass changes the colours of its target.
+enum class Writing { replaces, adds };
+
+/// Pixels of the scissor that a pass goes over: all; those that no mask_pass() closed; or those that see an
+/// opaque surface, where no pixel is closed.
+enum class Pixels { all, open, with_surface };
+
 /// Begins a frame: no surface, at any depth. Its colours are those of before until background_pass() and
 /// forward_pass() write them: drivers on the CPU take several times as long to clear floats as to draw them.
 void begin_pass(const RenderTarget& frame);
@@ -28,11 +35,13 @@ struct Background {
     vec3 L{0.0f};                  // [cd/m²]
     bool has_environments = false; // those that cameras see are added
     bool is_behind_all = false;    // it is written where surfaces are, too
+
+    bool is_black() const { return L == vec3(0.0f) && !has_environments && !is_behind_all; }
 };
 
 /// Writes the background where the depth pass left no surface, under a vertex array without vertices.
 void background_pass(const RenderTarget& frame, const GpuScene& scene, ShaderLibrary& shaders,
-                     const Background& background);
+                     const Background& background, Writing writing);
 
 /// Compiles what background_pass() takes. @throws ShaderError
 void compile_background(ShaderLibrary& shaders, const Background& background);
@@ -42,18 +51,20 @@ void compile_background(ShaderLibrary& shaders, const Background& background);
 /// `light_choices` as the forward pass has it.
 void record_pass(const GpuScene& scene, ShaderLibrary& shaders, int attachments, int light_choices);
 
-/// Shades the surfaces whose depth the pre-pass left, each pixel once, by the fragment shader `shader`.
-/// `triangles`: those of the depth pass; null: rasterisation finds them again.
+/// Shades the surfaces whose depth the pre-pass left by the fragment shader `shader`. `triangles`: those of
+/// the depth pass, by which a pixel is shaded once; null: rasterisation finds them again, and of surfaces in
+/// one place the last one stays, so it cannot add.
 void forward_pass(const RenderTarget& frame, const GpuScene& scene, ShaderLibrary& shaders,
-                  const std::string& shader, ProgramTerms terms, const TriangleBuffer* triangles);
+                  const std::string& shader, ProgramTerms terms, const TriangleBuffer* triangles,
+                  Writing writing = Writing::replaces);
 
 /// Compiles what forward_pass() takes for this draw. @throws ShaderError, Error
 void compile_shading(ShaderLibrary& shaders, const Draw& draw, const std::string& shader, ProgramTerms terms,
                      bool has_triangles);
 
-/// Adds what the CPU summed for the pixels of the scissor (DeferredVisibility) to the frame, under a vertex
-/// array without vertices. `has_closed`: a mask_pass() closed pixels, which are left out.
-void add_pass(const RenderTarget& frame, ShaderLibrary& shaders, bool has_closed);
+/// Adds what the CPU summed for these pixels (DeferredVisibility) to the frame, under a vertex array without
+/// vertices.
+void add_pass(const RenderTarget& frame, ShaderLibrary& shaders, Pixels pixels);
 
 /// True for the shader that counts surfaces: the passes add them all up, and there is no background.
 bool counts_surfaces(const std::string& shader);
@@ -71,9 +82,9 @@ void blend_pass(const RenderTarget& frame, const GpuScene& scene, ShaderLibrary&
 /// included.
 void seen_pass(const RenderTarget& frame, const GpuScene& scene, ShaderLibrary& shaders);
 
-/// Adds the frame to the film, which has the frame's depth, or copies it as the first one. `has_closed` as in
-/// add_pass().
+/// Adds these pixels of the frame to the film, or copies them. All of them, if the film has another depth
+/// buffer than the frame.
 void accumulate_pass(const RenderTarget& film, const RenderTarget& frame, ShaderLibrary& shaders,
-                     bool is_first, bool has_closed);
+                     Writing writing, Pixels pixels);
 
 } // namespace sr::render

@@ -64,28 +64,6 @@ void divide(image::Image& film, const std::vector<int>& samples) {
         film.pixels[i] *= 1.0f / static_cast<float>(samples[i / 4]);
 }
 
-/// Keeps the framebuffers and the viewport for callers that draw.
-class KeptTarget {
-public:
-    KeptTarget() {
-        glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &drawn_);
-        glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &read_);
-        glGetIntegerv(GL_VIEWPORT, viewport_.data());
-    }
-    ~KeptTarget() {
-        glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(drawn_));
-        glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(read_));
-        glViewport(viewport_[0], viewport_[1], viewport_[2], viewport_[3]);
-    }
-    KeptTarget(const KeptTarget&) = delete;
-    KeptTarget& operator=(const KeptTarget&) = delete;
-
-private:
-    GLint drawn_ = 0;
-    GLint read_ = 0;
-    std::array<GLint, 4> viewport_{};
-};
-
 /// Returns whether the shader asks for V: the views of what a surface is do not. One that cannot be expanded
 /// may: who compiles it says what is wrong.
 bool asks_for_visibility(const RenderOptions& options) {
@@ -111,32 +89,31 @@ Renderer::Renderer(const GpuScene& scene, const scene::Camera& camera, const Ren
       has_shadows_(options.has_shadows && asks_for_visibility(options)),
       end_light_(scene.light_count()),
       shaders_(shaders ? std::move(shaders) : programs(options)),
-      frame_("frame", options.width, options.height, depths_of_frame()),
-      film_("film", frame_),
+      depths_(depths_of_frame()),
+      films_(options.width, options.height, depths_, options.estimates_error),
       converged_(options.width, options.height) {
-    if (options.estimates_error) first_half_.emplace("first half", frame_);
     ask_for_shadows();
     ask_for_triangles();
+    ask_for_frame();
     clear();
 }
 
 void Renderer::resize(int width, int height, int samples) {
     deferred_.reset();
-    sums_ = {};
-    whole_film_.reset();
-    shadow_rays_.reset(); // its framebuffer holds on to the frame's depth
+    films_.drop_sums();
+    shadow_rays_.reset(); // its framebuffer holds on to the films' depth
     triangles_.reset();   // likewise
-    if (width != options_.width || height != options_.height || frame_.depths() != depths_of_frame()) {
-        frame_ = RenderTarget("frame", width, height, depths_of_frame());
-        film_ = RenderTarget("film", frame_);
-        if (first_half_) first_half_.emplace("first half", frame_);
-    }
+    frame_.reset();       // likewise
+    const Depths depths_before = std::exchange(depths_, depths_of_frame());
+    if (width != options_.width || height != options_.height || depths_ != depths_before)
+        films_ = Films(width, height, depths_, options_.estimates_error);
     options_.width = width;
     options_.height = height;
     options_.samples = samples;
     use_lights(0, scene_.light_count());
     ask_for_shadows();
     ask_for_triangles();
+    ask_for_frame();
     sample_count_ = 0; // the films are new
     clear();
 }
@@ -185,7 +162,7 @@ void Renderer::ask_for_shadows() {
     if (is_asked && can_defer_visibility())
         deferred_.emplace(scene_, options_.width, options_.height, options_.max_rays, light_choices_);
     else if (is_asked)
-        shadow_rays_.emplace(scene_, frame_, options_.width, options_.height, options_.max_rays,
+        shadow_rays_.emplace(scene_, films_.film(0), options_.width, options_.height, options_.max_rays,
                              light_choices_);
 }
 
@@ -198,7 +175,18 @@ Depths Renderer::depths_of_frame() const {
 /// A frame that is shaded twice is rasterised both times.
 void Renderer::ask_for_triangles() {
     triangles_.reset();
-    if (frame_.depths() == Depths::with_stencils && !shadow_rays_) triangles_.emplace(frame_);
+    if (depths_ == Depths::with_stencils && !shadow_rays_) triangles_.emplace(films_.film(0));
+}
+
+/// A sample can be added as it is drawn where each pixel is written once. Blending over other surfaces, and
+/// surfaces in one place, take a picture of their own.
+void Renderer::ask_for_frame() {
+    const auto has_number = [](const Draw& draw) { return draw.number > 0; };
+    const bool writes_once = triangles_ && std::ranges::all_of(scene_.opaque_draws(), has_number)
+                             && scene_.blended_draws().empty() && !counts_surfaces(options_.shader)
+                             && (!deferred_ || deferred_->shades_once());
+    frame_.reset();
+    if (!writes_once) frame_.emplace("frame", films_.film(0));
 }
 
 void Renderer::compile() {
@@ -230,20 +218,9 @@ void Renderer::clear() {
 
 void Renderer::repeat() {
     // New films are black. Later the first sample takes the place of what they hold, where it draws.
-    if (sample_count_ == 0 || converged_.any(0)) clear_films();
+    const bool is_replaced = sample_count_ > 0 && !converged_.any(0);
     sample_count_ = rows_done_ = 0;
-    for (auto& sums : sums_)
-        if (sums) sums->clear(options_.window.value_or(PixelRect{0, 0, options_.width, options_.height}));
-    is_film_whole_ = false;
-}
-
-void Renderer::clear_films() {
-    glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
-    for (const RenderTarget* target : {&film_, first_half_ ? &*first_half_ : nullptr}) {
-        if (!target) continue;
-        target->bind();
-        glClear(GL_COLOR_BUFFER_BIT);
-    }
+    films_.clear(options_.window.value_or(PixelRect{0, 0, options_.width, options_.height}), is_replaced);
 }
 
 void Renderer::look_from(const scene::Camera& camera) {
@@ -277,21 +254,27 @@ void Renderer::draw(const PixelRect& part) {
     PassClock clock(pass_times_);
     const View view = begin_frame();
     set_scissor(part);
-    begin_pass(frame_);
+    const RenderTarget& target = this->target();
+    begin_pass(target);
     if (converged_.any(sample_count_)) {
         glBindVertexArray(no_vertices_.id());
         converged_.bind(sample_count_, 0);
-        mask_pass(frame_, *shaders_);
+        mask_pass(target, *shaders_);
     }
-    depth_pass(frame_, scene_, *shaders_, view.clip_from_world, triangles());
+    depth_pass(target, scene_, *shaders_, view.clip_from_world, triangles());
     glBindVertexArray(no_vertices_.id());
-    background_pass(frame_, scene_, *shaders_, background());
+    if (!skips_background()) background_pass(target, scene_, *shaders_, background(), writing());
     clock.end(&PassTimes::depth);
     shade_opaque(part);
     set_scissor(part);
-    blend_pass(frame_, scene_, *shaders_, options_.shader, view.eye, blended_terms());
+    blend_pass(target, scene_, *shaders_, options_.shader, view.eye, blended_terms());
     clock.end(&PassTimes::shading);
-    accumulate();
+    if (frame_) {
+        glBindVertexArray(no_vertices_.id());
+        accumulate_pass(film_of_sample(), *frame_, *shaders_, writing_of_film(),
+                        skips_background() ? Pixels::with_surface : open_pixels());
+    }
+    films_.changed();
     clock.end(&PassTimes::adding);
     glDisable(GL_SCISSOR_TEST);
 }
@@ -302,14 +285,24 @@ Background Renderer::background() const {
     return {.L = options_.background, .has_environments = has_environments};
 }
 
-void Renderer::accumulate() {
-    is_film_whole_ = false;
-    glBindVertexArray(no_vertices_.id());
-    const bool is_first = sample_count_ == 0, has_closed = converged_.any(sample_count_);
-    accumulate_pass(film_, frame_, *shaders_, is_first, has_closed);
-    if (first_half_ && half_of(sample_count_) == 0)
-        accumulate_pass(*first_half_, frame_, *shaders_, is_first, has_closed);
+int Renderer::half_of_sample() const { return films_.has_halves() ? half_of(sample_count_) : 0; }
+
+const RenderTarget& Renderer::film_of_sample() const { return films_.film(half_of_sample()); }
+
+const RenderTarget& Renderer::target() const { return frame_ ? *frame_ : film_of_sample(); }
+
+Pixels Renderer::open_pixels() const { return converged_.any(sample_count_) ? Pixels::open : Pixels::all; }
+
+/// Black adds nothing to a film, so a frame may keep what it has behind the surfaces, if these alone are
+/// added.
+bool Renderer::skips_background() const {
+    const bool adds_surfaces = !frame_ || (scene_.blended_draws().empty() && open_pixels() == Pixels::all);
+    return writing_of_film() == Writing::adds && background().is_black() && adds_surfaces;
 }
+
+Writing Renderer::writing_of_film() const { return sample_count_ == 0 ? Writing::replaces : Writing::adds; }
+
+Writing Renderer::writing() const { return frame_ ? Writing::replaces : writing_of_film(); }
 
 PixelRect Renderer::window() const {
     const PixelRect active = converged_.active(sample_count_);
@@ -351,15 +344,16 @@ ProgramTerms Renderer::blended_terms() const {
 
 void Renderer::shade_opaque(const PixelRect& window) {
     if (deferred_ && first_light_ != end_light_) {
-        PixelSums& sums = sums_of_sample();
-        deferred_->shade(frame_, triangles(), window, first_light_, end_light_, frame_data_, *shaders_, sums);
-        if (keeps_sums()) return;
+        PixelSums& sums = films_.sums(half_of_sample());
+        deferred_->shade(target(), triangles(), window, first_light_, end_light_, frame_data_, *shaders_,
+                         sums, writing());
+        if (scene_.blended_draws().empty()) return;
         glBindVertexArray(no_vertices_.id()); // what is blended over the frame covers L_r, too
-        sums.draw_into(frame_, window, *shaders_, converged_.any(sample_count_));
+        sums.draw_into(target(), window, *shaders_, open_pixels());
         return sums.clear(window);
     }
     if (!shadow_rays_ || first_light_ == end_light_) {
-        forward_pass(frame_, scene_, *shaders_, options_.shader, opaque_terms(), triangles());
+        forward_pass(target(), scene_, *shaders_, options_.shader, opaque_terms(), triangles(), writing());
         return;
     }
     const RowRange rows{options_.height - window.row - window.height, window.height};
@@ -368,30 +362,12 @@ void Renderer::shade_opaque(const PixelRect& window) {
     for (const RowRange& band : bands) {
         glScissor(window.column, band.first, window.width, band.count);
         shadow_rays_->find(band, first_light_, end_light_, frame_data_, *shaders_);
-        forward_pass(frame_, scene_, *shaders_, options_.shader, opaque_terms(), nullptr);
+        forward_pass(target(), scene_, *shaders_, options_.shader, opaque_terms(), nullptr);
     }
     glDisable(GL_SCISSOR_TEST);
 }
 
-bool Renderer::keeps_sums() const { return deferred_ && scene_.blended_draws().empty(); }
-
-PixelSums& Renderer::sums_of_sample() {
-    auto& sums = sums_[first_half_ ? static_cast<std::size_t>(half_of(sample_count_)) : 0];
-    if (!sums) sums.emplace(options_.width, options_.height);
-    return *sums;
-}
-
-const gl::Texture& Renderer::film_sum() const {
-    if (!keeps_sums()) return film_.color();
-    if (!whole_film_) whole_film_.emplace("whole film", options_.width, options_.height, Depths::none);
-    if (std::exchange(is_film_whole_, true)) return whole_film_->color();
-    const KeptTarget kept;
-    whole_film_->copy(film_);
-    glBindVertexArray(no_vertices_.id());
-    for (const auto& sums : sums_)
-        if (sums) sums->draw_into(*whole_film_, {0, 0, options_.width, options_.height}, *shaders_, false);
-    return whole_film_->color();
-}
+const gl::Texture& Renderer::film_sum() const { return films_.sum(*shaders_); }
 
 std::vector<int> Renderer::pixel_samples() const {
     std::vector<int> samples(static_cast<std::size_t>(options_.width)
@@ -402,9 +378,7 @@ std::vector<int> Renderer::pixel_samples() const {
 
 image::Image Renderer::read_film() const {
     require(sample_count_ > 0, "the film has samples");
-    image::Image film = film_.read();
-    for (const auto& sums : sums_)
-        if (sums) sums->add_to(film);
+    image::Image film = films_.read();
     divide(film, pixel_samples());
     glsl::require_ended_loops(film.pixels, shaders_->loops());
     return film;
@@ -412,9 +386,7 @@ image::Image Renderer::read_film() const {
 
 std::array<float, 4> Renderer::read_pixel(int column, int row) const {
     require(sample_count_ > 0, "the film has samples");
-    std::array<float, 4> texel = film_.read(column, row);
-    for (const auto& sums : sums_)
-        if (sums) sums->add_to(texel, column, row);
+    std::array<float, 4> texel = films_.read(column, row);
     const std::size_t pixel = static_cast<std::size_t>(row) * static_cast<std::size_t>(options_.width)
                               + static_cast<std::size_t>(column);
     for (float& value : texel)
@@ -424,10 +396,8 @@ std::array<float, 4> Renderer::read_pixel(int column, int row) const {
 }
 
 image::Image Renderer::read_first_half() const {
-    require(first_half_.has_value() && sample_count_ > 0,
-            "the renderer estimates its error, and has samples");
-    image::Image film = first_half_->read();
-    if (sums_[0]) sums_[0]->add_to(film);
+    require(films_.has_halves() && sample_count_ > 0, "the renderer estimates its error, and has samples");
+    image::Image film = films_.read_half(0);
     std::vector<int> samples = pixel_samples();
     for (int& count : samples) count = samples_of_half(0, count);
     divide(film, samples);
@@ -435,7 +405,7 @@ image::Image Renderer::read_first_half() const {
 }
 
 std::optional<ErrorEstimate> Renderer::estimate_error() const {
-    require(first_half_.has_value(), "the renderer estimates its error");
+    require(films_.has_halves(), "the renderer estimates its error");
     if (sample_count_ < 2) return std::nullopt;
     return render::estimate_error(read_film(), read_first_half(), pixel_samples());
 }

@@ -2,6 +2,7 @@
 // Renderer of a scene from a camera: each frame adds one sample to every pixel of the film.
 #include "render/adaptive/converged_pixels.hpp"
 #include "render/adaptive/error_estimate.hpp"
+#include "render/films.hpp"
 #include "render/gpu/blocks.hpp"
 #include "render/passes.hpp"
 #include "render/visibility/cpu_shadow_rays.hpp"
@@ -167,6 +168,7 @@ private:
     void ask_for_shadows();
     Depths depths_of_frame() const;
     void ask_for_triangles();
+    void ask_for_frame();
     TriangleBuffer* triangles() { return triangles_ ? &*triangles_ : nullptr; }
     View begin_frame();
     PixelRect window() const; // what this frame draws
@@ -177,11 +179,14 @@ private:
     ProgramTerms opaque_terms() const;
     ProgramTerms blended_terms() const;
     void shade_opaque(const PixelRect& window);
-    bool keeps_sums() const; // of L_r apart from the films, until these are read
-    PixelSums& sums_of_sample();
+    int half_of_sample() const;
+    const RenderTarget& film_of_sample() const;
+    const RenderTarget& target() const; // what surfaces are drawn into, and how
+    Writing writing() const;
+    Writing writing_of_film() const;
+    Pixels open_pixels() const;
+    bool skips_background() const;
     Background background() const; // terms of the equation have no environment behind them
-    void accumulate();
-    void clear_films();
 
     const GpuScene& scene_;
     scene::Camera camera_;
@@ -190,17 +195,13 @@ private:
     int first_light_ = 0;
     int end_light_ = 0;
     std::shared_ptr<ShaderLibrary> shaders_;
-    RenderTarget frame_;
-    RenderTarget film_;
-    std::optional<RenderTarget> first_half_;  // the sum of the first sequence's samples
+    Depths depths_;
+    Films films_;
+    std::optional<RenderTarget> frame_;       // of a sample that cannot be added as it is drawn
     std::optional<TriangleBuffer> triangles_; // where finely meshed surfaces are shaded pixel by pixel
     ConvergedPixels converged_;
     FrameData frame_data_;
     std::optional<DeferredVisibility> deferred_;
-    /// With it, L_r, which the films lack: of the first half of the samples and of the second, or of all.
-    std::array<std::optional<PixelSums>, 2> sums_;
-    mutable std::optional<RenderTarget> whole_film_; // the film and the sums, where shaders can read them
-    mutable bool is_film_whole_ = false;
     // or else:
     std::optional<CpuShadowRays> shadow_rays_;
     int rays_per_point_ = 0; // that these were made for

@@ -99,7 +99,6 @@ void TriangleBuffer::write_number(const Draw& draw) const { glStencilFunc(GL_ALW
 
 void TriangleBuffer::shade(const GpuScene& scene, ShaderLibrary& shaders, const std::string& fragment,
                            ProgramTerms terms) const {
-    glDisable(GL_BLEND);
     glDisable(GL_CULL_FACE);
     glDisable(GL_DEPTH_TEST);
     glEnable(GL_STENCIL_TEST);

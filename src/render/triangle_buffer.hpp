@@ -29,7 +29,7 @@ public:
     void write_number(const Draw& draw) const;
 
     /// Shades the pixels of the scissor that see a draw with a number, by `fragment` and `terms`, into the
-    /// bound framebuffer, which has the frame's stencils.
+    /// bound framebuffer, which has the frame's stencils; blending stays as it is.
     void shade(const GpuScene& scene, ShaderLibrary& shaders, const std::string& fragment,
                ProgramTerms terms) const;
 

@@ -6,6 +6,7 @@
 #include "support/gl.hpp"
 #include "support/scenes.hpp"
 
+#include <fmt/format.h>
 #include <glm/gtc/matrix_transform.hpp>
 #include <numbers>
 
@@ -66,9 +67,9 @@ void add(scene::Scene& scene, const mat4& world_from_object, const scene::Materi
 
 mat4 placed(vec3 at, vec3 scale) { return glm::scale(glm::translate(mat4(1.0f), at), scale); }
 
-/// Balls with textures, a mirrored one, one with holes through which its inside is seen, two in one place,
-/// and plain quads in front of and behind them.
-scene::Scene balls() {
+/// Balls with textures, a mirrored one, one with holes through which its inside is seen, two in one place.
+/// `with_quads`: and plain quads in front of and behind them, so that not all surfaces are finely meshed.
+scene::Scene balls(bool with_quads = true) {
     scene::Scene scene;
     scene.images.push_back(stripes());
     scene.textures = {{0, {}, scene::ColorSpace::srgb}, {0, {}, scene::ColorSpace::linear}};
@@ -88,6 +89,7 @@ scene::Scene balls() {
     add(scene, placed({0.0f, 0.9f, 1.2f}, vec3(0.5f)), with_holes);
     for (const vec3 rho : {vec3(0.7f, 0.3f, 0.2f), vec3(0.1f, 0.3f, 0.9f)})
         add(scene, placed({0.2f, 0.4f, -1.2f}, vec3(0.4f)), lambert(rho));
+    if (!with_quads) return scene;
     add_quad(scene, {}, {3, 0, 0}, {0, 0, -3}, lambert(vec3(0.6f)));
     add_quad(scene, {0.5f, 1.2f, 1.9f}, {0.2f, 0, 0}, {0, 0.4f, 0}, lambert({0.2f, 0.5f, 0.8f}));
     return scene;
@@ -112,7 +114,7 @@ image::Image film_of(const scene::Scene& scene, const scene::Camera& camera, Vis
                      render::RenderOptions options, bool is_foreign) {
     options.width = width;
     options.height = height;
-    options.samples = 2;
+    options.samples = 3;
     if (is_foreign)
         options.shader_path.insert(options.shader_path.begin(), glsl::Root::memory("nothing", {}));
     const render::GpuScene gpu_scene(scene, lamps(), visibility);
@@ -128,9 +130,8 @@ image::Image film_of(const scene::Scene& scene, const scene::Camera& camera, Vis
 }
 
 void expect_equal(const scene::Camera& camera, Visibility visibility,
-                  const render::RenderOptions& options = {}) {
+                  const render::RenderOptions& options = {}, const scene::Scene& scene = balls()) {
     context();
-    const scene::Scene scene = balls();
     const render::GpuScene probe(scene, lamps(), Visibility::none);
     if (!render::TriangleBuffer::is_useful(probe)) GTEST_SKIP() << "this driver does not run on the CPU";
     const image::Image by_pixel = film_of(scene, camera, visibility, options, false),
@@ -168,6 +169,94 @@ const Test window("law.shading.by_pixel.a_window", [] {
     render::RenderOptions options;
     options.window = render::PixelRect{11, 7, 60, 41};
     expect_equal(looking({0.5f, 2.0f, 5.0f}, {0, 0.6f, 0}, lens), Visibility::ray_on_cpu, options);
+});
+
+// Samples are then added to the film as they are drawn, and not by way of a frame.
+const Test alone("law.shading.by_pixel.nothing_else_is_drawn", [] {
+    for (const Visibility visibility : {Visibility::none, Visibility::ray_on_cpu}) {
+        render::RenderOptions options;
+        options.estimates_error = visibility == Visibility::none;
+        options.background = vec3(0.1f, 0.2f, 0.3f);
+        expect_equal(looking({0.5f, 2.0f, 5.0f}, {0, 0.6f, 0}, lens), visibility, options, balls(false));
+    }
+});
+
+/// Renders a few samples, of which some pixels lack the last ones.
+void add_samples(render::Renderer& renderer) {
+    for (int i = 0; i < 3; ++i) renderer.add_sample();
+    render::PixelMask rest(std::size_t{width} * height, 0);
+    for (std::size_t i = 0; i < rest.size(); i += 5) rest[i] = 1;
+    renderer.freeze(rest);
+    for (int i = 0; i < 2; ++i) renderer.add_sample();
+}
+
+/// For scenes of both kinds, whose films have halves or not, and whose shadow rays the CPU traces.
+void for_each_kind(const auto& expect) {
+    context();
+    const scene::Camera camera = looking({0.5f, 2.0f, 5.0f}, {0, 0.6f, 0}, lens);
+    for (const bool with_quads : {false, true}) {
+        const scene::Scene scene = balls(with_quads);
+        const render::GpuScene gpu_scene(scene, lamps(), Visibility::ray_on_cpu);
+        for (const bool has_halves : {false, true}) {
+            SCOPED_TRACE(fmt::format("quads: {}, halves: {}", with_quads, has_halves));
+            render::RenderOptions options;
+            options.width = width;
+            options.height = height;
+            options.estimates_error = has_halves;
+            expect(gpu_scene, camera, options);
+        }
+    }
+}
+
+// Films are not cleared where their first sample takes the place of what they hold.
+const Test starts_over("law.shading.by_pixel.a_film_that_starts_over_keeps_nothing", [] {
+    for_each_kind(
+        [](const render::GpuScene& scene, const scene::Camera& camera, const render::RenderOptions& options) {
+            render::Renderer fresh(scene, camera, options);
+            add_samples(fresh);
+            render::Renderer used(scene, looking({-4.0f, 1.0f, 2.0f}, {0, 0.6f, 0}, lens), options);
+            add_samples(used);
+            used.look_from(camera);
+            used.add_rows(20); // half a sample
+            used.clear();
+            add_samples(used);
+            EXPECT_EQ(fresh.read_film().pixels, used.read_film().pixels);
+            used.repeat(); // pixels rest as they did
+            for (int i = 0; i < 5; ++i) used.add_sample();
+            EXPECT_EQ(fresh.read_film().pixels, used.read_film().pixels);
+            if (options.estimates_error) {
+                EXPECT_EQ(fresh.read_first_half().pixels, used.read_first_half().pixels);
+            }
+        });
+});
+
+// The viewer shows what is read back, and samples go on after that.
+const Test shown("law.shading.by_pixel.shaders_read_the_sum_that_is_read_back", [] {
+    for_each_kind(
+        [](const render::GpuScene& scene, const scene::Camera& camera, const render::RenderOptions& options) {
+            render::Renderer renderer(scene, camera, options);
+            const auto expect_same = [&] {
+                const image::Image film = renderer.read_film();
+                std::vector<vec4> sum(film.pixels.size() / 4);
+                renderer.film_sum().bind(0);
+                glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_FLOAT, sum.data());
+                const std::vector<int> samples = renderer.pixel_samples();
+                for (std::size_t i = 0; i < sum.size(); ++i) {
+                    const std::size_t from_below = (height - 1 - i / width) * width + i % width;
+                    for (int channel = 0; channel < 4; ++channel) {
+                        const float mean = film.pixels[4 * i + static_cast<std::size_t>(channel)];
+                        ASSERT_NEAR(sum[from_below][channel] / static_cast<float>(samples[i]), mean,
+                                    1e-6f + 1e-6f * mean);
+                    }
+                }
+                const image::Image again = renderer.read_film();
+                EXPECT_LT(max_relative_difference(again, film, 1e-2f), 1e-5f) << "reading takes nothing away";
+            };
+            add_samples(renderer);
+            expect_same();
+            renderer.add_sample();
+            expect_same();
+        });
 });
 
 // A pixel that has enough samples keeps what it has.

@@ -3,7 +3,6 @@
 #include "core/error.hpp"
 #include "core/parallel.hpp"
 #include "gl/context.hpp"
-#include "render/passes.hpp"
 
 #include <algorithm>
 #include <array>
@@ -109,7 +108,7 @@ void DeferredVisibility::compile(ShaderLibrary& shaders, bool has_triangles) con
 
 void DeferredVisibility::shade(const RenderTarget& frame, const TriangleBuffer* triangles,
                                const PixelRect& window, int first_light, int end_light, FrameData& frame_data,
-                               ShaderLibrary& shaders, PixelSums& sums) {
+                               ShaderLibrary& shaders, PixelSums& sums, Writing writing) {
     const int first_row = frame.height() - window.row - window.height; // GL counts rows from below
     glEnable(GL_SCISSOR_TEST);
     for (int row = 0; row < window.height; row += rows_at_once_) {
@@ -122,7 +121,7 @@ void DeferredVisibility::shade(const RenderTarget& frame, const TriangleBuffer* 
         glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, samples_.id());
         for (int first = first_light; first < end_light; first += lights_at_once_) {
             frame_data.select_lights(first, std::min(end_light, first + lights_at_once_));
-            forward_pass(frame, scene_, shaders, "deferred.frag", terms(), triangles);
+            forward_pass(frame, scene_, shaders, "deferred.frag", terms(), triangles, writing);
             add_seen(band, sums);
         }
     }

@@ -5,6 +5,7 @@
 #include "render/gpu/blocks.hpp"
 #include "render/gpu/gpu_scene.hpp"
 #include "render/gpu/shader_library.hpp"
+#include "render/passes.hpp"
 #include "render/triangle_buffer.hpp"
 #include "render/visibility/pixel_sums.hpp"
 #include "render/visibility/recorded_ray.hpp"
@@ -28,10 +29,13 @@ public:
 
     /// Writes L_e of the opaque surfaces, where their depth lies in `frame`, and adds L_r under the lights
     /// [first, end) to `sums`, in the columns and rows of this window. `frame_data` then has these lights.
-    /// `triangles` as in forward_pass().
+    /// `triangles` as in forward_pass(), and `writing`, which can add only if shades_once().
     void shade(const RenderTarget& frame, const TriangleBuffer* triangles, const PixelRect& window,
-               int first_light, int end_light, FrameData& frame_data, ShaderLibrary& shaders,
-               PixelSums& sums);
+               int first_light, int end_light, FrameData& frame_data, ShaderLibrary& shaders, PixelSums& sums,
+               Writing writing);
+
+    /// Returns whether L_e is written once. Many lights take several passes.
+    bool shades_once() const { return lights_at_once_ >= scene_.light_count(); }
 
     const TracedRays& traced() const { return traced_; } // so far
 

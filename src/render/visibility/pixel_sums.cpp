@@ -1,7 +1,6 @@
 #include "render/visibility/pixel_sums.hpp"
 
 #include "render/gpu/blocks.hpp"
-#include "render/passes.hpp"
 
 #include <algorithm>
 
@@ -52,7 +51,7 @@ void PixelSums::add_to(std::array<float, 4>& texel, int column, int row_from_top
 }
 
 void PixelSums::draw_into(const RenderTarget& target, const PixelRect& part, ShaderLibrary& shaders,
-                          bool has_closed) const {
+                          Pixels pixels) const {
     BufferTexture texture("the sums over shadow rays", GL_RGB32F); // of some rows
     const gl::Buffer rays("rays");
     const int rows_at_once = std::max(1, pixels_at_once / width_);
@@ -70,7 +69,7 @@ void PixelSums::draw_into(const RenderTarget& target, const PixelRect& part, Sha
             "choose a smaller --size");
         texture.bind(ray_visibility_unit);
         glScissor(part.column, first, part.width, rows);
-        add_pass(target, shaders, has_closed);
+        add_pass(target, shaders, pixels);
     }
     glDisable(GL_SCISSOR_TEST);
 }

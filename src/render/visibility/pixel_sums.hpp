@@ -4,6 +4,7 @@
 #include "render/film.hpp"
 #include "render/gpu/gpu_texture.hpp"
 #include "render/gpu/shader_library.hpp"
+#include "render/passes.hpp"
 
 #include <array>
 #include <span>
@@ -27,10 +28,9 @@ public:
     void add_to(image::Image& film) const;
     /// Adds those of a pixel to its RGB.
     void add_to(std::array<float, 4>& texel, int column, int row_from_top) const;
-    /// Adds those of `part` to the target, by deferred_sum.frag under a vertex array without vertices.
-    /// `has_closed`: add_pass().
+    /// Adds those of `part` to the target, by add_pass() under a vertex array without vertices.
     void draw_into(const RenderTarget& target, const PixelRect& part, ShaderLibrary& shaders,
-                   bool has_closed) const;
+                   Pixels pixels) const;
 
 private:
     int width_;
