@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <fmt/format.h>
+#include <functional>
 
 namespace sr::render {
 namespace {
@@ -70,6 +71,13 @@ void ask_for_textures(Features& f, const scene::Material& material, bool has_tan
     for (std::size_t i = 0; i < scene::layer_count; ++i)
         for (const auto texture : scene::material_layers[i].textures)
             if (texture) f.has(texture) &= f.has_layer[i];
+}
+
+/// True if the material is no metal, has nothing specular, and no layer.
+bool is_matte(const scene::Material& material, const Features& f) {
+    return material.model == scene::Model::metallic_roughness && !material.is_specular_glossiness
+           && material.metallic == 0.0f && material.specular == 0.0f
+           && std::ranges::none_of(f.has_layer, std::identity{});
 }
 
 /// True if `is_so` holds for the material of an instance of the scene.
@@ -165,6 +173,7 @@ Features shading_features(const scene::Scene& scene, const scene::Mesh& mesh, co
     f.is_specular_glossiness = material.is_specular_glossiness;
     f.has_energy_compensation &= scene::brdf_model(material.model).has_microfacets;
     ask_for_layers(f, material, mesh);
+    f.is_matte = is_matte(material, f);
     ask_for_textures(f, material, !mesh.tangents.empty());
     f.has_second_uv = reads_second_uv(f, material);
     f.is_masked = material.alpha_mode == scene::AlphaMode::mask;

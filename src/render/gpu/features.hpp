@@ -28,6 +28,7 @@ struct Features {
     std::array<bool, scene::layer_count> has_layer{}; // by Layer
     bool has_energy_compensation = false;
     bool is_specular_glossiness = false;
+    bool is_matte = false; // of metallic_roughness only Lambert's part is left
 
     bool is_opaque_part = false; // of glass, only what its textures keep opaque is drawn
 

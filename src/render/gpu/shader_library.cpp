@@ -18,12 +18,17 @@ constexpr std::array<std::string_view, 9> brdf_functions{
     "f_r",   "has_peak",         "sample_f_r",        "pdf_f_r",        "peak_alpha",
     "lobes", "has_diffuse_lobe", "has_specular_lobe", "specular_albedo"};
 
+/// The model whose f_r has the values of the material's. A user's folder may change any file of it.
+scene::Model simplest_model(const Features& features, std::span<const glsl::Root> path) {
+    return features.is_matte && path.size() == 1 ? scene::Model::lambert : features.model;
+}
+
 /// The files that are specialised, behind the user's own roots.
 glsl::Root specialised(const Features& features, VisibilityTerm visibility,
                        std::span<const glsl::Root> path) {
     constexpr std::array files{"none", "ray", "record", "resolve", "map", "none"};
     const char* file = files[static_cast<std::size_t>(visibility)];
-    glsl::Files texts = brdf_files(features.model, path);
+    glsl::Files texts = brdf_files(simplest_model(features, path), path);
     texts["interface/features.glsl"] = features.glsl();
     texts["visibility/visibility.glsl"] = fmt::format("#include \"visibility/{}.glsl\"\n", file);
     if (visibility == VisibilityTerm::defer)

@@ -44,6 +44,36 @@ const Test programs("unit.render.features.materials_share_programs", [] {
     EXPECT_GT(programs_of(all), programs_of(plain));
 });
 
+// A material without metal, specular part and layers is Lambert's, for which a shader asks for less. Other
+// people's shaders may mean something else by it.
+const Test matte("unit.render.features.matte_materials_have_lamberts_shader", [] {
+    context();
+    scene::Material matte = lambert(vec3(0.3f, 0.6f, 0.9f)), shiny = matte, coated = matte, metal = matte;
+    shiny.specular = 0.5f;
+    coated.clearcoat = 0.5f;
+    metal.metallic = 0.5f;
+    const auto is_matte = [](const scene::Material& material) {
+        const scene::Scene scene = squares({material});
+        return render::shading_features(scene, scene.meshes[0], {}).is_matte;
+    };
+    EXPECT_TRUE(is_matte(matte));
+    EXPECT_FALSE(is_matte(shiny));
+    EXPECT_FALSE(is_matte(coated));
+    EXPECT_FALSE(is_matte(metal));
+    const std::vector<scene::Light> lights{
+        scene::RectangleLight{"", {0.5f, 1.0f, 0}, {0.3f, 0, 0}, {0, 0, 0.3f}, vec3(5.0f)}};
+    const render::GpuScene scene(squares({matte, shiny}), lights);
+    const auto film_of = [&](render::RenderOptions options) {
+        options.width = options.height = 24;
+        render::Renderer renderer(scene, camera_from_above(1.5f), options);
+        for (int i = 0; i < 3; ++i) renderer.add_sample();
+        return renderer.read_film().pixels;
+    };
+    render::RenderOptions foreign;
+    foreign.shader_path.insert(foreign.shader_path.begin(), glsl::Root::memory("nothing", {}));
+    EXPECT_EQ(film_of({}), film_of(foreign)) << "the whole f_r of the material has the same values";
+});
+
 const Test units("unit.render.features.too_many_textures_name_the_material", [] {
     render::Features features;
     std::fill_n(features.has_texture.begin(), 8, true);
