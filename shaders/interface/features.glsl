@@ -34,6 +34,7 @@ const bool has_normal_texture = true;
 const bool has_emission_texture = true;
 const bool has_specular_texture = true;
 const bool has_specular_color_texture = true;
+const bool has_packed_metallic_roughness = false; // metalness in the alpha of the normal map, roughness in the base colour's
 const bool has_second_uv = true; // a texture reads the second set of coordinates
 const bool has_vertex_colors = true;
 

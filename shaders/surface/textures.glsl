@@ -33,11 +33,22 @@ float roughness_of_glossiness() {
     return 1.0 - glossiness;
 }
 
+// An alpha that belongs to another image (src/render/gpu/texture_packing.hpp).
+float packed_alpha(sampler2D image, int slot) { return texel(image, slot).a; }
+
+// The base colour's texture holds codes of 8 bits over 256, which half floats are exact for.
+vec2 packed_roughness_metallic() {
+    return vec2(packed_alpha(base_color_texture, base_color_slot) * (256.0 / 255.0),
+                packed_alpha(normal_texture, normal_slot));
+}
+
 // (roughness, metallic)
 vec2 roughness_metallic() {
     if (is_specular_glossiness) return vec2(roughness_of_glossiness(), 0.0);
     vec2 factors = vec2(roughness_factor, metallic_factor);
-    if (has_metallic_roughness_texture)
+    if (has_packed_metallic_roughness)
+        factors *= packed_roughness_metallic();
+    else if (has_metallic_roughness_texture)
         factors *= texel(metallic_roughness_texture, metallic_roughness_slot).gb;
     return factors;
 }

@@ -38,18 +38,20 @@ constexpr std::array light_flags{Flag{"has_sun_disks", &Features::has_sun_disks}
                                  Flag{"has_emission_maps", &Features::has_emission_maps},
                                  Flag{"has_environment_maps", &Features::has_environment_maps}};
 
-constexpr std::array other_flags{Flag{"has_second_uv", &Features::has_second_uv},
-                                 Flag{"has_vertex_colors", &Features::has_vertex_colors},
-                                 Flag{"has_energy_compensation", &Features::has_energy_compensation},
-                                 Flag{"is_opaque_part", &Features::is_opaque_part},
-                                 Flag{"is_specular_glossiness", &Features::is_specular_glossiness},
-                                 Flag{"has_transparent_casters", &Features::has_transparent_casters},
-                                 Flag{"has_tinted_casters", &Features::has_tinted_casters},
-                                 Flag{"is_masked", &Features::is_masked},
-                                 Flag{"is_blended", &Features::is_blended},
-                                 Flag{"is_unlit", &Features::is_unlit},
-                                 Flag{"is_line", &Features::is_line},
-                                 Flag{"is_point", &Features::is_point}};
+constexpr std::array other_flags{
+    Flag{"has_packed_metallic_roughness", &Features::has_packed_metallic_roughness},
+    Flag{"has_second_uv", &Features::has_second_uv},
+    Flag{"has_vertex_colors", &Features::has_vertex_colors},
+    Flag{"has_energy_compensation", &Features::has_energy_compensation},
+    Flag{"is_opaque_part", &Features::is_opaque_part},
+    Flag{"is_specular_glossiness", &Features::is_specular_glossiness},
+    Flag{"has_transparent_casters", &Features::has_transparent_casters},
+    Flag{"has_tinted_casters", &Features::has_tinted_casters},
+    Flag{"is_masked", &Features::is_masked},
+    Flag{"is_blended", &Features::is_blended},
+    Flag{"is_unlit", &Features::is_unlit},
+    Flag{"is_line", &Features::is_line},
+    Flag{"is_point", &Features::is_point}};
 
 /// Sets the features that the layers of the material need on this mesh.
 void ask_for_layers(Features& f, const scene::Material& material, const scene::Mesh& mesh) {

@@ -21,6 +21,7 @@ struct Features {
     bool has_environment_maps = false;
 
     std::array<bool, scene::slot_count> has_texture{}; // by slot
+    bool has_packed_metallic_roughness = false;        // TexturePacking
     bool has_second_uv = false;                        // a texture reads the second set of coordinates
     bool has_vertex_colors = false;
 

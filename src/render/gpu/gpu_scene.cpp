@@ -12,6 +12,7 @@
 #include <cstring>
 #include <deque>
 #include <future>
+#include <optional>
 #include <set>
 #include <thread>
 #include <tuple>
@@ -61,9 +62,29 @@ struct ImageUse {
     int image = 0;
     scene::ColorSpace color_space = scene::ColorSpace::linear;
     TexelLayout layout;
+    PackedAlpha alpha_from;
 
     bool operator==(const ImageUse&) const = default;
 };
+
+/// An image on its way to the GPU.
+struct PreparedImage {
+    std::optional<scene::TextureImage> packed; // in the place of the scene's
+    std::vector<MipLevel> lower_levels;
+};
+
+PreparedImage prepared(const scene::Scene& scene, const ImageUse& use) {
+    const auto image_of = [&](int i) -> const scene::TextureImage& {
+        return scene.images[static_cast<std::size_t>(i)];
+    };
+    PreparedImage prepared;
+    if (use.alpha_from.image >= 0)
+        prepared.packed =
+            with_alpha(image_of(use.image), image_of(use.alpha_from.image), use.alpha_from.channel);
+    prepared.lower_levels = lower_mip_levels(prepared.packed ? *prepared.packed : image_of(use.image),
+                                             use.color_space, use.layout);
+    return prepared;
+}
 
 /// For each texture, whether a material compares its alpha with a cutoff.
 std::vector<bool> alpha_is_compared(const scene::Scene& scene) {
@@ -145,6 +166,7 @@ void GpuScene::upload_textures(const scene::Scene& scene, TextureChannels kept) 
         gl::is_software_renderer(reinterpret_cast<const char*>(glGetString(GL_RENDERER)));
     const std::vector<bool> is_compared = alpha_is_compared(scene);
     const std::vector<unsigned> channels = channels_in_use(scene);
+    packing_ = pack_textures(scene, driver_is_inexact && kept == TextureChannels::in_use);
     std::vector<ImageUse> uses;
     std::vector<scene::Sampler> made;
     for (std::size_t i = 0; i < scene.textures.size(); ++i) {
@@ -152,11 +174,13 @@ void GpuScene::upload_textures(const scene::Scene& scene, TextureChannels kept) 
         const auto index = static_cast<std::size_t>(texture.image);
         const TexelNeeds needs{driver_is_inexact, is_compared[i],
                                kept == TextureChannels::all ? all_channels : channels[index]};
-        const ImageUse use{texture.image, texture.color_space,
-                           texel_layout(scene.images[index], texture.color_space, needs)};
+        ImageUse use{texture.image, texture.color_space,
+                     texel_layout(scene.images[index], texture.color_space, needs), packing_.alpha_from[i]};
+        if (use.alpha_from.image >= 0 && use.layout.format == TexelFormat::float16)
+            use.layout.format = TexelFormat::float16_exact_alpha;
         const auto image = std::find(uses.begin(), uses.end(), use);
-        image_of_texture_.push_back(static_cast<int>(image - uses.begin()));
-        if (image == uses.end()) uses.push_back(use);
+        image_of_texture_.push_back(packing_.is_needed[i] ? static_cast<int>(image - uses.begin()) : -1);
+        if (image == uses.end() && packing_.is_needed[i]) uses.push_back(use);
         const auto sampler = std::find(made.begin(), made.end(), texture.sampler);
         sampler_of_texture_.push_back(static_cast<int>(sampler - made.begin()));
         if (sampler == made.end()) {
@@ -167,14 +191,14 @@ void GpuScene::upload_textures(const scene::Scene& scene, TextureChannels kept) 
     // Threads convert and halve the images, a few ahead of the upload: all at once would take their memory at
     // once.
     const std::size_t max_ahead = std::max(2u, std::thread::hardware_concurrency());
-    std::deque<std::future<std::vector<MipLevel>>> lower_levels;
+    std::deque<std::future<PreparedImage>> ahead;
     for (std::size_t i = 0, begun = 0; i < uses.size(); ++i) {
         for (; begun < uses.size() && begun < i + max_ahead; ++begun)
-            lower_levels.push_back(started([&image = scene.images[uses[begun].image], use = uses[begun]] {
-                return lower_mip_levels(image, use.color_space, use.layout);
-            }));
-        images_.push_back(upload(scene.images[uses[i].image], uses[i].layout, lower_levels.front().get()));
-        lower_levels.pop_front();
+            ahead.push_back(started([&scene, use = uses[begun]] { return prepared(scene, use); }));
+        const PreparedImage image = ahead.front().get();
+        ahead.pop_front();
+        images_.push_back(upload(image.packed ? *image.packed : scene.images[uses[i].image], uses[i].layout,
+                                 image.lower_levels));
     }
     for (const scene::MeasuredBrdf& measured : scene.measured) measured_.push_back(upload(measured));
 }
@@ -201,8 +225,11 @@ void GpuScene::upload_materials(const scene::Scene& scene) {
         measured_of_material_.push_back(material.measured);
         std::array<int, slot_count> textures{};
         std::ranges::transform(
-            scene::texture_inputs, textures.begin(),
-            [&](const scene::TextureInput& input) { return (material.*input.member).texture; });
+            scene::texture_inputs, textures.begin(), [&](const scene::TextureInput& input) {
+                const int texture = (material.*input.member).texture;
+                return texture >= 0 && image_of_texture_[static_cast<std::size_t>(texture)] < 0 ? -1
+                                                                                                : texture;
+            });
         textures_of_material_.push_back(textures);
     }
     material_stride_ = upload_blocks(materials_, blocks);
@@ -260,6 +287,7 @@ void GpuScene::list_draws(const scene::Scene& scene, std::span<const scene::Ligh
         draw.instance = static_cast<int>(i);
         draw.material = mesh.material;
         draw.features = shading_features(scene, mesh, lit);
+        draw.features.has_packed_metallic_roughness = packing_.packs(mesh.material);
         require_texture_units(draw.features, scene.materials[mesh.material].name, texture_units);
         draw.mirrors = scene::mirrors(instance.world_from_object);
         draw.is_surface = mesh.is_surface();

@@ -6,6 +6,7 @@
 #include "render/gpu/gpu_texture.hpp"
 #include "render/gpu/light_texels.hpp"
 #include "render/gpu/ltc_table.hpp"
+#include "render/gpu/texture_packing.hpp"
 #include "render/visibility/visibility_backend.hpp"
 
 #include <vector>
@@ -94,9 +95,10 @@ private:
     std::vector<GpuMesh> meshes_;
     gl::Texture mesh_floats_{GL_TEXTURE_BUFFER, "the arrays of a mesh"};
     gl::Texture mesh_indices_{GL_TEXTURE_BUFFER, "the indices of a mesh"};
+    TexturePacking packing_;
     std::vector<gl::Texture> images_; // one per ImageUse
     std::vector<gl::Sampler> samplers_;
-    std::vector<int> image_of_texture_;
+    std::vector<int> image_of_texture_; // -1: none, since no material reads it
     std::vector<int> sampler_of_texture_;
     std::vector<std::array<int, slot_count>> textures_of_material_; // -1: none
     std::vector<int> measured_of_material_;                         // index into measured_; -1: none

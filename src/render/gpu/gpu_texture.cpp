@@ -27,7 +27,8 @@ GlFormat gl_format(TexelLayout layout) {
         case 2: return {GL_RG16, GL_RG, GL_UNSIGNED_SHORT};
         default: return {GL_RGBA16, GL_RGBA, GL_UNSIGNED_SHORT};
         }
-    case TexelFormat::float16: return {GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT};
+    case TexelFormat::float16:
+    case TexelFormat::float16_exact_alpha: return {GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT};
     case TexelFormat::float32: break;
     }
     return {GL_RGBA32F, GL_RGBA, GL_FLOAT};

@@ -102,6 +102,14 @@ struct Float16 {
     static Stored encode(Sum v, int) { return glm::packHalf1x16(v); }
 };
 
+struct Float16ExactAlpha : Float16 {
+    template<class Code>
+    static Stored store(Code code, int channel) {
+        return channel == 3 ? glm::packHalf1x16(static_cast<float>(code) / 256.0f)
+                            : Float16::store(code, channel);
+    }
+};
+
 struct Float32 {
     static constexpr int channels = 4;
     using Stored = float;
@@ -298,6 +306,7 @@ auto with_types(const scene::TextureImage& image, TexelLayout layout, const auto
         default: return with_code.template operator()<Unorm16<4>>();
         }
     case TexelFormat::float16: return with_code.template operator()<Float16>();
+    case TexelFormat::float16_exact_alpha: return with_code.template operator()<Float16ExactAlpha>();
     case TexelFormat::float32: break;
     }
     return with_code.template operator()<Float32>();

@@ -12,11 +12,13 @@ namespace sr::render {
 
 /// The type of a stored channel.
 enum class TexelFormat {
-    unorm8,  // codes of 8 bits, linear
-    srgb8,   // codes of 8 bits, sRGB but for alpha; the driver decodes
-    unorm16, // codes of 16 bits, linear
-    float16, // linear light, half float: relative error 2^-11, alpha too
-    float32, // linear light, float
+    unorm8,              // codes of 8 bits, linear
+    srgb8,               // codes of 8 bits, sRGB but for alpha; the driver decodes
+    unorm16,             // codes of 16 bits, linear
+    float16,             // linear light, half float: relative error 2^-11, alpha too
+    float16_exact_alpha, // the same, but alpha is an image's 8-bit code over 256, which a half float holds
+                         // exactly
+    float32,             // linear light, float
 };
 
 /// Bit c: channel c of an image, in the order RGBA.

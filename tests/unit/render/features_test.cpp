@@ -153,7 +153,7 @@ std::string channels_read(std::string_view name) {
     return channels;
 }
 
-// Textures in software GL have no others.
+// Textures in software GL have no others, but for alphas that belong to another image (packed_alpha()).
 const Test read_channels("unit.render.features.textures_have_the_channels_that_shaders_read", [] {
     for (const scene::TextureInput& input : scene::texture_inputs)
         EXPECT_EQ(channels_read(input.name), input.channels) << input.name;

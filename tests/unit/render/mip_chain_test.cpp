@@ -180,4 +180,21 @@ const Test few_channels("unit.render.mip_chain.channels_that_nobody_reads_are_no
     EXPECT_EQ(texel_layout(image, ColorSpace::srgb, {true, false, 1}), TexelLayout{TexelFormat::float16});
 });
 
+// An alpha that comes from another image (TexturePacking) has its codes, where a half float of 0 to 1 would
+// be off.
+const Test exact_alpha("unit.render.mip_chain.a_packed_alpha_is_its_code", [] {
+    const auto image = grey(16, 16, [](int x, int y) { return static_cast<std::uint8_t>(16 * y + x); });
+    const TexelLayout layout{TexelFormat::float16_exact_alpha};
+    for_each_band(image, layout, [&](int first_row, int rows, std::span<const std::byte> band) {
+        const auto* texels = reinterpret_cast<const std::uint16_t*>(band.data());
+        for (int i = 0; i < rows * image.width; ++i) {
+            const float code = static_cast<float>(first_row * image.width + i);
+            EXPECT_EQ(glm::unpackHalf1x16(texels[4 * i + 3]), code / 256.0f);
+            EXPECT_EQ(texels[4 * i], glm::packHalf1x16(image::linear_of_srgb(code / 255.0f)));
+        }
+    });
+    const auto levels = lower_mip_levels(image, ColorSpace::srgb, layout);
+    EXPECT_EQ(half_value(levels[0], 3), 8.5f / 256.0f) << "the mean of 0, 1, 16 and 17";
+});
+
 } // namespace
