@@ -42,11 +42,15 @@ const std::vector<std::string>& Context::debug_messages() const {
 }
 
 void Context::require_silence() const {
+    const char* const what_to_do = "this is a bug in Steradian or in the driver, please report it";
     const auto& messages = debug_messages();
+    const GLenum error = glGetError(); // all that a context without debug output tells
+    if (messages.empty() && error != GL_NO_ERROR)
+        throw Error(fmt::format("OpenGL reports the error {:#06x}", error), what_to_do);
     if (messages.empty()) return;
     throw Error(fmt::format("OpenGL says ({} message{}): {}", messages.size(),
                             messages.size() == 1 ? "" : "s", messages.front()),
-                "this is a bug in Steradian or in the driver, please report it");
+                what_to_do);
 }
 
 namespace {

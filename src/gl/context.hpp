@@ -64,7 +64,7 @@ public:
     /// Errors and warnings so far; always empty unless the context was opened with debug.
     const std::vector<std::string>& debug_messages() const;
 
-    /// @throws Error with the first message if there is any.
+    /// @throws Error with the first message if there is any, or with the error that OpenGL reports.
     void require_silence() const;
 
 protected:

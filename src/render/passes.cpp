@@ -38,11 +38,11 @@ void blend_by_adding() {
     glBlendFunc(GL_ONE, GL_ONE);
 }
 
+/// It also forgets blending by a second colour (glass): Mesa then refuses to draw into several targets,
+/// whether blending is on or not.
 void write_by(Writing writing) {
-    if (writing == Writing::adds)
-        blend_by_adding();
-    else
-        glDisable(GL_BLEND);
+    blend_by_adding();
+    if (writing == Writing::replaces) glDisable(GL_BLEND);
 }
 
 /// Draws the opaque surfaces where the pre-pass left them in front. The others as in forward_pass().

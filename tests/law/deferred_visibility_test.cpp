@@ -46,6 +46,18 @@ scene::Scene boxes_and_sheet() {
     return scene;
 }
 
+/// The same under a pane of green glass, which multiplies what is behind it by a second colour.
+scene::Scene boxes_and_pane() {
+    auto scene = boxes();
+    add_quad(scene, {-0.6f, 1.0f, 0.3f}, {0.6f, 0, 0}, {0, 0, -0.6f},
+             of(vec3(0.3f, 0.9f, 0.4f), [](scene::Material& m) {
+                 m.specular = 1.0f;
+                 m.transmission = 0.9f;
+                 m.is_double_sided = true;
+             }));
+    return scene;
+}
+
 std::vector<scene::Light> lights(int count) {
     std::vector<scene::Light> lights;
     for (int i = 0; i < count; ++i) {
@@ -85,7 +97,7 @@ image::Image film_of(const scene::Scene& scene, std::span<const scene::Light> li
 }
 
 void expect_equal(std::span<const scene::Light> lights, const render::RenderOptions& options) {
-    for (const scene::Scene& scene : {boxes(), boxes_and_sheet()}) {
+    for (const scene::Scene& scene : {boxes(), boxes_and_sheet(), boxes_and_pane()}) {
         const auto once = film_of(scene, lights, options, false),
                    twice = film_of(scene, lights, options, true);
         EXPECT_LT(max_relative_difference(once, twice, 1e-3f), 1e-5f) << "sums of floats in another order";
