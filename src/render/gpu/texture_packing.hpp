@@ -14,8 +14,8 @@ struct PackedAlpha {
     bool operator==(const PackedAlpha&) const = default;
 };
 
-/// The materials that read their metalness from the alpha of their normal map, and their roughness from that of
-/// their base colour, so that they read a texture less. That takes an opaque material whose three textures
+/// The materials that read their metalness from the alpha of their normal map, and their roughness from that
+/// of their base colour, so that they read a texture less. That takes an opaque material whose three textures
 /// have one size, one sampler and the same coordinates, and that shares the two only with materials of the
 /// same three.
 struct TexturePacking {

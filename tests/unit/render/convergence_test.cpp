@@ -14,7 +14,8 @@ const Test due("unit.render.convergence.estimates_come_twice_while_samples_doubl
     std::vector<int> due;
     for (int samples = 0; samples <= 2048; ++samples)
         if (render::is_estimate_due(samples)) due.push_back(samples);
-    EXPECT_EQ(due, (std::vector<int>{8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256, 384, 512, 768, 1024, 1536, 2048}));
+    EXPECT_EQ(due, (std::vector<int>{8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256, 384, 512, 768, 1024, 1536,
+                                     2048}));
 });
 
 } // namespace
