@@ -18,17 +18,12 @@ constexpr std::array<std::string_view, 9> brdf_functions{
     "f_r",   "has_peak",         "sample_f_r",        "pdf_f_r",        "peak_alpha",
     "lobes", "has_diffuse_lobe", "has_specular_lobe", "specular_albedo"};
 
-/// The model whose f_r has the values of the material's. A user's folder may change any file of it.
-scene::Model simplest_model(const Features& features, std::span<const glsl::Root> path) {
-    return features.is_matte && path.size() == 1 ? scene::Model::lambert : features.model;
-}
-
 /// The files that are specialised, behind the user's own roots.
 glsl::Root specialised(const Features& features, VisibilityTerm visibility,
                        std::span<const glsl::Root> path) {
     constexpr std::array files{"none", "ray", "record", "resolve", "map", "none"};
     const char* file = files[static_cast<std::size_t>(visibility)];
-    glsl::Files texts = brdf_files(simplest_model(features, path), path);
+    glsl::Files texts = brdf_files(features.is_matte ? scene::Model::lambert : features.model, path);
     texts["interface/features.glsl"] = features.glsl();
     texts["visibility/visibility.glsl"] = fmt::format("#include \"visibility/{}.glsl\"\n", file);
     if (visibility == VisibilityTerm::defer)
@@ -118,9 +113,11 @@ std::vector<glsl::Root> ShaderLibrary::path_of(const Features& features, Program
 
 const gl::Program& ShaderLibrary::mesh_program(const std::string& fragment, const Features& features,
                                                ProgramTerms terms) {
-    const Key key(fragment, features, terms);
+    Features asked = features;
+    if (shader_path_.size() > 1) asked.is_matte = false; // a user's folder may change any file of the BRDF
+    const Key key(fragment, asked, terms);
     if (const auto found = mesh_programs_.find(key); found != mesh_programs_.end()) return found->second;
-    return mesh_programs_.emplace(key, compiled("mesh.vert", fragment, path_of(features, terms)))
+    return mesh_programs_.emplace(key, compiled("mesh.vert", fragment, path_of(asked, terms)))
         .first->second;
 }
 

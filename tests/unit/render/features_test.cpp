@@ -72,6 +72,14 @@ const Test matte("unit.render.features.matte_materials_have_lamberts_shader", []
     render::RenderOptions foreign;
     foreign.shader_path.insert(foreign.shader_path.begin(), glsl::Root::memory("nothing", {}));
     EXPECT_EQ(film_of({}), film_of(foreign)) << "the whole f_r of the material has the same values";
+    const auto foreign_programs = [&](const std::vector<scene::Material>& materials) {
+        const render::GpuScene of(squares(materials), lights);
+        render::Renderer renderer(of, camera_from_above(1.5f), foreign);
+        renderer.compile();
+        return renderer.program_count();
+    };
+    EXPECT_EQ(foreign_programs({matte, shiny}), foreign_programs({shiny})) << "there is one for both";
+    EXPECT_GT(programs_of({matte, shiny}), programs_of({shiny}));
 });
 
 const Test units("unit.render.features.too_many_textures_name_the_material", [] {
