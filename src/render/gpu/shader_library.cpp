@@ -117,8 +117,7 @@ const gl::Program& ShaderLibrary::mesh_program(const std::string& fragment, cons
     if (shader_path_.size() > 1) asked.is_matte = false; // a user's folder may change any file of the BRDF
     const Key key(fragment, asked, terms);
     if (const auto found = mesh_programs_.find(key); found != mesh_programs_.end()) return found->second;
-    return mesh_programs_.emplace(key, compiled("mesh.vert", fragment, path_of(asked, terms)))
-        .first->second;
+    return mesh_programs_.emplace(key, compiled("mesh.vert", fragment, path_of(asked, terms))).first->second;
 }
 
 const gl::Program& ShaderLibrary::pixel_program(const std::string& fragment, const Features& features,
