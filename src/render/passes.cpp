@@ -137,9 +137,13 @@ void depth_pass(const RenderTarget& frame, const GpuScene& scene, ShaderLibrary&
     for (const Draw& draw : scene.opaque_draws()) {
         cull(draw.is_double_sided);
         if (triangles) triangles->write_number(draw);
-        shaders.mesh_program(depth_shader_of(draw, triangles != nullptr), depth_features(draw.features))
-            .use();
-        scene.draw(draw);
+        const gl::Program& program =
+            shaders.mesh_program(depth_shader_of(draw, triangles != nullptr), depth_features(draw.features));
+        program.use();
+        if (triangles && draw.number > 0)
+            triangles->draw(scene, draw, program);
+        else
+            scene.draw(draw);
     }
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glDisable(GL_STENCIL_TEST);

@@ -175,6 +175,7 @@ Depths Renderer::depths_of_frame() const {
 /// A frame that is shaded twice is rasterised both times.
 void Renderer::ask_for_triangles() {
     triangles_.reset();
+    triangles_of_.reset();
     if (depths_ == Depths::with_stencils && !shadow_rays_) triangles_.emplace(films_.film(0));
 }
 
@@ -213,6 +214,8 @@ void Renderer::use_lights(int first, int end) {
 
 void Renderer::clear() {
     converged_ = ConvergedPixels(options_.width, options_.height);
+    if (triangles_) triangles_->draw_all();
+    triangles_of_.reset();
     repeat();
 }
 
@@ -252,6 +255,7 @@ bool Renderer::add_rows(int count) {
 
 void Renderer::draw(const PixelRect& part) {
     PassClock clock(pass_times_);
+    leave_out_triangles(); // before textures are bound for the frame
     const View view = begin_frame();
     set_scissor(part);
     const RenderTarget& target = this->target();
@@ -277,6 +281,18 @@ void Renderer::draw(const PixelRect& part) {
     films_.changed();
     clock.end(&PassTimes::adding);
     glDisable(GL_SCISSOR_TEST);
+}
+
+/// Leaves out the triangles that no pixel sees, or only frozen ones do. To find them takes about as long as
+/// to draw them, so a camera's first sample draws all.
+void Renderer::leave_out_triangles() {
+    const int event = converged_.event_of(sample_count_);
+    const bool is_first = sample_count_ == 0 && event < 0 && !triangles_of_;
+    if (!triangles_ || event == triangles_of_ || is_first) return;
+    triangles_of_ = event;
+    const OpenPixels open(converged_.frozen(sample_count_), options_.width, options_.height);
+    const View view = view_of(camera_, options_.width, options_.height, vec2(0.5f));
+    triangles_->draw_before(open, scene_, view.clip_from_world);
 }
 
 Background Renderer::background() const {

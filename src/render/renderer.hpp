@@ -169,6 +169,7 @@ private:
     Depths depths_of_frame() const;
     void ask_for_triangles();
     void ask_for_frame();
+    void leave_out_triangles();
     TriangleBuffer* triangles() { return triangles_ ? &*triangles_ : nullptr; }
     View begin_frame();
     PixelRect window() const; // what this frame draws
@@ -200,6 +201,8 @@ private:
     std::optional<RenderTarget> frame_;       // of a sample that cannot be added as it is drawn
     std::optional<TriangleBuffer> triangles_; // where finely meshed surfaces are shaded pixel by pixel
     ConvergedPixels converged_;
+    std::optional<int>
+        triangles_of_; // ConvergedPixels::event_of() whose triangles are drawn; absent: all are
     FrameData frame_data_;
     std::optional<DeferredVisibility> deferred_;
     // or else:

@@ -59,6 +59,11 @@ private:
     PixelRect whole_;
 };
 
+Faces faces_of(const Draw& draw) {
+    if (draw.is_double_sided) return Faces::all;
+    return draw.mirrors ? Faces::clockwise : Faces::counterclockwise;
+}
+
 } // namespace
 
 bool TriangleBuffer::is_useful(const GpuScene& scene) {
@@ -82,6 +87,18 @@ TriangleBuffer::TriangleBuffer(const RenderTarget& frame) : width_(frame.width()
                     "choose a smaller --size");
 }
 
+void TriangleBuffer::draw_before(const OpenPixels& open, const GpuScene& scene, const mat4& clip_from_world) {
+    draw_all();
+    for (const Draw& draw : scene.opaque_draws()) {
+        if (draw.number == 0) continue;
+        const GpuMesh& mesh = scene.mesh_of(draw);
+        const std::vector<std::uint32_t> indices = mesh.read_indices();
+        const std::vector<std::uint32_t> triangles = open.triangles_before(
+            mesh.read_positions(), indices, clip_from_world * draw.world_from_object, faces_of(draw));
+        selections_.emplace_back(triangles, indices);
+    }
+}
+
 void TriangleBuffer::begin(const GpuScene& scene, const mat4& clip_from_world) {
     rectangles_.clear();
     for (const Draw& draw : scene.opaque_draws())
@@ -96,6 +113,15 @@ void TriangleBuffer::begin(const GpuScene& scene, const mat4& clip_from_world) {
 }
 
 void TriangleBuffer::write_number(const Draw& draw) const { glStencilFunc(GL_ALWAYS, draw.number, all_bits); }
+
+void TriangleBuffer::draw(const GpuScene& scene, const Draw& draw, const gl::Program& program) const {
+    glUniform1i(program.uniform("draws_some"), selections_.empty() ? GL_FALSE : GL_TRUE);
+    if (selections_.empty()) return scene.draw(draw);
+    const TriangleSelection& triangles = selections_[static_cast<std::size_t>(draw.number) - 1];
+    triangles.show_numbers(triangle_numbers_unit);
+    glBindSampler(triangle_numbers_unit, 0);
+    scene.draw(draw, triangles);
+}
 
 void TriangleBuffer::shade(const GpuScene& scene, ShaderLibrary& shaders, const std::string& fragment,
                            ProgramTerms terms) const {

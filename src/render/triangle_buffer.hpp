@@ -1,5 +1,6 @@
 #pragma once
 // The triangle that each pixel sees, so that finely meshed surfaces are shaded pixel by pixel.
+#include "render/adaptive/open_pixels.hpp"
 #include "render/film.hpp"
 #include "render/gpu/gpu_scene.hpp"
 #include "render/gpu/shader_library.hpp"
@@ -22,11 +23,19 @@ public:
     /// @throws Error if the driver does not take it
     explicit TriangleBuffer(const RenderTarget& frame);
 
+    /// From now on the depth pre-pass draws what these pixels may see from a camera with this matrix,
+    /// whatever place within its pixel a sample looks at. Others see surfaces that they do not see.
+    void draw_before(const OpenPixels& open, const GpuScene& scene, const mat4& clip_from_world);
+    /// From now on it draws all.
+    void draw_all() { selections_.clear(); }
+
     /// Makes it the target of the depth pre-pass, for a camera with this matrix.
     void begin(const GpuScene& scene, const mat4& clip_from_world);
 
     /// Of the depth pre-pass: pixels get the number of this draw.
     void write_number(const Draw& draw) const;
+    /// Of the depth pre-pass: draws this draw, which has a number, by this program of depth_shader_of().
+    void draw(const GpuScene& scene, const Draw& draw, const gl::Program& program) const;
 
     /// Shades the pixels of the scissor that see a draw with a number, by `fragment` and `terms`, into the
     /// bound framebuffer, which has the frame's stencils; blending stays as it is.
@@ -39,7 +48,8 @@ private:
     gl::Texture triangles_{GL_TEXTURE_2D, "seen triangles"};
     gl::Framebuffer framebuffer_{"seen triangles"};
     gl::VertexArray no_vertices_{"no vertices"};
-    std::vector<PixelRect> rectangles_; // that the draws may cover, by number - 1; rows from below
+    std::vector<PixelRect> rectangles_;         // that the draws may cover, by number - 1; rows from below
+    std::vector<TriangleSelection> selections_; // by number - 1; empty: all triangles are drawn
 };
 
 } // namespace sr::render

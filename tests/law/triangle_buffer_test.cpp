@@ -6,6 +6,7 @@
 #include "support/gl.hpp"
 #include "support/scenes.hpp"
 
+#include <array>
 #include <fmt/format.h>
 #include <glm/gtc/matrix_transform.hpp>
 #include <numbers>
@@ -284,6 +285,44 @@ const Test frozen("law.shading.by_pixel.frozen_pixels_rest", [] {
             changed += before.pixels[4 * i] != after.pixels[4 * i];
     }
     EXPECT_GT(changed, width) << "the others go on";
+});
+
+/// The pixels of the right quarter and of a row that crosses the picture.
+bool stays_open(int column, int row) { return column >= 3 * width / 4 || row == 40; }
+
+// Triangles that only frozen pixels see are left out. The others have what they have if none is.
+const Test left_out("law.shading.by_pixel.frozen_pixels_change_no_other", [] {
+    context();
+    render::PixelMask rest(std::size_t{width} * height, 0);
+    for (int row = 0; row < height; ++row)
+        for (int column = 0; column < width; ++column)
+            rest[static_cast<std::size_t>(row * width + column)] = stays_open(column, row) ? 0 : 1;
+    const std::array cameras{
+        looking({0.5f, 2.0f, 5.0f}, {0, 0.6f, 0}, lens),
+        looking({0.1f, 0.95f, 1.25f}, {0.5f, 0.8f, 0.0f}, lens),
+        looking({2.0f, 3.0f, 5.0f}, {0, 0.6f, 0}, scene::Orthographic{2.4f, 1.6f, 0.0f, 20.0f})};
+    for (const Visibility visibility : {Visibility::ray_on_cpu, Visibility::map}) {
+        const render::GpuScene gpu_scene(balls(), lamps(), visibility);
+        for (const scene::Camera& camera : cameras) {
+            render::RenderOptions options;
+            options.width = width;
+            options.height = height;
+            options.maps.size = 64;
+            render::Renderer partly(gpu_scene, camera, options), whole(gpu_scene, camera, options);
+            for (int i = 0; i < 5; ++i) {
+                if (i == 2) partly.freeze(rest);
+                partly.add_sample();
+                whole.add_sample();
+            }
+            const image::Image some = partly.read_film(), all = whole.read_film();
+            partly.repeat(); // pixels rest as they did
+            for (int i = 0; i < 5; ++i) partly.add_sample();
+            EXPECT_EQ(partly.read_film().pixels, some.pixels) << "all are open again";
+            for (std::size_t i = 0; i < rest.size(); ++i)
+                for (std::size_t channel = 0; channel < 4 && rest[i] == 0; ++channel)
+                    ASSERT_EQ(some.pixels[4 * i + channel], all.pixels[4 * i + channel]) << "pixel " << i;
+        }
+    }
 });
 
 } // namespace

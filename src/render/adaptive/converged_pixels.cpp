@@ -62,13 +62,21 @@ void ConvergedPixels::bind(int sample, GLuint unit) {
     uploaded_ = event;
 }
 
+PixelMask ConvergedPixels::frozen(int sample) const {
+    PixelMask mask(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
+    std::ranges::transform(frozen_from_, mask.begin(), [sample](int from) {
+        return static_cast<std::uint8_t>(from <= sample ? 255 : 0);
+    });
+    return mask;
+}
+
 void ConvergedPixels::upload(int sample) {
+    const PixelMask mask = frozen(sample);
     PixelMask texels;
-    texels.reserve(frozen_from_.size());
+    texels.reserve(mask.size());
     for (int row = height_ - 1; row >= 0; --row) {
-        const auto first = frozen_from_.begin() + std::ptrdiff_t{row} * width_;
-        std::transform(first, first + width_, std::back_inserter(texels),
-                       [sample](int from) { return static_cast<std::uint8_t>(from <= sample ? 255 : 0); });
+        const auto first = mask.begin() + std::ptrdiff_t{row} * width_;
+        texels.insert(texels.end(), first, first + width_);
     }
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     glTexImage2D(GL_TEXTURE_2D, 0, GL_R8, width_, height_, 0, GL_RED, GL_UNSIGNED_BYTE, texels.data());

@@ -31,6 +31,13 @@ public:
     /// frozen.
     PixelRect active(int sample) const;
 
+    /// Returns the number of the last call of add() that sample number `sample` knows of, so that equal
+    /// numbers have equal pixels; -1: none.
+    int event_of(int sample) const;
+
+    /// Returns the pixels that are frozen in sample number `sample`.
+    PixelMask frozen(int sample) const;
+
     /// Binds a texture that is not 0 where pixels are frozen in sample number `sample`; rows as GL counts
     /// them. Only if any() do.
     void bind(int sample, GLuint unit);
@@ -41,7 +48,6 @@ private:
         PixelRect active;
     };
 
-    int event_of(int sample) const; // the last event that sample knows of; -1: none
     PixelRect bounds_at(int sample) const;
     void upload(int sample);
 

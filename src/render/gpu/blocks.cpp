@@ -81,6 +81,7 @@ void connect(const gl::Program& program) {
     program.bind_texture("mesh_floats", mesh_floats_unit);
     program.bind_texture("mesh_indices", mesh_indices_unit);
     program.bind_texture("seen_triangles", seen_triangles_unit);
+    program.bind_texture("triangle_numbers", triangle_numbers_unit);
     for (unsigned i = 0; i < caster_sampler_names.size(); ++i)
         program.bind_texture(caster_sampler_names[i], static_cast<GLint>(first_caster_unit + i));
 }

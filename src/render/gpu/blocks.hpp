@@ -69,6 +69,7 @@ inline constexpr unsigned environment_texels_unit = slot_count + 11;
 inline constexpr unsigned mesh_floats_unit = slot_count + 12;
 inline constexpr unsigned mesh_indices_unit = slot_count + 13;
 inline constexpr unsigned seen_triangles_unit = slot_count + 14;
+inline constexpr unsigned triangle_numbers_unit = mesh_indices_unit; // the depth pass has no mesh to look up
 
 /// A number takes a vec4, and so does a colour; an index of refraction takes two, a measured BRDF one (its
 /// alpha).

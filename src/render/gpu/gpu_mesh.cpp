@@ -55,7 +55,35 @@ struct Quads {
     }
 };
 
+void upload_indices(const gl::Buffer& buffer, std::span<const std::uint32_t> indices) {
+    // An index buffer that is bound as one belongs to a vertex array.
+    glBindBuffer(GL_COPY_WRITE_BUFFER, buffer.id());
+    glBufferData(GL_COPY_WRITE_BUFFER, static_cast<GLsizeiptr>(indices.size_bytes()), indices.data(),
+                 GL_STATIC_DRAW);
+}
+
+template<class T>
+std::vector<T> read_first(const gl::Buffer& buffer, std::size_t count) {
+    std::vector<T> elements(count);
+    glBindBuffer(GL_COPY_READ_BUFFER, buffer.id());
+    glGetBufferSubData(GL_COPY_READ_BUFFER, 0, static_cast<GLsizeiptr>(count * sizeof(T)), elements.data());
+    return elements;
+}
+
 } // namespace
+
+TriangleSelection::TriangleSelection(const std::vector<std::uint32_t>& triangles,
+                                     std::span<const std::uint32_t> indices)
+    : index_count_(static_cast<GLsizei>(3 * triangles.size())) {
+    std::vector<std::uint32_t> selected;
+    selected.reserve(3 * triangles.size());
+    for (const std::uint32_t triangle : triangles) {
+        const auto corners = indices.subspan(std::size_t{3} * triangle, 3);
+        selected.insert(selected.end(), corners.begin(), corners.end());
+    }
+    upload_indices(indices_, selected);
+    numbers_.upload(triangles, "use a mesh of fewer triangles");
+}
 
 GpuMesh::GpuMesh(const scene::Mesh& source)
     : vertex_array_(source.name),
@@ -95,16 +123,25 @@ GpuMesh::GpuMesh(const scene::Mesh& source)
                               reinterpret_cast<const void*>(offset));
         offset += a.bytes;
     }
-    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.id());
-    glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(indices.size() * sizeof(indices[0])),
-                 indices.data(), GL_STATIC_DRAW);
+    upload_indices(indices_, indices);
+    vertex_count_ = mesh.positions.size();
 }
 
-void GpuMesh::draw() const { draw(0, index_count_); }
+void GpuMesh::draw() const { draw(indices_, 0, index_count_); }
+
+void GpuMesh::draw(const TriangleSelection& triangles) const {
+    draw(triangles.indices_, 0, triangles.index_count_);
+}
+
+std::vector<vec3> GpuMesh::read_positions() const { return read_first<vec3>(vertices_, vertex_count_); }
+
+std::vector<std::uint32_t> GpuMesh::read_indices() const {
+    return read_first<std::uint32_t>(indices_, static_cast<std::size_t>(index_count_));
+}
 
 void GpuMesh::draw_triangle(int triangle) const {
     const GLsizei corners = mode_ == GL_POINTS ? 1 : 3;
-    draw(corners * triangle, corners);
+    draw(indices_, corners * triangle, corners);
 }
 
 void GpuMesh::show_arrays(const gl::Texture& floats, GLuint floats_unit, const gl::Texture& indices,
@@ -115,8 +152,9 @@ void GpuMesh::show_arrays(const gl::Texture& floats, GLuint floats_unit, const g
     glTexBuffer(GL_TEXTURE_BUFFER, GL_R32UI, indices_.id());
 }
 
-void GpuMesh::draw(int first, GLsizei count) const {
+void GpuMesh::draw(const gl::Buffer& indices, int first, GLsizei count) const {
     glBindVertexArray(vertex_array_.id());
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices.id());
     if (mode_ == GL_POINTS) glEnable(GL_PROGRAM_POINT_SIZE); // nothing else is drawn as points
     const std::size_t offset = static_cast<std::size_t>(first) * sizeof(std::uint32_t);
     glDrawElements(mode_, count, GL_UNSIGNED_INT, reinterpret_cast<const void*>(offset));

@@ -317,9 +317,9 @@ void GpuScene::number_draws(const scene::Scene& scene, int texture_units) {
             || !has_room_for_mesh(draw.features, texture_units))
             continue;
         draw.number = ++number;
-        const mat4& world_from_object = scene.instances[draw.instance].world_from_object;
+        draw.world_from_object = scene.instances[draw.instance].world_from_object;
         for (const vec3 position : scene.meshes[draw.mesh].positions)
-            draw.bounds.extend(vec3(world_from_object * vec4(position, 1.0f)));
+            draw.bounds.extend(vec3(draw.world_from_object * vec4(position, 1.0f)));
     }
 }
 
@@ -366,6 +366,11 @@ void GpuScene::bind(const Draw& draw) const {
 void GpuScene::draw(const Draw& draw) const {
     bind(draw);
     meshes_[draw.mesh].draw();
+}
+
+void GpuScene::draw(const Draw& draw, const TriangleSelection& triangles) const {
+    bind(draw);
+    meshes_[draw.mesh].draw(triangles);
 }
 
 void GpuScene::show_arrays(const Draw& draw) const {

@@ -25,7 +25,9 @@ struct Draw {
     bool is_surface = true; // false: lines or points, which have no back
     /// From 1 on: shaded pixel by pixel where the driver runs on the CPU (TriangleBuffer); 0: never so.
     int number = 0;
-    scene::Bounds bounds{}; // of a draw with a number
+    // Of a draw with a number:
+    scene::Bounds bounds{};
+    mat4 world_from_object{1.0f};
 };
 
 /// Draws that have numbers, at most: a stencil buffer holds them.
@@ -71,6 +73,9 @@ public:
 
     /// Binds the instance's and the material's data and draws with whatever program is in use.
     void draw(const Draw& draw) const;
+    /// The same for some triangles of its mesh.
+    void draw(const Draw& draw, const TriangleSelection& triangles) const;
+    const GpuMesh& mesh_of(const Draw& draw) const { return meshes_[draw.mesh]; }
     /// Lets the program look up triangles of the mesh (shaders/interface/mesh.glsl).
     void show_arrays(const Draw& draw) const;
 

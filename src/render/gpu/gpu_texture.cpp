@@ -72,7 +72,8 @@ std::size_t bytes_per_texel(GLenum format) {
     case GL_RGB32F: return 12;
     case GL_RGBA16F: return 8;
     case GL_R32F:
-    case GL_R32I: return 4;
+    case GL_R32I:
+    case GL_R32UI: return 4;
     case GL_R16: return 2;
     default: require(false, "the format is one of ours"); return 0;
     }
