@@ -35,11 +35,16 @@ uint pascal_times(uint v) {
 // 24 bits are what a float in [0, 1) holds exactly.
 float unit_float(uint bits) { return float(bits >> 8u) * (1.0 / 16777216.0); }
 
+// The point in [0, 1)² that has these digits to base 2, the first one lowest, scrambled apart from each other.
+vec2 scrambled_point(uvec2 digits, uint seed) {
+    uint u = bitfieldReverse(scramble_reversed(digits.x, hash(seed, 1u)));
+    uint v = bitfieldReverse(scramble_reversed(digits.y, hash(seed, 2u)));
+    return vec2(unit_float(u), unit_float(v));
+}
+
 // Point `index` of the sequence that `seed` names, in [0, 1)². Any 2^k consecutive aligned points are
 // stratified; sequences of different seeds are independent (index shuffled, digits scrambled; Burley 2020).
 vec2 sobol_2d(uint index, uint seed) {
     uint shuffled = bitfieldReverse(scramble_reversed(bitfieldReverse(index), hash(seed)));
-    uint u = bitfieldReverse(scramble_reversed(shuffled, hash(seed, 1u)));
-    uint v = bitfieldReverse(scramble_reversed(pascal_times(shuffled), hash(seed, 2u)));
-    return vec2(unit_float(u), unit_float(v));
+    return scrambled_point(uvec2(shuffled, pascal_times(shuffled)), seed);
 }

@@ -1,10 +1,16 @@
-// The random numbers of a sample.
+// The random numbers of a sample. All pixels have one point of a sequence of six dimensions (src/render/sampling.hpp): the
+// first two are the place in the pixel, sample_digits are the others. Each pixel and purpose scrambles them by itself, so
+// that none is correlated with another, while points on a light stay spread over the places in the pixel.
 #include "base/sampling.glsl"
 #include "interface/frame.glsl"
 
-// A sequence of its own for every pixel and purpose, so that none is correlated with another. Purpose 0 is the BRDF's
-// direction, k + 1 the point on light k.
-vec2 random_point(uint purpose) {
+uint seed_of(uint purpose) {
     uvec2 pixel = uvec2(gl_FragCoord.xy);
-    return sobol_2d(sample_index, hash(pixel.x, hash(pixel.y, hash(purpose, seed))));
+    return hash(pixel.x, hash(pixel.y, hash(purpose, seed)));
 }
+
+// Purpose 0 is the BRDF's direction, k + 1 the point on light k.
+vec2 random_point(uint purpose) { return scrambled_point(sample_digits.xy, seed_of(purpose)); }
+
+// For a purpose whose numbers meet those of random_point() in one product.
+vec2 further_random_point(uint purpose) { return scrambled_point(sample_digits.zw, seed_of(purpose)); }

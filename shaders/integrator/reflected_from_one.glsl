@@ -60,7 +60,7 @@ vec3 reflected_from_choice(int i, Surface x, LitPoint lit, vec3 wo, bool samples
 }
 
 vec3 reflected(Surface x, vec3 wo) {
-    vec2 further = random_point(further_numbers);
+    vec2 further = further_random_point(further_numbers);
     if (is_mirror) return mirrored_from_one(x, wo, further.x);
     bool samples_brdf = has_lights_to_meet && has_peak(x);
 

@@ -7,4 +7,5 @@ layout(std140) uniform Frame {
     int first_light;      // the emitters at work: from this one
     int end_light;        // up to the one before this
     vec2 frame_size;      // of the picture [pixels]
+    uvec4 sample_digits;  // of the sample's point in four dimensions, see random_point.glsl
 };

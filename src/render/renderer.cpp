@@ -340,8 +340,14 @@ View Renderer::begin_frame() {
         view_of(camera_, options_.width, options_.height, sub_pixel(index, options_.samples, seed));
     if (depth_maps_)
         depth_maps_->draw(static_cast<std::uint32_t>(index), seed, first_light_, end_light_, *shaders_);
-    frame_data_.upload({view.clip_from_world, view.eye, static_cast<std::uint32_t>(index), seed, first_light_,
-                        end_light_, vec2(options_.width, options_.height)});
+    frame_data_.upload({.clip_from_world = view.clip_from_world,
+                        .eye = view.eye,
+                        .sample_index = static_cast<std::uint32_t>(index),
+                        .seed = seed,
+                        .first_light = first_light_,
+                        .end_light = end_light_,
+                        .frame_size = vec2(options_.width, options_.height),
+                        .sample_digits = sample_digits(index, seed)});
     return view;
 }
 

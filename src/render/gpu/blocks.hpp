@@ -27,6 +27,7 @@ struct FrameBlock {
     std::int32_t end_light;
     vec2 frame_size;
     vec2 padding{0.0f};
+    std::array<std::uint32_t, 4> sample_digits{}; // render::sample_digits()
 };
 
 struct ObjectBlock {

@@ -51,6 +51,7 @@ const Test layout("unit.render.blocks.match_the_shaders", [] {
     EXPECT_EQ(offset_of(program, "first_light"), offsetof(FrameBlock, first_light));
     EXPECT_EQ(offset_of(program, "end_light"), offsetof(FrameBlock, end_light));
     EXPECT_EQ(offset_of(program, "frame_size"), offsetof(FrameBlock, frame_size));
+    EXPECT_EQ(offset_of(program, "sample_digits"), offsetof(FrameBlock, sample_digits));
     EXPECT_LE(size_of(program, "Frame"), static_cast<GLint>(sizeof(FrameBlock)));
 
     EXPECT_EQ(offset_of(program, "world_from_object"), offsetof(ObjectBlock, world_from_object));

@@ -4,7 +4,9 @@
 #include "support/address.hpp"
 #include "support/glsl_table.hpp"
 
+#include <array>
 #include <cmath>
+#include <map>
 #include <set>
 
 using namespace sr;
@@ -29,6 +31,52 @@ const Test net("unit.render.sampling.is_a_net_in_base_two", [] {
             }
         }
     }
+});
+
+/// The coordinates of a sample in [0, 1): its place in the pixel and the four numbers behind it.
+std::array<double, 6> six_numbers(int index, std::uint32_t seed) {
+    const vec2 place = render::sub_pixel(index, 2, seed);
+    std::array<double, 6> numbers{place.x, place.y};
+    const std::array<std::uint32_t, 4> digits = render::sample_digits(index, seed);
+    for (std::size_t d = 0; d < 4; ++d)
+        for (int k = 0; k < 32; ++k) numbers[d + 2] += std::ldexp(digits[d] >> k & 1u, -1 - k);
+    return numbers;
+}
+
+/// Calls `use` with all exponents of the first dimensions that have this sum.
+void for_each_split(std::size_t dimensions, int sum, const auto& use, std::array<int, 6> exponents = {}) {
+    if (dimensions == 1) {
+        exponents[0] = sum;
+        return use(exponents);
+    }
+    for (int a = 0; a <= sum; ++a) {
+        exponents[dimensions - 1] = a;
+        for_each_split(dimensions - 1, sum - a, use, exponents);
+    }
+}
+
+// A (t,m,s)-net: each elementary interval of volume 2^(t-m) holds 2^t of 2^m points (Niederreiter 1987). What
+// build/find_point_orders says of t.
+const Test nets("unit.render.sampling.samples_fill_six_dimensions", [] {
+    constexpr int m = 10;
+    for (const auto& [dimensions, t] : {std::pair(2, 0), std::pair(4, 3), std::pair(6, 4)})
+        for (const int first : {0, 5 << m})
+            for (const std::uint32_t seed : {0u, 12345u}) {
+                std::vector<std::array<double, 6>> points;
+                for (int i = 0; i < 1 << m; ++i) points.push_back(six_numbers(first + i, seed));
+                for_each_split(static_cast<std::size_t>(dimensions), m - t,
+                               [&](const std::array<int, 6>& exponents) {
+                                   std::map<std::array<int, 6>, int> counts;
+                                   for (const std::array<double, 6>& point : points) {
+                                       std::array<int, 6> cell{};
+                                       for (std::size_t d = 0; d < 6; ++d)
+                                           cell[d] = static_cast<int>(std::ldexp(point[d], exponents[d]));
+                                       ++counts[cell];
+                                   }
+                                   for (const auto& [cell, count] : counts)
+                                       ASSERT_EQ(count, 1 << t) << dimensions << " dimensions";
+                               });
+            }
 });
 
 const Test seeds("unit.render.sampling.seeds_give_other_points", [] {
