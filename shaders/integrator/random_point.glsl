@@ -12,5 +12,5 @@ uint seed_of(uint purpose) {
 // Purpose 0 is the BRDF's direction, k + 1 the point on light k.
 vec2 random_point(uint purpose) { return scrambled_point(sample_digits.xy, seed_of(purpose)); }
 
-// For a purpose whose numbers meet those of random_point() in one product.
+// For numbers that one estimate uses together with those of random_point().
 vec2 further_random_point(uint purpose) { return scrambled_point(sample_digits.zw, seed_of(purpose)); }

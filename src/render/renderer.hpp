@@ -201,8 +201,8 @@ private:
     std::optional<RenderTarget> frame_;       // of a sample that cannot be added as it is drawn
     std::optional<TriangleBuffer> triangles_; // where finely meshed surfaces are shaded pixel by pixel
     ConvergedPixels converged_;
-    std::optional<int>
-        triangles_of_; // ConvergedPixels::event_of() whose triangles are drawn; absent: all are
+    /// ConvergedPixels::event_of() whose triangles are drawn; absent: all are.
+    std::optional<int> triangles_of_;
     FrameData frame_data_;
     std::optional<DeferredVisibility> deferred_;
     // or else:

@@ -6,8 +6,8 @@ namespace {
 using std::uint32_t;
 
 /// Another order of the points: the sum modulo 2 of the columns that the digits of an index choose, the first
-/// one lowest. A pair of coordinates in another order is as even as before, and with those before it fills
-/// the boxes of four or six dimensions about as evenly as a pair can. Source: `build/find_point_orders 226`.
+/// one lowest. A pair of coordinates in another order is as even as before. These orders also let the pairs
+/// fill the boxes of four and of six dimensions evenly. Source: `build/find_point_orders 226`.
 using Order = std::array<uint32_t, 20>;
 constexpr Order order_of_points{0x1,    0x3,    0x4,     0xd,     0x11,    0x32,   0x57,
                                 0x81,   0x16c,  0x268,   0x7e5,   0x886,   0x15b7, 0x3997,

@@ -94,7 +94,7 @@ void TriangleBuffer::draw_before(const OpenPixels& open, const GpuScene& scene, 
         const GpuMesh& mesh = scene.mesh_of(draw);
         const std::vector<std::uint32_t> indices = mesh.read_indices();
         const std::vector<std::uint32_t> triangles = open.triangles_before(
-            mesh.read_positions(), indices, clip_from_world * draw.world_from_object, faces_of(draw));
+            mesh.read_positions(), indices, draw.world_from_object, clip_from_world, faces_of(draw));
         selections_.emplace_back(triangles, indices);
     }
 }

@@ -1,16 +1,16 @@
 // Finds orders of the two-dimensional Sobol points (src/render/sampling.cpp) under which pairs of coordinates
-// fill the boxes of four and of six dimensions evenly: find_point_orders [SEED]
+// fill the boxes of four and of six dimensions evenly.
 //
 // Coordinates of a digital sequence are matrices over GF(2) that multiply the digits of the index
 // (Niederreiter 1987). The pair (M, P M) is the pair (I, P) of Sobol' in another order, which an upper
 // triangular M with ones on its diagonal names. Column after column, the search takes the one with the least
 // t of the (t,m,s)-net of the first 2^m points, and the fewest boxes at fault, of all columns or of many
 // random ones.
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstdio>
-#include <cstdlib>
 #include <random>
 #include <utility>
 #include <vector>
@@ -137,8 +137,15 @@ void print_columns(const Matrix& order) {
 
 } // namespace
 
-int main(int count, char** arguments) {
-    std::mt19937 random(count > 1 ? static_cast<unsigned>(std::atoi(arguments[1])) : 1u);
+int main(int argc, char** argv) {
+    std::uint32_t seed = 1;
+    CLI::App app{
+        "Orders of Sobol points under which pairs of coordinates fill four and six dimensions evenly."};
+    app.add_option("seed", seed, "of the columns that the search tries")->capture_default_str();
+    app.footer(
+        "Example, which printed the orders of src/render/sampling.cpp:\n  build/find_point_orders 226");
+    CLI11_PARSE(app, argc, argv);
+    std::mt19937 random(seed);
     Matrix identity{};
     for (unsigned row = 0; row < columns; ++row) identity[row] = 1u << row;
     std::vector<Matrix> matrices{identity, pascal()};

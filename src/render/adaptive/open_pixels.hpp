@@ -26,7 +26,8 @@ public:
     /// triangle.
     std::vector<std::uint32_t> triangles_before(std::span<const vec3> positions,
                                                 std::span<const std::uint32_t> indices,
-                                                const mat4& clip_from_object, Faces faces) const;
+                                                const mat4& world_from_object, const mat4& clip_from_world,
+                                                Faces faces) const;
 
 private:
     std::uint32_t count(int column, int row) const; // of the pixels above and left of this corner
