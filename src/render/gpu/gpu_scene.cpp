@@ -67,23 +67,12 @@ struct ImageUse {
     bool operator==(const ImageUse&) const = default;
 };
 
-/// An image on its way to the GPU.
-struct PreparedImage {
-    std::optional<scene::TextureImage> packed; // in the place of the scene's
-    std::vector<MipLevel> lower_levels;
-};
-
-PreparedImage prepared(const scene::Scene& scene, const ImageUse& use) {
+TexelSource source_of(const scene::Scene& scene, const ImageUse& use) {
     const auto image_of = [&](int i) -> const scene::TextureImage& {
         return scene.images[static_cast<std::size_t>(i)];
     };
-    PreparedImage prepared;
-    if (use.alpha_from.image >= 0)
-        prepared.packed =
-            with_alpha(image_of(use.image), image_of(use.alpha_from.image), use.alpha_from.channel);
-    prepared.lower_levels = lower_mip_levels(prepared.packed ? *prepared.packed : image_of(use.image),
-                                             use.color_space, use.layout);
-    return prepared;
+    if (use.alpha_from.image < 0) return image_of(use.image);
+    return {image_of(use.image), image_of(use.alpha_from.image), use.alpha_from.channel};
 }
 
 /// For each texture, whether a material compares its alpha with a cutoff.
@@ -188,17 +177,17 @@ void GpuScene::upload_textures(const scene::Scene& scene, TextureChannels kept) 
             samplers_.push_back(sampler_object(texture.sampler));
         }
     }
-    // Threads convert and halve the images, a few ahead of the upload: all at once would take their memory at
-    // once.
+    // Threads halve the images, a few ahead of the upload: all at once would take their memory at once.
     const std::size_t max_ahead = std::max(2u, std::thread::hardware_concurrency());
-    std::deque<std::future<PreparedImage>> ahead;
+    std::deque<std::future<std::vector<MipLevel>>> ahead;
     for (std::size_t i = 0, begun = 0; i < uses.size(); ++i) {
         for (; begun < uses.size() && begun < i + max_ahead; ++begun)
-            ahead.push_back(started([&scene, use = uses[begun]] { return prepared(scene, use); }));
-        const PreparedImage image = ahead.front().get();
+            ahead.push_back(started([&scene, use = uses[begun]] {
+                return lower_mip_levels(source_of(scene, use), use.color_space, use.layout);
+            }));
+        images_.push_back(
+            upload(source_of(scene, uses[i]), uses[i].layout, [&] { return ahead.front().get(); }));
         ahead.pop_front();
-        images_.push_back(upload(image.packed ? *image.packed : scene.images[uses[i].image], uses[i].layout,
-                                 image.lower_levels));
     }
     for (const scene::MeasuredBrdf& measured : scene.measured) measured_.push_back(upload(measured));
 }

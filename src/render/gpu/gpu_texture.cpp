@@ -95,8 +95,9 @@ void define_levels(GlFormat stored, int width, int height, int levels) {
 
 } // namespace
 
-gl::Texture upload(const scene::TextureImage& image, TexelLayout layout,
-                   const std::vector<MipLevel>& lower_levels) {
+gl::Texture upload(const TexelSource& source, TexelLayout layout,
+                   const std::function<std::vector<MipLevel>()>& lower_levels) {
+    const scene::TextureImage& image = source.image;
     GLint largest = 0;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
     if (image.width > largest || image.height > largest)
@@ -106,18 +107,20 @@ gl::Texture upload(const scene::TextureImage& image, TexelLayout layout,
             "scale the image down");
     const GlFormat stored = gl_format(layout);
     gl::Texture texture(GL_TEXTURE_2D, image.name);
-    define_levels(stored, image.width, image.height, static_cast<int>(lower_levels.size()) + 1);
+    define_levels(stored, image.width, image.height,
+                  static_cast<int>(mip_level_count(image.width, image.height)));
     if (layout.channels != all_channels) place_channels(layout.channels);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     const auto fill = [&](std::size_t level, int first_row, int width, int rows, const std::byte* texels) {
         glTexSubImage2D(GL_TEXTURE_2D, static_cast<GLint>(level), 0, first_row, width, rows, stored.channels,
                         stored.type, texels);
     };
-    for_each_band(image, layout, [&](int first_row, int rows, std::span<const std::byte> texels) {
+    for_each_band(source, layout, [&](int first_row, int rows, std::span<const std::byte> texels) {
         fill(0, first_row, image.width, rows, texels.data());
     });
-    for (std::size_t i = 0; i < lower_levels.size(); ++i)
-        fill(i + 1, 0, lower_levels[i].width, lower_levels[i].height, lower_levels[i].storage.get());
+    std::size_t level = 0;
+    for (const MipLevel& lower : lower_levels())
+        fill(++level, 0, lower.width, lower.height, lower.storage.get());
     return texture;
 }
 

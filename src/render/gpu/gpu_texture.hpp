@@ -13,11 +13,12 @@
 
 namespace sr::render {
 
-/// Uploads an image and its lower_mip_levels(). Of TexelFormat::srgb8 the sampler decodes sRGB, so that
-/// filtering is in linear light. Channels that `layout` lacks read as 0, alpha as 1.
+/// Uploads an image, then its lower_mip_levels(), which another thread may make meanwhile. Of
+/// TexelFormat::srgb8 the sampler decodes sRGB, so that filtering is in linear light. Channels that `layout`
+/// lacks read as 0, alpha as 1.
 /// @throws Error naming the image if the driver's largest texture is smaller.
-gl::Texture upload(const scene::TextureImage& image, TexelLayout layout,
-                   const std::vector<MipLevel>& lower_levels);
+gl::Texture upload(const TexelSource& source, TexelLayout layout,
+                   const std::function<std::vector<MipLevel>()>& lower_levels);
 
 /// Uploads a measured BRDF as a texture of 180 φ_d × 90 θ_d × 90 θ_h (shaders/brdf/merl.glsl), 17.5 MB.
 gl::Texture upload(const scene::MeasuredBrdf& measured);

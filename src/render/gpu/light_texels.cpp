@@ -155,8 +155,39 @@ void EmissionMaps::write_texels(const scene::Scene& scene, std::span<std::uint64
 vec3 EmissionMaps::mean(const scene::Scene& scene, int index, const std::array<vec2, 3>& uv) {
     if (next_mean_ == means_.size()) means_.emplace_back();
     Mean& known = means_[next_mean_++];
-    if (known.texture != index || known.uv != uv) known = {index, uv, measure_mean(scene, index, uv)};
+    if (known.texture != index || known.uv != uv)
+        known = {index, uv, is_dark(scene, index, uv) ? vec3(0.0f) : measure_mean(scene, index, uv)};
     return known.color;
+}
+
+bool EmissionMaps::is_dark(const scene::Scene& scene, int index, const std::array<vec2, 3>& uv) const {
+    constexpr float farthest =
+        1e5f;                     // texels: beyond, rounding may exceed the texel that the box has around it
+    constexpr int max_cells = 64; // to look at more takes as long as to measure
+    const auto place = places_.find(index);
+    if (place == places_.end()) return false;
+    const auto& [width, height, wrap, blocks] = place->second;
+    vec2 low(farthest), high(-farthest);
+    for (const vec2& corner : uv) {
+        const vec2 at = scene::texel_place(corner, width, height) + 0.5f;
+        if (!(std::abs(at.x) < farthest && std::abs(at.y) < farthest)) return false;
+        low = glm::min(low, at - 1.0f);
+        high = glm::max(high, at + 1.0f);
+    }
+    const glm::ivec2 first(glm::floor(low)), last(glm::floor(high));
+    const scene::Sampler& sampler = scene.textures[static_cast<std::size_t>(index)].sampler;
+    const auto in_image = [&](glm::ivec2 texel) {
+        return glm::ivec2(scene::wrapped(texel.x, width, sampler.wrap_u),
+                          scene::wrapped(texel.y, height, sampler.wrap_v));
+    };
+    const glm::ivec2 begin = in_image(first) / side, end = in_image(last) / side;
+    if (in_image(last) - in_image(first) != last - first) return false; // it goes over an edge
+    if ((end.x - begin.x + 1) * (end.y - begin.y + 1) > max_cells) return false;
+    const int cells_of_row = (width + side - 1) / side;
+    for (int y = begin.y; y <= end.y; ++y)
+        for (int x = begin.x; x <= end.x; ++x)
+            if (blocks[static_cast<std::size_t>(y) * cells_of_row + x] != 0) return false;
+    return true;
 }
 
 vec3 EmissionMaps::measure_mean(const scene::Scene& scene, int index, const std::array<vec2, 3>& uv) {

@@ -52,6 +52,8 @@ private:
         vec3 color{0.0f};
     };
 
+    /// True if the part that the triangle covers is known to have no light.
+    bool is_dark(const scene::Scene& scene, int texture, const std::array<vec2, 3>& uv) const;
     static vec3 measure_mean(const scene::Scene& scene, int texture, const std::array<vec2, 3>& uv);
 
     std::vector<int> textures_; // in the order of their texels

@@ -122,16 +122,6 @@ struct Float32 {
     static Stored encode(Sum v, int) { return v; }
 };
 
-/// The channels of an image that a texel stores, in their order.
-template<class Codec>
-std::array<int, Codec::channels> stored_channels(unsigned channels) {
-    std::array<int, Codec::channels> stored{};
-    int count = 0;
-    for (int c = 0; c < 4 && count < Codec::channels; ++c)
-        if (channels >> c & 1u) stored[static_cast<std::size_t>(count++)] = c;
-    return stored;
-}
-
 uint32_t quarter(uint32_t sum) { return (sum + 2u) / 4u; }
 float quarter(float sum) { return 0.25f * sum; }
 
@@ -173,7 +163,8 @@ public:
             for (std::size_t code = 0; code < codes; ++code)
                 values_.push_back(of(static_cast<Code>(code), channel));
     }
-    Value operator()(Code code, int channel) const { return values_[code + (channel == 3 ? codes : 0)]; }
+    /// Those of a channel, by code.
+    const Value* of_channel(int channel) const { return &values_[channel == 3 ? codes : 0]; }
 
 private:
     static constexpr std::size_t codes = std::size_t{std::numeric_limits<Code>::max()} + 1;
@@ -187,25 +178,53 @@ const CodeTable<Code, typename Codec::Stored>& stored_of_code() {
     return table;
 }
 
+template<class Codec, class Code>
+const CodeTable<Code, typename Codec::Sum>& sum_of_code() {
+    static const CodeTable<Code, typename Codec::Sum> table(
+        [](Code code, int channel) -> typename Codec::Sum {
+            return Codec::decode(stored_of_code<Codec, Code>().of_channel(channel)[code], channel);
+        });
+    return table;
+}
+
+/// A channel of an image, and what its codes become.
+template<class Code, class Value>
+struct Plane {
+    const Code* codes;
+    const Value* values;
+    Value operator()(std::ptrdiff_t texel) const { return values[codes[4 * texel]]; }
+};
+
+template<class Codec, class Code, class Value>
+using Planes = std::array<Plane<Code, Value>, Codec::channels>;
+
+/// The channels that a texel stores, in their order.
+template<class Codec, class Code, class Value>
+Planes<Codec, Code, Value> planes_of(const TexelSource& source, unsigned channels,
+                                     const CodeTable<Code, Value>& table) {
+    const auto first = [](const scene::TextureImage& image, int channel) {
+        return std::get<std::vector<Code>>(image.texels).data() + channel;
+    };
+    Planes<Codec, Code, Value> planes{};
+    std::size_t count = 0;
+    for (int c = 0; c < 4 && count < planes.size(); ++c) {
+        if (!(channels >> c & 1u)) continue;
+        const bool is_elsewhere = c == 3 && source.alpha_from;
+        planes[count++] = {is_elsewhere ? first(*source.alpha_from, source.alpha_channel)
+                                        : first(source.image, c),
+                           table.of_channel(c)};
+    }
+    return planes;
+}
+
 // A source gives values that can be averaged, whether they are read from an image or from a level.
 
 /// Level 0, without storing it.
 template<class Codec, class Code>
 struct ImageSource {
-    using Sum = typename Codec::Sum;
-    static const CodeTable<Code, Sum>& sum_of_code() {
-        static const CodeTable<Code, Sum> table([](Code code, int channel) -> Sum {
-            return Codec::decode(stored_of_code<Codec, Code>()(code, channel), channel);
-        });
-        return table;
-    }
-
-    const Code* codes;
-    std::array<int, Codec::channels> channels;
-    const CodeTable<Code, Sum>& table = sum_of_code();
-    Sum operator()(std::ptrdiff_t texel, int stored_channel) const {
-        const int channel = channels[static_cast<std::size_t>(stored_channel)];
-        return table(codes[4 * texel + channel], channel);
+    Planes<Codec, Code, typename Codec::Sum> planes;
+    typename Codec::Sum operator()(std::ptrdiff_t texel, int channel) const {
+        return planes[static_cast<std::size_t>(channel)](texel);
     }
 };
 
@@ -273,12 +292,12 @@ MipLevel half_of(const auto& source, int width, int height) {
 }
 
 template<class Codec, class Code>
-std::vector<MipLevel> levels_below(const scene::TextureImage& image, unsigned channels) {
+std::vector<MipLevel> levels_below(const TexelSource& source, unsigned channels) {
     std::vector<MipLevel> levels;
+    const scene::TextureImage& image = source.image;
     if (image.width == 1 && image.height == 1) return levels;
-    const auto& codes = std::get<std::vector<Code>>(image.texels);
-    const ImageSource<Codec, Code> source{codes.data(), stored_channels<Codec>(channels)};
-    levels.push_back(half_of<Codec>(source, image.width, image.height));
+    const ImageSource<Codec, Code> level_0{planes_of<Codec>(source, channels, sum_of_code<Codec, Code>())};
+    levels.push_back(half_of<Codec>(level_0, image.width, image.height));
     while (levels.back().width > 1 || levels.back().height > 1) {
         const MipLevel& last = levels.back();
         const auto* values = reinterpret_cast<const typename Codec::Stored*>(last.storage.get());
@@ -315,26 +334,38 @@ auto with_types(const scene::TextureImage& image, TexelLayout layout, const auto
 using Take = std::function<void(int first_row, int rows, std::span<const std::byte>)>;
 
 template<class Codec, class Code>
-void convert_bands(const scene::TextureImage& image, unsigned channels, const Take& take) {
+void convert_bands(const TexelSource& source, unsigned channels, const Take& take) {
     using Stored = typename Codec::Stored;
     constexpr std::size_t band_values = std::size_t{64} << 10; // fit into a core's cache
-    const auto& codes = std::get<std::vector<Code>>(image.texels);
-    const auto& stored = stored_of_code<Codec, Code>();
-    const auto channels_of_image = stored_channels<Codec>(channels);
+    const scene::TextureImage& image = source.image;
+    const auto planes = planes_of<Codec>(source, channels, stored_of_code<Codec, Code>());
     const std::size_t row_values = std::size_t{Codec::channels} * image.width;
     const int max_rows = static_cast<int>(std::max<std::size_t>(1, band_values / row_values));
     std::vector<Stored> band;
     for (int row = 0; row < image.height; row += max_rows) {
         const int rows = std::min(max_rows, image.height - row);
         band.resize(rows * row_values);
-        const Code* from = codes.data() + std::size_t{4} * row * image.width;
-        for (auto to = band.begin(); to != band.end(); from += 4)
-            for (const int channel : channels_of_image) *to++ = stored(from[channel], channel);
+        std::ptrdiff_t texel = std::ptrdiff_t{row} * image.width;
+        for (auto to = band.begin(); to != band.end(); ++texel)
+            for (const auto& plane : planes) *to++ = plane(texel);
         take(row, rows, std::as_bytes(std::span(band)));
     }
 }
 
 } // namespace
+
+TexelSource::TexelSource(const scene::TextureImage& image_) : image(image_) {}
+
+TexelSource::TexelSource(const scene::TextureImage& image_, const scene::TextureImage& alpha_from_,
+                         int alpha_channel_)
+    : image(image_), alpha_from(&alpha_from_), alpha_channel(alpha_channel_) {
+    const auto has_8_bits = [](const scene::TextureImage& any) {
+        return std::holds_alternative<std::vector<uint8_t>>(any.texels);
+    };
+    require(has_8_bits(image) && has_8_bits(*alpha_from) && image.width == alpha_from->width
+                && image.height == alpha_from->height,
+            "images that are packed are alike");
+}
 
 TexelLayout texel_layout(const scene::TextureImage& image, scene::ColorSpace color_space, TexelNeeds needs) {
     const bool is_8_bit = std::holds_alternative<std::vector<uint8_t>>(image.texels);
@@ -346,26 +377,31 @@ TexelLayout texel_layout(const scene::TextureImage& image, scene::ColorSpace col
     return {TexelFormat::unorm16, are_few ? needs.channels : all_channels};
 }
 
-std::vector<MipLevel> lower_mip_levels(const scene::TextureImage& image, scene::ColorSpace color_space,
+std::size_t mip_level_count(int width, int height) {
+    return static_cast<std::size_t>(std::bit_width(static_cast<unsigned>(std::max(width, height))));
+}
+
+std::vector<MipLevel> lower_mip_levels(const TexelSource& source, scene::ColorSpace color_space,
                                        TexelLayout layout) {
     require((color_space == scene::ColorSpace::srgb)
                 == (layout.format != TexelFormat::unorm8 && layout.format != TexelFormat::unorm16),
             "the format holds the image's colour space");
-    return with_types(image, layout, [&]<class Codec, class Code> {
-        return levels_below<Codec, Code>(image, layout.channels);
+    return with_types(source.image, layout, [&]<class Codec, class Code> {
+        return levels_below<Codec, Code>(source, layout.channels);
     });
 }
 
-void for_each_band(const scene::TextureImage& image, TexelLayout layout, const Take& take) {
+void for_each_band(const TexelSource& source, TexelLayout layout, const Take& take) {
+    const scene::TextureImage& image = source.image;
     with_types(image, layout, [&]<class Codec, class Code> {
         const bool keeps_codes =
             std::is_same_v<
                 Codec,
                 Unorm8> || std::is_same_v<Codec, Srgb8> || (std::is_same_v<Codec, Unorm16<4>> && std::is_same_v<Code, uint16_t>);
-        if (keeps_codes)
+        if (keeps_codes && !source.alpha_from)
             take(0, image.height, std::as_bytes(std::span(std::get<std::vector<Code>>(image.texels))));
         else
-            convert_bands<Codec, Code>(image, layout.channels, take);
+            convert_bands<Codec, Code>(source, layout.channels, take);
     });
 }
 

@@ -49,6 +49,17 @@ struct TexelNeeds {
 /// its own in GL, and becomes linear floats.
 TexelLayout texel_layout(const scene::TextureImage& image, scene::ColorSpace color_space, TexelNeeds needs);
 
+/// The texels of an image. Their alpha may be a channel of another image.
+struct TexelSource {
+    TexelSource(const scene::TextureImage& image); // NOLINT(google-explicit-constructor): any image is one
+    /// Both images have one size, and codes of 8 bits.
+    TexelSource(const scene::TextureImage& image, const scene::TextureImage& alpha_from, int alpha_channel);
+
+    const scene::TextureImage& image;
+    const scene::TextureImage* alpha_from = nullptr;
+    int alpha_channel = 3;
+};
+
 /// A mip level below the image's own, level 0.
 struct MipLevel {
     int width = 0;
@@ -59,16 +70,19 @@ struct MipLevel {
     std::span<const std::byte> texels() const { return {storage.get(), size}; }
 };
 
-/// Makes the levels of `image` below level 0 down to 1×1; each is half the size of the one before, rounded
+/// Returns how many levels an image of this size has, down to 1×1.
+std::size_t mip_level_count(int width, int height);
+
+/// Makes the levels of an image below level 0 down to 1×1; each is half the size of the one before, rounded
 /// down. A texel is the mean of the texels that it covers (area-weighted where a size is odd), formed in
 /// linear light where the image is sRGB-encoded. `layout` is one that texel_layout() returns for the image.
-std::vector<MipLevel> lower_mip_levels(const scene::TextureImage& image, scene::ColorSpace color_space,
+std::vector<MipLevel> lower_mip_levels(const TexelSource& source, scene::ColorSpace color_space,
                                        TexelLayout layout);
 
 /// Gives level 0 to `take` in bands of whole rows from the top. The texels are the image's own, in one band,
 /// where the layout is the image's; otherwise they are valid during the call, and few at a time: all would
 /// take as much memory once more as they do on the GPU.
-void for_each_band(const scene::TextureImage& image, TexelLayout layout,
+void for_each_band(const TexelSource& source, TexelLayout layout,
                    const std::function<void(int first_row, int rows, std::span<const std::byte>)>& take);
 
 } // namespace sr::render

@@ -1,7 +1,5 @@
 #include "render/gpu/texture_packing.hpp"
 
-#include "core/error.hpp"
-
 #include <cstdint>
 #include <variant>
 
@@ -95,18 +93,6 @@ TexturePacking pack_textures(const scene::Scene& scene, bool is_wanted) {
     for (std::size_t i = 0; i < scene.textures.size(); ++i)
         packing.is_needed.push_back(is_read[i] || !is_replaced[i]);
     return packing;
-}
-
-scene::TextureImage with_alpha(const scene::TextureImage& image, const scene::TextureImage& from,
-                               int channel) {
-    require(has_8_bits(image) && has_8_bits(from) && image.width == from.width && image.height == from.height,
-            "images that are packed are alike");
-    scene::TextureImage packed = image;
-    auto& codes = std::get<std::vector<std::uint8_t>>(packed.texels);
-    const auto& alphas = std::get<std::vector<std::uint8_t>>(from.texels);
-    for (std::size_t i = 0; i < codes.size(); i += 4)
-        codes[i + 3] = alphas[i + static_cast<std::size_t>(channel)];
-    return packed;
 }
 
 } // namespace sr::render

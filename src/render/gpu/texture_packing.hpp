@@ -33,8 +33,4 @@ struct TexturePacking {
 /// Packs what can be packed; `is_wanted`: false packs nothing.
 TexturePacking pack_textures(const scene::Scene& scene, bool is_wanted);
 
-/// Returns the image with another alpha. Both have one size, and codes of 8 bits.
-scene::TextureImage with_alpha(const scene::TextureImage& image, const scene::TextureImage& from,
-                               int channel);
-
 } // namespace sr::render

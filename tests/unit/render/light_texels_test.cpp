@@ -1,6 +1,7 @@
 // Textures of emitters, as the light table reads them again and again.
 #include "render/gpu/light_texels.hpp"
 #include "support/address.hpp"
+#include "support/random.hpp"
 
 #include <glm/gtc/packing.hpp>
 #include <span>
@@ -105,6 +106,37 @@ const Test dark_cells("unit.render.emission_maps.dark_cells_share_a_block", [] {
             EXPECT_NEAR(texel.g, green, green / 2048.0f) << x << " " << y;
             EXPECT_EQ(vec2(texel.r, texel.b), vec2(0.0f)) << x << " " << y;
         }
+});
+
+// Triangles in the dark are known by their cells, and have the mean that their points have: wherever they
+// lie, and however the texture goes on beyond its edges.
+const Test dark_triangles("unit.render.emission_maps.a_triangle_in_the_dark_has_the_mean_of_its_points", [] {
+    constexpr int width = 150, height = 70;
+    std::vector<std::uint8_t> texels(4 * width * height, 0);
+    for (const auto& [left, top] :
+         {std::pair{0, 0}, {146, 40}, {62, 31}, {100, 66}}) // over edges of cells, too
+        for (int y = top; y < top + 4; ++y)
+            for (int x = left; x < left + 4; ++x) texels[static_cast<std::size_t>(4 * (y * width + x))] = 255;
+    sr::testing::Random random(5);
+    for (const auto wrap : {scene::Wrap::repeat, scene::Wrap::mirrored_repeat, scene::Wrap::clamp_to_edge}) {
+        scene::Scene scene;
+        scene.images.push_back({"points", width, height, texels});
+        scene.textures.emplace_back().sampler = {.wrap_u = wrap, .wrap_v = wrap};
+        render::EmissionMaps maps;
+        maps.add(scene, 0);
+        int lit = 0;
+        for (int i = 0; i < 20'000; ++i) {
+            const vec2 at(random.within(-3.0, 4.0), random.within(-3.0, 4.0));
+            const double reach = random.scale_within(0.001, 0.2);
+            Uv uv;
+            for (vec2& corner : uv) corner = at + vec2(random.in_cube(reach));
+            const vec3 measured = render::EmissionMaps().mean(scene, 0, uv);
+            EXPECT_EQ(maps.mean(scene, 0, uv), measured) << i;
+            lit += measured.r > 0.0f;
+        }
+        EXPECT_GT(lit, 100);
+        EXPECT_LT(lit, 10'000);
+    }
 });
 
 } // namespace

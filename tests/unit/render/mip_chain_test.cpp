@@ -35,11 +35,11 @@ float half_value(const MipLevel& level, std::size_t index = 0) {
 }
 
 /// Level 0, put together from its bands, and the levels below it.
-std::vector<MipLevel> chain(const scene::TextureImage& image, ColorSpace color_space, TexelNeeds needs = {}) {
-    const TexelLayout layout = texel_layout(image, color_space, needs);
+std::vector<MipLevel> chain_of(const TexelSource& source, ColorSpace color_space, TexelLayout layout) {
+    const scene::TextureImage& image = source.image;
     std::vector<std::byte> texels;
     int rows_so_far = 0;
-    for_each_band(image, layout, [&](int first_row, int rows, std::span<const std::byte> band) {
+    for_each_band(source, layout, [&](int first_row, int rows, std::span<const std::byte> band) {
         EXPECT_EQ(first_row, rows_so_far) << "no row is missing";
         rows_so_far += rows;
         texels.insert(texels.end(), band.begin(), band.end());
@@ -49,8 +49,12 @@ std::vector<MipLevel> chain(const scene::TextureImage& image, ColorSpace color_s
     MipLevel& first = levels.emplace_back(MipLevel{image.width, image.height, texels.size(), {}});
     first.storage = std::make_unique<std::byte[]>(texels.size());
     std::ranges::copy(texels, first.storage.get());
-    std::ranges::move(lower_mip_levels(image, color_space, layout), std::back_inserter(levels));
+    std::ranges::move(lower_mip_levels(source, color_space, layout), std::back_inserter(levels));
     return levels;
+}
+
+std::vector<MipLevel> chain(const scene::TextureImage& image, ColorSpace color_space, TexelNeeds needs = {}) {
+    return chain_of(image, color_space, texel_layout(image, color_space, needs));
 }
 
 constexpr TexelNeeds exact{true, false};
@@ -195,6 +199,29 @@ const Test exact_alpha("unit.render.mip_chain.a_packed_alpha_is_its_code", [] {
     });
     const auto levels = lower_mip_levels(image, ColorSpace::srgb, layout);
     EXPECT_EQ(half_value(levels[0], 3), 8.5f / 256.0f) << "the mean of 0, 1, 16 and 17";
+});
+
+// The alpha of another image stands in every level as if it were the image's own.
+const Test other_alpha("unit.render.mip_chain.alpha_may_be_a_channel_of_another_image", [] {
+    const auto noise = [](int seed) {
+        std::vector<std::uint8_t> texels;
+        for (int i = 0; i < 4 * 13 * 6; ++i)
+            texels.push_back(static_cast<std::uint8_t>(i * (seed + i) % 251));
+        return scene::TextureImage{"noise", 13, 6, texels};
+    };
+    const scene::TextureImage image = noise(3), other = noise(7);
+    scene::TextureImage together = image;
+    for (std::size_t i = 3; i < 4 * 13 * 6; i += 4)
+        std::get<0>(together.texels)[i] = std::get<0>(other.texels)[i - 2];
+    for (const TexelLayout layout : {TexelLayout{TexelFormat::unorm16}, {TexelFormat::float16_exact_alpha}}) {
+        const ColorSpace color_space =
+            layout.format == TexelFormat::unorm16 ? ColorSpace::linear : ColorSpace::srgb;
+        const auto expected = chain_of(together, color_space, layout);
+        const auto made = chain_of({image, other, 1}, color_space, layout);
+        ASSERT_EQ(made.size(), mip_level_count(13, 6));
+        for (std::size_t i = 0; i < made.size(); ++i)
+            EXPECT_TRUE(std::ranges::equal(made[i].texels(), expected.at(i).texels())) << i;
+    }
 });
 
 } // namespace
