@@ -260,10 +260,14 @@ Changes App::follow_shape() {
     return Change::camera;
 }
 
+/// Says that the picture has converged, and where it is: in one line, so that who reads it knows both at
+/// once.
 void App::log_picture() const {
     const Area at = workspace_.layout.film();
-    workspace_.messages.log(fmt::format("The picture has {}x{} pixels, at {},{}.", workspace_.width,
-                                        workspace_.height, at.from.x, at.from.y));
+    workspace_.messages.log(fmt::format("converged: {}, {}x{} pixels at {},{}, --camera '{}'{}",
+                                        progress_of(workspace_.scene->render()), workspace_.width,
+                                        workspace_.height, at.from.x, at.from.y,
+                                        workspace_.camera->argument(), workspace_.time_arguments()));
 }
 
 Changes App::update(double seconds) {
@@ -406,9 +410,6 @@ void App::advance(double seconds) {
     const bool was_converged = render.is_converged();
     if (activity() != Activity::exclusive && !workspace_.is_mixing) render.advance();
     if (render.is_converged() && !was_converged) log_picture();
-    if (render.is_converged() && !was_converged)
-        workspace_.messages.log(fmt::format("converged: {}, --camera '{}'{}", progress_of(render),
-                                            workspace_.camera->argument(), workspace_.time_arguments()));
     workspace_.exposure.measure(render, workspace_.statistics.drawn_frames);
     if (workspace_.exposure.advance(std::min(seconds, 0.1))) frames_to_draw_ = std::max(frames_to_draw_, 2);
 }

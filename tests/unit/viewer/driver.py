@@ -75,7 +75,8 @@ class Display:
         start = header[0] + 12 * colors
 
         def pixel(x, y):
-            b, g, r = data[start + y * line + 4 * x:][:3]
+            first = start + y * line + 4 * x
+            b, g, r = data[first:first + 3]
             return r, g, b
         return pixel
 

@@ -6,12 +6,11 @@ usage: layout_test.py STERADIAN SCENES_FOLDER SCRATCH_FOLDER
 """
 import re
 import shutil
-import subprocess
 import sys
 from pathlib import Path
 
 from driver import Display, Viewer, skip_without
-from viewer_test import SCENES, SCRATCH, STERADIAN, UPRIGHT, same, steradian
+from viewer_test import SCENES, SCRATCH, STERADIAN, pixels_of, same, steradian
 
 OPTIONS = "--samples", "1", "--visibility", "none", "--exposure", "8", "--gl-debug"
 COLUMN = 290  # width of the left column before scaling
@@ -19,25 +18,16 @@ COLUMN = 290  # width of the left column before scaling
 
 def picture_of(viewer: Viewer) -> tuple[int, int, int, int]:
     """x, y, width and height of the picture in the window, as the viewer says."""
-    width, height, x, y = map(int, re.findall(r"The picture has (\d+)x(\d+) pixels, at (\d+),(\d+)\.", viewer.errors())[-1])
+    width, height, x, y = map(int, re.findall(r"converged: .* (\d+)x(\d+) pixels at (\d+),(\d+),", viewer.errors())[-1])
     return x, y, width, height
-
-
-def codes_of(png: Path, width: int, height: int) -> bytes:
-    plain = SCRATCH / "plain.ppm"
-    subprocess.run(["oiiotool", png, "--ch", "R,G,B", "-d", "uint8", *UPRIGHT, "-o", plain], check=True)
-    codes = plain.read_bytes()
-    assert re.match(rb"P6\s+%d %d\s" % (width, height), codes), f"{png} has another size than the picture"
-    return codes[-3 * width * height:]
 
 
 def is_bare(viewer: Viewer) -> bool:
     """Whether the window shows the pixels of the picture, but for the few that the mark of a light hides."""
     x, y, width, height = picture_of(viewer)
-    codes, screen = codes_of(viewer.shot(exr=False), width, height), viewer.display.pixels()
+    code, screen = pixels_of(viewer.shot(exr=False), width, height), viewer.display.pixels()
     places = {(i, j) for i in (*range(0, width, 29), width - 1) for j in (*range(0, height, 23), height - 1)}
-    hidden = [(i, j) for i, j in places
-              if any(abs(a - b) > 1 for a, b in zip(screen(x + i, y + j), codes[3 * (j * width + i):][:3]))]
+    hidden = [(i, j) for i, j in places if any(abs(a - b) > 1 for a, b in zip(screen(x + i, y + j), code(i, j)))]
     return len(hidden) <= 8
 
 

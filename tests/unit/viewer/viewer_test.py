@@ -59,8 +59,14 @@ def pixels_of(png: Path, width: int = WIDTH, height: int = HEIGHT):
     """A function from x, y to the (r, g, b) of a PNG of this size."""
     plain = SCRATCH / "plain.ppm"
     subprocess.run(["oiiotool", png, "--ch", "R,G,B", "-d", "uint8", *UPRIGHT, "-o", plain], check=True)
-    pixels = plain.read_bytes()[-3 * width * height:]
-    return lambda x, y: tuple(pixels[3 * (y * width + x):][:3])
+    file = plain.read_bytes()
+    assert re.match(rb"P6\s+%d %d\s" % (width, height), file), f"{png} has another size than the picture"
+    pixels = file[-3 * width * height:]
+
+    def pixel(x: int, y: int) -> tuple[int, ...]:
+        first = 3 * (y * width + x)
+        return tuple(pixels[first:first + 3])
+    return pixel
 
 
 def camera_of(viewer: Viewer) -> str:
