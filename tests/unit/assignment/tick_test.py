@@ -6,6 +6,7 @@ usage: tick_test.py STERADIAN ASSIGNMENTS_FOLDER SCRATCH_FOLDER [ASSIGNMENT...]
 One assignment and one of its mistakes. With STERADIAN_TICK=all every assignment and every mistake, 353 in all (some hours); with
 STERADIAN_TICK=N every assignment and N of its mistakes, evenly spread over its tasks.
 """
+import functools
 import json
 import os
 import re
@@ -60,8 +61,14 @@ def with_line(folder: Path, line: dict) -> Path:
     return changed
 
 
-def checks(folder: Path, task: str) -> dict:
-    marks = json.loads(steradian("assignment", "check", folder, "--json", "--time-limit", "600", statuses=(0, 1)))
+def marks_of(folder: Path) -> dict:
+    return json.loads(steradian("assignment", "check", folder, "--json", "--time-limit", "600", statuses=(0, 1)))
+
+
+marks_of_unchanged = functools.cache(marks_of)
+
+
+def checks(marks: dict, task: str) -> dict:
     found = next(t for t in marks["tasks"] if t["id"] == task)
     return {check["name"]: check["passed"] for check in found["checks"]}
 
@@ -151,14 +158,14 @@ def prove_parameter(folder: Path, facts: dict):
 
 
 def prove_law(folder: Path, task: str, facts: dict):
-    before = checks(folder, task)
+    before = checks(marks_of_unchanged(folder), task)
     assert before[facts["check"]] == facts["holds"], (before, facts)
     if facts["line"]:
-        assert not checks(with_line(folder, facts["line"]), task)[facts["check"]], facts
+        assert not checks(marks_of(with_line(folder, facts["line"])), task)[facts["check"]], facts
 
 
 def prove_replacement(folder: Path, task: str, facts: dict):
-    before, after = checks(folder, task), checks(with_line(folder, facts["line"]), task)
+    before, after = checks(marks_of_unchanged(folder), task), checks(marks_of(with_line(folder, facts["line"])), task)
     broken = [name for name, passed in after.items() if not passed and before.get(name)]
     assert sorted(broken) == sorted(facts["breaks"]), (broken, facts)
     assert sorted(name for name, passed in after.items() if passed) == sorted(facts["holds"]), (after, facts)
