@@ -49,7 +49,7 @@ endif()
 
 # What runs once or waits for others need not be fast. -O1 takes a quarter off the time that templates compile; with
 # sanitizers -O0 halves it. A fifth of the rest, and half of the code, is a check of each pointer for null and for its alignment.
-# AddressSanitizer reports what reads from null. What reads bytes of files (src/gltf, src/image) keeps both checks.
+# AddressSanitizer reports what reads from null. What reads bytes of files (src/gltf, src/image, src/scene) keeps both checks.
 add_library(sr_compile_quickly INTERFACE)
 if(NOT MSVC AND NOT CMAKE_BUILD_TYPE STREQUAL "Debug")
   if(STERADIAN_SANITIZE)

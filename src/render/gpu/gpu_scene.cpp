@@ -12,7 +12,6 @@
 #include <cstring>
 #include <deque>
 #include <future>
-#include <optional>
 #include <set>
 #include <thread>
 #include <tuple>

@@ -161,9 +161,10 @@ vec3 EmissionMaps::mean(const scene::Scene& scene, int index, const std::array<v
 }
 
 bool EmissionMaps::is_dark(const scene::Scene& scene, int index, const std::array<vec2, 3>& uv) const {
-    constexpr float farthest =
-        1e5f;                     // texels: beyond, rounding may exceed the texel that the box has around it
-    constexpr int max_cells = 64; // to look at more takes as long as to measure
+    // Beyond so many texels, rounding may exceed the one texel that the box has around it.
+    constexpr float farthest = 1e5f;
+    // To look at more cells takes as long as to measure.
+    constexpr int max_cells = 64;
     const auto place = places_.find(index);
     if (place == places_.end()) return false;
     const auto& [width, height, wrap, blocks] = place->second;

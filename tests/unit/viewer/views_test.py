@@ -158,7 +158,7 @@ def timing(viewer: Viewer):
     def parts() -> dict[str, float]:
         found = re.findall(r"([a-z ]+) (-?[0-9.]+) ms", re.findall(r"A sample: (.*)", viewer.errors())[-1])
         values = {name.strip(): float(value) for name, value in found}
-        sample = float(re.findall(r"converged: .*?, (\S+) ms each", viewer.errors())[-1])
+        sample = float(re.findall(r"converged: .*, (\S+) ms each", viewer.errors())[-1])
         assert min(values.values()) >= 0 and abs(sum(values.values()) - sample) < 0.1, (values, sample)
         return values
 
